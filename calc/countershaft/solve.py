@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The counter-shaft as given: its couple, what it leaves of the imbalance, what its supports carry."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..imbalance.solve import ImbalanceResult
+from ..sheet.check import check
+from ..sheet.quantity import value
+from ..sheet.step import Curve, Outcome, Series
+from ..sheet.trace import trace
+from ..sheet.units import Kilogram, KilogramMetre, Newton, NewtonMetre, Radian, RadPerSecond
+from . import formulas as f
+from .inputs import CountershaftInputs
+
+LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
+
+
+@dataclass(frozen=True, kw_only=True)
+class CountershaftResult:
+    couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
+    couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
+    residual_order_1_couple: NewtonMetre = value("First-order couple left over", "N·m", "C_1,res")
+    residual_order_1_force: Newton = value("First-order force left over", "N", "F_1,res")
+    static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
+    force: Newton = value("Rotating force of the shaft", "N", "F_S")
+    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
+    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
+    eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+
+
+def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond) -> Outcome:
+    """Check a shaft of given masses against the couple that the engine asks for.  `omega` is the crank's rated angular speed."""
+    m, e, gamma, z = (np.array([getattr(part, name) for part in shaft.masses]) for name in ("mass", "radius", "angle", "z"))
+    z_f, z_r = shaft.bearing_positions
+    F_forward, F_backward, C_forward, C_backward = imbalance.orders["order_1"].vectors
+    with trace() as lines:
+        C_S = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
+        couple = f.couple(C_S=C_S)
+        phase = f.couple_phase(C_S=C_S)
+        F_S = f.shaft_force(omega=omega, m=m, e=e, gamma=gamma)
+        force = f.force(F_S=F_S)
+        left = f.residual_backward(C_b=C_backward, C_S=C_S)
+        residual = f.residual_couple(C_f=C_forward, C_b=left)
+        residual_force = f.residual_force(F_f=F_forward, F_b=F_backward, F_S=F_S)
+        R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
+        R_f = f.reaction_front(F_S=F_S, R_r=R_r)
+        rear, front = f.reaction(R=R_r), f.reaction(R=R_f)
+    result = CountershaftResult(
+        couple=couple, couple_phase=phase, residual_order_1_couple=residual, residual_order_1_force=residual_force,
+        static_unbalance=force / omega**2, force=force, reaction_front=front, reaction_rear=rear, eccentric_mass=float(m.sum()),
+    )  # fmt: skip
+    needed = imbalance.required_couple
+    checks = (
+        check(
+            "countershaft.residual", "First-order couple left over", residual, "<=", LEFT_OVER * max(needed, abs(C_forward)), "N·m",
+            "rule of this program: 5 % of the couple to be balanced",
+            f"Aim at {needed:.1f} N·m at {math.degrees(imbalance.required_couple_phase):.1f}°: the couple grows with mass, radius and arm of the eccentric masses.",
+        ),
+    )  # fmt: skip
+    theta = np.radians(np.arange(0, 361, 3.0))
+    forward, backward = np.exp(1j * theta), np.exp(-1j * theta)
+    before = C_forward * forward + C_backward * backward
+    after = C_forward * forward + left * backward
+    curve = Curve(
+        "residual", "First-order couple before and after the counter-shaft", "horizontal, N·m", "vertical, N·m",
+        (Series("before", before.imag, before.real), Series("after", after.imag, after.real)), equal=True,
+    )  # fmt: skip
+    notes = (
+        "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter.",
+        "The reactions turn with the shaft; its weight and the gear force stand still and are not added here.",
+    )
+    return Outcome("countershaft", result=result, checks=checks, lines=tuple(lines), curves=(curve,), notes=notes)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A design: the six Inputs in order.  A seventh step is one new folder, two adjacent lines here and its call in solve.py."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from .bearings.inputs import BearingsInputs
+from .catalogue import Material, Oil, materials, oils
+from .countershaft.inputs import CountershaftInputs
+from .engine.inputs import EngineInputs
+from .friction.inputs import FrictionInputs
+from .gears.inputs import GearsInputs
+from .imbalance.inputs import ImbalanceInputs
+from .sheet.quantity import integer, table, tables, text
+from .sheet.step import Step
+
+SCHEMA = 1
+
+STEPS = (
+    Step("engine", "Engine", EngineInputs),
+    Step("imbalance", "Imbalance", ImbalanceInputs),
+    Step("countershaft", "Counter-shaft", CountershaftInputs),
+    Step("bearings", "Bearings", BearingsInputs),
+    Step("gears", "Gears", GearsInputs),
+    Step("friction", "Friction", FrictionInputs),
+)
+
+
+@dataclass(frozen=True)
+class Design:
+    """Everything that a design file says, checked and in SI."""
+
+    schema: int = integer("Schema", low=1, high=SCHEMA)
+    name: str = text("Design")
+    note: str = text("Note", default="")
+    author: str = text("Author", default="")
+    checker: str = text("Checker", default="")
+    revision: str = text("Revision", default="")
+    date: str = text("Date", default="")
+    oil: tuple[Oil, ...] = tables("Oils of this design", Oil, optional=True)
+    material: tuple[Material, ...] = tables("Materials of this design", Material, optional=True)
+    engine: EngineInputs | None = table("Engine", EngineInputs, optional=True)
+    imbalance: ImbalanceInputs | None = table("Imbalance", ImbalanceInputs, optional=True)
+    countershaft: CountershaftInputs | None = table("Counter-shaft", CountershaftInputs, optional=True)
+    bearings: BearingsInputs | None = table("Bearings", BearingsInputs, optional=True)
+    gears: GearsInputs | None = table("Gears", GearsInputs, optional=True)
+    friction: FrictionInputs | None = table("Friction", FrictionInputs, optional=True)
+
+    @property
+    def oils(self) -> dict[str, Oil]:
+        return oils(self.oil)
+
+    @property
+    def materials(self) -> dict[str, Material]:
+        return materials(self.material)
+
+    def asked(self) -> tuple[Step, ...]:
+        return tuple(s for s in STEPS if getattr(self, s.key) is not None)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        """What only the whole design can show: (key, reason)."""
+        if not self.asked():
+            yield "", "no step is asked: give at least one of the tables " + ", ".join(f"[{s.key}]" for s in STEPS)
+        for key, name, known in self._names():
+            if name is not None and name not in known:
+                yield key, _unknown_name(name, known)
+        if self.friction is not None and self.bearings is None:
+            for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
+                if getattr(self.friction, attribute) is None:
+                    yield key, "needed where there is no [bearings] table to take it from"
+        if self.gears is not None and self.engine is None and self.gears.speed is None:
+            yield "gears.speed_rpm", "needed where there is no [engine] table to take it from"
+        if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
+            yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
+
+    def _names(self) -> Iterable[tuple[str, Any, Any]]:
+        known_oils, solids = self.oils, self.materials
+        if self.countershaft is not None:
+            yield "countershaft.material", self.countershaft.material, solids
+        if self.bearings is not None:
+            yield "bearings.oil", self.bearings.oil, known_oils
+            yield "bearings.housing_material", self.bearings.housing_material, solids
+        if self.gears is not None:
+            for i, wheel in enumerate(self.gears.wheels):
+                yield f"gears.wheels.{i}.material", wheel.material, solids
+        if self.friction is not None:
+            yield "friction.oil", self.friction.oil, known_oils
+
+
+def _unknown_name(name: str, known: Iterable[str]) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, list(known), 1)
+    return f'"{name}" is not known' + (f'; did you mean "{near[0]}"?' if near else "; known are " + ", ".join(known))

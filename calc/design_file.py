@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Design ⇄ TOML.  A `Document` is a design as its file has it; `design()` checks it whole and turns it into SI.
+
+Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.
+"""
+
+import hashlib
+import math
+import re
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import Any
+
+from .design import STEPS, Design
+from .sheet.errors import BadInput, InputError
+from .sheet.quantity import Key, Quantity, keys
+
+LARGEST_FILE = 1_000_000  # bytes; a design has a few thousand
+NAME = re.compile(r"[A-Za-z0-9-]+\Z")
+Table = dict[str, Any]
+
+
+@dataclass(frozen=True)
+class Document:
+    """The tables of a design file in the units of their keys, where each key stands, and what the bytes hash to."""
+
+    data: Table
+    place: str = "design"
+    lines: dict[str, int] = field(default_factory=dict)
+    sha256: str = ""
+
+    def with_value(self, key: str, value: Any) -> "Document":
+        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`)."""
+        return replace(self, data=_changed(self.data, address(self.data, key), value), lines={**self.lines, key: 0})
+
+
+# --- reading --------------------------------------------------------------------------------------------------------------
+def read(path: Path | str) -> Document:
+    """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
+    place = str(path)
+
+    def refuse(reason: str, line: int = 1) -> BadInput:
+        return BadInput(place, [InputError(line, "", "", reason)])
+
+    try:
+        raw = Path(path).read_bytes()
+    except OSError as error:
+        raise BadInput(place, [InputError(0, "", "", f"cannot be read: {error.strerror or error}; give the path of a design file")]) from None
+    if len(raw) > LARGEST_FILE:
+        raise refuse(f"is {len(raw)} bytes long; a design file has at most {LARGEST_FILE}")
+    return parse(raw, place)
+
+
+def parse(raw: bytes, place: str) -> Document:
+    """The document in the bytes of a design file."""
+
+    def refuse(reason: str, line: int = 1) -> BadInput:
+        return BadInput(place, [InputError(line, "", "", reason)])
+
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise refuse("is not text in UTF-8; a design is a TOML text file", raw[: error.start].count(b"\n") + 1) from None
+    if not text.strip():
+        raise refuse("is empty; `contralbero new FILE` writes a complete design")
+    try:
+        data = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        at = re.search(r"at line (\d+)", str(error))
+        line = int(at[1]) if at else text.count("\n") + 1
+        raise refuse(f"is not TOML: {re.sub(r' *[(]at .*[)]', '', str(error))}", line) from None
+    except (RecursionError, ValueError) as error:
+        raise refuse("is not a design: " + ("nested too deeply" if isinstance(error, RecursionError) else str(error))) from None
+    return Document(data, place, key_lines(text), hashlib.sha256(raw).hexdigest())
+
+
+HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(?:#.*)?\Z")
+ASSIGNMENT = re.compile(r"""\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=""")
+
+
+def key_lines(text: str) -> dict[str, int]:
+    """The line of every key and table of a TOML text; elements of arrays of tables by index (`gears.wheels.0.teeth`)."""
+    lines: dict[str, int] = {}
+    counts: dict[str, int] = {}
+    prefix, depth, quote = "", 0, ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if quote:
+            quote = "" if quote in line else quote
+            continue
+        if depth == 0 and (header := HEADER.match(line)):
+            parts = [p.strip().strip("\"'") for p in header[2].split(".")]
+            prefix = ""
+            for i, part in enumerate(parts):
+                prefix = f"{prefix}.{part}" if prefix else part
+                if i == len(parts) - 1 and header[1] == "[[":
+                    lines.setdefault(prefix, number)
+                    counts[prefix] = counts.get(prefix, -1) + 1
+                if prefix in counts:
+                    prefix = f"{prefix}.{counts[prefix]}"
+            lines.setdefault(prefix, number)
+            continue
+        if depth == 0 and (assignment := ASSIGNMENT.match(line)):
+            key = ".".join(p.strip().strip("\"'") for p in assignment[1].split("."))
+            lines.setdefault(f"{prefix}.{key}" if prefix else key, number)
+            line = line[assignment.end() :]
+        for mark in ('"""', "'''"):
+            if line.count(mark) % 2:
+                quote = mark
+        bare = re.sub(r'"(?:\\.|[^"\\])*"|\'[^\']*\'|#.*', "", line)
+        depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
+    return lines
+
+
+# --- checking ---------------------------------------------------------------------------------------------------------------
+class _Reader:
+    """Walks a document along the Inputs classes and collects every error."""
+
+    def __init__(self, document: Document) -> None:
+        self.document = document
+        self.errors: list[InputError] = []
+
+    def error(self, key: str, value: Any, reason: str) -> None:
+        self.errors.append(InputError(self.line(key), key, "" if value is None else _written(value), reason))
+
+    def line(self, key: str) -> int:
+        """The line of a key, or of the nearest table around it."""
+        while key and key not in self.document.lines:
+            key = key.rpartition(".")[0]
+        return self.document.lines.get(key, 1) if key else 1
+
+    def inputs(self, cls: type, data: Table, prefix: str) -> Any:
+        """One Inputs object, or None where something in it is wrong."""
+        known = keys(cls)
+        before = len(self.errors)
+        values: Table = {}
+        for key in data:
+            if key not in known:
+                self.error(_join(prefix, key), None, _unknown(key, known))
+        for key, about in known.items():
+            if key in data:
+                values[about.attribute] = self.value(about.about, data[key], _join(prefix, key))
+            elif not about.about.optional:
+                self.error(_join(prefix, key), None, f"is missing; needs {about.about.allowed()}")
+        if len(self.errors) > before:
+            return None
+        made = cls(**values)
+        for key, reason in getattr(made, "problems", lambda: ())():
+            self.error(_join(prefix, key), None, reason)
+        return made if len(self.errors) == before else None
+
+    def value(self, about: Quantity, value: Any, key: str) -> Any:
+        match about.kind:
+            case "table":
+                if not isinstance(value, dict):
+                    return self.error(key, value, "must be a table")
+                return self.inputs(about.table, value, key)  # type: ignore[arg-type]
+            case "tables":
+                return self.tables(about, value, key)
+            case "series" | "integers":
+                return self.series(about, value, key)
+            case "text" | "choice":
+                if not isinstance(value, str) or (about.choices and value not in about.choices):
+                    return self.error(key, value, f"must be {about.allowed()}")
+                return value
+        return self.number(about, value, key)
+
+    def number(self, about: Quantity, value: Any, key: str) -> Any:
+        whole = about.kind in ("integer", "integers")
+        if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
+            return self.error(key, value, f"must be {about.allowed()}")
+        if abs(value) > 1e300 or not math.isfinite(value):
+            return self.error(key, value, f"must be {about.allowed()}, and finite")
+        low, high, above = about.low, about.high, about.above
+        if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
+            return self.error(key, value, f"must be {about.allowed()}")
+        return value if whole else about.units.inside(float(value))
+
+    def series(self, about: Quantity, value: Any, key: str) -> Any:
+        items = value if isinstance(value, list) else [value]
+        if about.count and not about.count[0] <= len(items) <= about.count[1]:
+            low, high = about.count
+            return self.error(key, value, f"has {len(items)} entries; needs {low if low == high else f'{low} to {high}'}")
+        if not items:
+            return self.error(key, value, f"is empty; needs {about.allowed()}")
+        return tuple(self.number(about, item, key) for item in items)
+
+    def tables(self, about: Quantity, value: Any, key: str) -> Any:
+        if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
+            return self.error(key, value, "must be an array of tables: [[" + key + "]]")
+        made = tuple(self.inputs(about.table, item, f"{key}.{i}") for i, item in enumerate(value))  # type: ignore[arg-type]
+        names = [item.get("name") for item in value]
+        addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)  # type: ignore[arg-type]
+        for i, name in enumerate(names):
+            if isinstance(name, str):
+                if addressed and not NAME.match(name):
+                    self.error(f"{key}.{i}.name", name, "must be made of letters, digits and -, since the element is addressed by it")
+                if name in names[:i]:
+                    self.error(f"{key}.{i}.name", name, "stands twice; every element needs a name of its own")
+        return made
+
+
+def design(document: Document) -> Design:
+    """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines."""
+    reader = _Reader(document)
+    made: Design | None = reader.inputs(Design, document.data, "")
+    if made is None:
+        raise BadInput(document.place, reader.errors)
+    return made
+
+
+def load(path: Path | str) -> tuple[Document, Design]:
+    document = read(path)
+    return document, design(document)
+
+
+# --- addresses and edits ----------------------------------------------------------------------------------------------------
+def address(data: Table, key: str) -> tuple[str | int, ...]:
+    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the nearest key."""
+    found: list[str | int] = []
+    here: Any = data
+    cls: type | None = Design
+    parts = key.split(".")
+    for i, part in enumerate(parts):
+        if isinstance(here, list):
+            index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
+            if index is None and part.isdigit() and int(part) < len(here):
+                index = int(part)
+            if index is None:
+                names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
+                raise _no_such(key, f'there is no element "{part}"; there are {names or "none"}')
+            found.append(index)
+            here = here[index]
+            continue
+        known = keys(cls) if cls is not None else {}
+        if part not in known:
+            raise _no_such(key, _unknown(part, known) if known else f'"{".".join(parts[:i])}" has no parts')
+        found.append(part)
+        about = known[part].about
+        cls = about.table
+        here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
+    if cls is not None:
+        raise _no_such(key, "is a table; name one of its keys: " + ", ".join(keys(cls)))
+    return tuple(found)
+
+
+def quantity_of(data: Table, key: str) -> Quantity:
+    """The description of the quantity at a dotted key."""
+    cls: type = Design
+    about: Quantity | None = None
+    for part in address(data, key):
+        if isinstance(part, str):
+            about = keys(cls)[part].about
+            cls = about.table or cls
+    assert about is not None
+    return about
+
+
+def value_at(data: Table, key: str) -> Any:
+    """The value at a dotted key as it stands in the file, None where it is left out."""
+    here: Any = data
+    for part in address(data, key):
+        here = here[part] if isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
+    return here
+
+
+def _changed(here: Any, where: tuple[str | int, ...], value: Any) -> Any:
+    if not where:
+        return value
+    first, rest = where[0], where[1:]
+    if isinstance(here, list):
+        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here)]
+    made = dict(here)
+    if rest or value is not None:
+        made[first] = _changed(here.get(first, {}), rest, value)
+    else:
+        made.pop(first, None)  # None: left out, the program chooses
+    return made
+
+
+def parse_assignment(text: str) -> tuple[str, Any]:
+    """`KEY=VALUE` of the command line; VALUE is TOML, or else plain text.  An empty value leaves the key out."""
+    key, equals, value = text.partition("=")
+    key, value = key.strip(), value.strip()
+    if not equals or not key:
+        raise BadInput("--set", [InputError(0, text, "", "must be KEY=VALUE, like bearings.front.length_mm=34")])
+    if not value:
+        return key, None
+    try:
+        return key, tomllib.loads(f"v = {value}")["v"]
+    except (tomllib.TOMLDecodeError, RecursionError):
+        return key, value
+
+
+def _no_such(key: str, reason: str) -> BadInput:
+    return BadInput("--set", [InputError(0, key, "", reason)])
+
+
+def _join(prefix: str, key: str) -> str:
+    return f"{prefix}.{key}" if prefix and key else prefix or key
+
+
+def _unknown(key: str, known: dict[str, Key]) -> str:
+    from difflib import get_close_matches
+
+    near = get_close_matches(key, list(known), 1, 0.5)
+    return "is not known" + (f'; did you mean "{near[0]}"?' if near else "; known here are " + ", ".join(known))
+
+
+def _written(value: Any) -> str:
+    text = f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else "a table" if isinstance(value, dict) else str(value)
+    return text if len(text) <= 60 else text[:57] + "…"
+
+
+def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
+    """Every key that this document may hold, with its description, in the order of the form."""
+    for step in STEPS:
+        if step.key in data:
+            yield from _quantities(step.inputs, data[step.key], step.key)
+
+
+def _quantities(cls: type, data: Any, prefix: str) -> Iterator[tuple[str, Quantity]]:
+    for key, about in keys(cls).items():
+        here = f"{prefix}.{key}"
+        content = data.get(key) if isinstance(data, dict) else None
+        if about.about.kind == "table":
+            yield from _quantities(about.about.table, content or {}, here)  # type: ignore[arg-type]
+        elif about.about.kind == "tables":
+            for i, item in enumerate(content or []):
+                yield from _quantities(about.about.table, item, f"{here}.{item.get('name', i)}")  # type: ignore[arg-type]
+        else:
+            yield here, about.about

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The slider-crank and its masses, in the order of Finotti 2013, chapter 2.
+
+λ = r/L and δ = d/L must satisfy λ + |δ| < 1.  α is the crank angle from the cylinder's axis, in the sense of rotation; the piston
+stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC, as the derivative of the way from TDC.
+"""
+
+from ..sheet.formula import formula
+from ..sheet.functions import asin, cos, pi, sin, sqrt, tan
+from ..sheet.units import (
+    CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond, RevPerSecond,
+)  # fmt: skip
+
+
+@formula("M_ra", "Finotti 2013, 2.2.2: rod as two masses", unit="g")
+def rod_reciprocating_mass(M_B: Kilogram, X_2: Metre, L: Metre) -> Kilogram:
+    """The share of the rod that moves with the piston; X₂ is its CG to the big end."""
+    return M_B * X_2 / L
+
+
+@formula("M_ra", "Finotti 2013, 2.2.2: one third of the rod where its CG is not known", unit="g")
+def rod_reciprocating_mass_by_thirds(M_B: Kilogram) -> Kilogram:
+    return M_B / 3
+
+
+@formula("M_alt", "Finotti 2013, 2.5.3.1: reciprocating mass per cylinder", unit="g")
+def reciprocating_mass(M_P: Kilogram, M_ra: Kilogram) -> Kilogram:
+    return M_P + M_ra
+
+
+@formula("M_rot", "Finotti 2013, 2.5.3.1: rotating mass per cylinder, crank throw apart", unit="g")
+def rotating_mass(M_shell: Kilogram, M_B: Kilogram, M_ra: Kilogram) -> Kilogram:
+    return M_shell + M_B - M_ra
+
+
+@formula("λ", "Finotti 2013, 2.1: crank ratio")
+def crank_ratio(r: Metre, L: Metre) -> Number:
+    return r / L
+
+
+@formula("δ", "Finotti 2013, 2.1: offset ratio")
+def offset_ratio(d: Metre, L: Metre) -> Number:
+    return d / L
+
+
+@formula("ω", "definition of angular speed")
+def angular_speed(n: RevPerSecond) -> RadPerSecond:
+    return 2 * pi * n
+
+
+@formula("φ_0", "Finotti 2013, 2.1: crank angle of TDC with an offset cylinder", names={"lam": "λ"})
+def tdc_angle(delta: Number, lam: Number) -> Radian:
+    return asin(delta / (1 + lam))
+
+
+@formula("s", "stroke of the offset slider-crank: distance of its dead centres", unit="mm")
+def stroke(L: Metre, r: Metre, d: Metre) -> Metre:
+    return sqrt((L + r) ** 2 - d**2) - sqrt((L - r) ** 2 - d**2)
+
+
+@formula("V_h", "definition of displacement", unit="cm³")
+def displacement(N: Number, D: Metre, s: Metre) -> CubicMetre:
+    return N * pi / 4 * D**2 * s
+
+
+@formula("u_m", "Finotti 2013, 2.1: mean piston speed")
+def mean_piston_speed(s: Metre, n: RevPerSecond) -> MetrePerSecond:
+    return 2 * s * n
+
+
+@formula("β", "Finotti 2013, 2.1: angle of the rod")
+def rod_angle(lam: Number, alpha: Radian, delta: Number) -> Radian:
+    return asin(lam * sin(alpha) - delta)
+
+
+@formula("v/(ω·r)", "first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+def relative_speed(alpha: Radian, beta: Radian) -> Number:
+    return sin(alpha) + cos(alpha) * tan(beta)
+
+
+@formula("a/(ω²·r)", "second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+def relative_acceleration(alpha: Radian, beta: Radian, lam: Number) -> Number:
+    return cos(alpha) - sin(alpha) * tan(beta) + lam * cos(alpha) ** 2 / cos(beta) ** 3
+
+
+@formula("a_2/(ω²·r)", "Finotti 2013, 2.1: the two-term form, with the offset's share of the first order")
+def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) -> Number:
+    return cos(alpha) + delta * sin(alpha) + lam * cos(2 * alpha)
+
+
+@formula("a", "acceleration of the piston, extreme value over the turn")
+def acceleration(a_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond2:
+    return a_rel * omega**2 * r
+
+
+@formula("v_max", "largest speed of the piston")
+def piston_speed(v_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond:
+    return v_rel * omega * r

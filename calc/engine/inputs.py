@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What an engine is described by."""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ..sheet.quantity import choice, integer, integers, quantity, series, tables, text
+
+USUAL_ORDERS = {1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4)}
+
+
+@dataclass(frozen=True)
+class BenchPoint:
+    """One row of a bench run: the main gallery's oil at a speed."""
+
+    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n")
+    oil_temperature: float = quantity("Oil temperature", "°C", low=-40, high=200, symbol="T_in")
+    oil_pressure: float = quantity("Oil pressure", "bar", low=0, high=100, symbol="p_s")
+
+
+@dataclass(frozen=True)
+class EngineInputs:
+    name: str = text("Engine", help="A name for screen and report.")
+    layout: str = choice("Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.")
+    cylinders: int = integer("Cylinders", low=1, high=16, symbol="N", help="Counted from the timing side.")
+    strokes: int = integer("Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.")
+    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="D")
+    crank_radius: float = quantity("Crank radius", "mm", above=0, high=1000, symbol="r", help="Half the stroke.")
+    rod_length: float = quantity(
+        "Rod length", "mm", above=0, high=4000, symbol="L", help="Between centres. λ = r/L is usually 0.20 to 0.33; a longer rod lowers the second order."
+    )
+    cylinder_pitch: float = quantity("Cylinder pitch", "mm", above=0, high=2000, symbol="a", help="Distance of neighbouring cylinders; every couple is proportional to it.")
+    cylinder_offset: float = quantity(
+        "Cylinder offset", "mm", default=0.0, low=-500, high=500, symbol="d", help="Cylinder axis to crank axis; positive moves TDC to later crank angles."
+    )
+    bank_angle: float = quantity("Bank angle", "°", optional=True, low=0, high=180, symbol="V", help="Between the banks of a vee engine; a boxer has 180°.")
+    firing_order: tuple[int, ...] | None = integers(
+        "Firing order", optional=True, low=1, help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it."
+    )
+    crank_angles: tuple[float, ...] | None = series(
+        "Crank angles", "°", optional=True, low=-720, high=720, symbol="phi", help="One per cylinder, of the pin it runs on; positive leads cylinder 1."
+    )
+    axial_positions: tuple[float, ...] | None = series("Axial positions", "mm", optional=True, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel.")
+    bank_of_cylinder: tuple[int, ...] | None = integers("Bank of each cylinder", optional=True, low=0, high=1, help="0 or 1; bank 0 stands at −V/2.")
+    piston_mass: float = quantity("Piston mass", "g", above=0, high=1e5, symbol="M_P", help="With rings, pin and circlips.")
+    rod_mass: float = quantity("Rod mass", "g", low=0, high=1e5, symbol="M_B", help="With bush and screws, without big-end shells.")
+    rod_cg_to_big_end: float = quantity(
+        "Rod CG to big end", "mm", optional=True, low=0, high=4000, symbol="X_2", help="Left out: one third of the rod reciprocates, two thirds rotate."
+    )
+    crankpin_bearing_mass: float = quantity("Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", help="They rotate with the pin.")
+    rated_speed: float = quantity("Rated speed", "rpm", above=0, high=30000, symbol="n", help="The speed at which forces and bearings are judged.")
+    bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        """What no single field can show: (key, reason)."""
+        n = self.cylinders
+        if self.strokes == 3:
+            yield "strokes", "must be 2 or 4"
+        for key, given in (
+            ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles),
+            ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),
+        ):  # fmt: skip
+            if given is not None and len(given) != n:
+                yield key, f"has {len(given)} entries; needs one per cylinder, {n}"
+        if self.firing_order is not None and len(self.firing_order) == n and sorted(self.firing_order) != list(range(1, n + 1)):
+            yield "firing_order", f"must name each cylinder from 1 to {n} once"
+        if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n not in USUAL_ORDERS):
+            yield "crank_angles_deg", "needed here: give the crank angles, or the firing order of an evenly firing engine"
+        if self.layout == "vee" and self.bank_angle is None:
+            yield "bank_angle_deg", "needed for a vee engine"
+        if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):
+            yield "bank_of_cylinder", "an inline engine has bank 0 only"
+        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
+            yield "rod_length_mm", "must be longer than crank radius plus cylinder offset: the crank could not turn"
+        if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
+            yield "rod_cg_to_big_end_mm", "must not exceed the rod length"

@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inertia forces and couples as vectors that turn with (⁺) and against (⁻) the crank at n times its speed.
+
+A vector is a complex number: real up, imaginary 90° further in the sense of crank rotation, taken while cylinder 1 stands at TDC.
+Forces act from the moving parts on the block; a couple is Σ z·F, positive = rear force up.  φ are the throws, ψ the banks, θ₀ the
+angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
+"""
+
+from ..sheet.formula import formula
+from ..sheet.functions import argument, cis, conj, modulus, total
+from ..sheet.units import (
+    Kilogram, KilogramMetre2, Metre, Newton, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond,
+)  # fmt: skip
+
+FORWARD = "Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vectors, here for any order, throws and banks"
+
+
+@formula("F_n⁺", FORWARD)
+def force_forward(
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+) -> PhasorNewton:
+    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * total(cis(psi) * cis(n * (phi - psi)))
+
+
+@formula("F_n⁻", FORWARD)
+def force_backward(
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+) -> PhasorNewton:
+    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * total(cis(psi) * cis(-n * (phi - psi)))
+
+
+@formula("C_n⁺", FORWARD)
+def couple_forward(
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+) -> PhasorNewtonMetre:
+    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * total(z * cis(psi) * cis(n * (phi - psi)))
+
+
+@formula("C_n⁻", FORWARD)
+def couple_backward(
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+) -> PhasorNewtonMetre:
+    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * total(z * cis(psi) * cis(-n * (phi - psi)))
+
+
+@formula("F_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+    return -kappa * omega**2 * m * r * cis(theta_0) * total(cis(phi))
+
+
+@formula("C_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+def counterweight_couple(
+    kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+) -> PhasorNewtonMetre:
+    return -kappa * omega**2 * m * r * cis(theta_0) * total(z * cis(phi))
+
+
+@formula("F_1⁺", "sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
+def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
+    return F_1 + F_kappa
+
+
+@formula("C_1⁺", "sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order")
+def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return C_1 + C_kappa
+
+
+@formula("F_V", "ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})
+def force_peak_vertical(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
+    return modulus(F_f + conj(F_b))
+
+
+@formula("F_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"F_f": "F⁺", "F_b": "F⁻"})
+def force_peak_horizontal(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
+    return modulus(F_f - conj(F_b))
+
+
+@formula("C_V", "ellipse of two counter-turning vectors: largest vertical component", names={"C_f": "C⁺", "C_b": "C⁻"})
+def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_f + conj(C_b))
+
+
+@formula("C_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
+def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_f - conj(C_b))
+
+
+@formula("C_S", "Finotti 2013, 2.5.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"})
+def required_couple(C_b: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return -C_b
+
+
+@formula("|C_S|", "modulus of the vector")
+def length_of_couple(C_S: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_S)
+
+
+@formula("∠C_S", "direction of the vector while cylinder 1 stands at TDC")
+def direction_of_couple(C_S: PhasorNewtonMetre) -> Radian:
+    return argument(C_S)
+
+
+@formula("U·Δz", "couple over ω²: the product of unbalance and arm that the shaft needs", unit="kg·mm²")
+def unbalance_product(C_S: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
+    return C_S / omega**2
+
+
+@formula("C_2,F", "Finotti 2013, 2.5.3.4 (wrong: it leaves out the share that the crank balances, which order 2 does not know)")
+def second_order_couple_of_finotti(kappa: Number, C_2: NewtonMetre) -> NewtonMetre:
+    """The thesis takes the mass that is not balanced on the crank, (1 − κ)·M_alt; the full reciprocating mass acts at order 2."""
+    return (1 - kappa) * C_2

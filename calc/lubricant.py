@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Oils: viscosity, density, specific heat over temperature, and what acts in a gear mesh.  Used by bearings and friction.
+
+Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above the hotter of the two given points (140 °C); the
+thinning of multigrade oils at high shear rate is not part of these laws.
+"""
+
+from dataclasses import dataclass
+
+from .catalogue import Oil
+from .sheet.formula import formula
+from .sheet.functions import log10
+from .sheet.units import (
+    Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Number, PascalSecond, PerKelvin, SquareMetrePerSecond,
+)  # fmt: skip
+
+ZERO_CELSIUS: Celsius = 273.15
+ONE_KELVIN: Celsius = 1.0
+CENTISTOKE: SquareMetrePerSecond = 1e-6
+SLOPE: PerKelvin = 0.00065
+REFERENCE: Celsius = 15.0
+CP_0: JoulePerKilogramKelvin = 1801.25
+CP_1: JoulePerKilogramKelvin = 4.6
+LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
+ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
+
+# Pressure-viscosity α = k·η^s (α in mm²/N, η in mPa·s) and limiting shear over pressure, by base stock.
+PRESSURE_VISCOSITY = {
+    "mineral": (0.010471, 0.1348), "PAO": (0.010326, 0.0507), "PAG": (0.0047, 0.1572), "ester": (0.006515, 0.16530),
+    "MIL-L-7808": (0.005492, 0.25472), "MIL-L-23699": (0.006515, 0.16530),
+}  # fmt: skip
+LIMITING_SHEAR = {"mineral": 0.047, "PAO": 0.035, "PAG": 0.025, "ester": 0.037, "MIL-L-7808": 0.037, "MIL-L-23699": 0.037}
+
+
+@formula("ν", "Walther/Ubbelohde, lg lg(ν + c) = C_2 + C_1·lg T from two points; c = 0.6 (Finotti 2013, 5.5.2), 0.7 (ASTM D341)", unit="mm²/s")
+def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
+    return (10 ** (10 ** (C_2 + C_1 * log10((T + ZERO_CELSIUS) / ONE_KELVIN))) - c) * CENTISTOKE
+
+
+@formula("ρ", "linear in temperature; reproduces Finotti 2013, Fig. 5.20, to its last digit")
+def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
+    return rho_15 * (1 - SLOPE * (T - REFERENCE))
+
+
+@formula("c_p", "linear in temperature, identified from Finotti 2013, Tables 5.2 to 5.5")
+def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
+    return CP_0 + CP_1 * T / ONE_KELVIN
+
+
+@formula("μ", "definition of kinematic viscosity", unit="mPa·s")
+def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> PascalSecond:
+    return nu * rho
+
+
+def walther_constants(oil: Oil, law: str = "walther") -> tuple[float, float, float]:
+    """C_2, C_1 and c of an oil's viscosity line through its two given points (40 and 100 °C)."""
+    c = ADDED[law]
+    points = [(log10(t + ZERO_CELSIUS), log10(log10(nu / CENTISTOKE + c))) for t, nu in ((40.0, oil.nu40), (100.0, oil.nu100))]
+    (x_40, y_40), (x_100, y_100) = points
+    C_1 = (y_100 - y_40) / (x_100 - x_40)
+    return y_40 - C_1 * x_40, C_1, c
+
+
+@dataclass(frozen=True)
+class State:
+    """An oil at a temperature: kinematic and dynamic viscosity, density, specific heat."""
+
+    nu: SquareMetrePerSecond
+    mu: PascalSecond
+    rho: KilogramPerMetre3
+    cp: JoulePerKilogramKelvin
+
+
+class Lubricant:
+    """An oil with its viscosity law, ready to be asked at any temperature (°C; scalar or array)."""
+
+    def __init__(self, oil: Oil, law: str = "walther") -> None:
+        self.oil = oil
+        self.C_2, self.C_1, self.c = walther_constants(oil, law)
+
+    def at(self, T: Celsius) -> State:
+        nu = kinematic_viscosity(C_2=self.C_2, C_1=self.C_1, T=T, c=self.c)
+        rho = density(rho_15=self.oil.rho15, T=T)
+        return State(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))

@@ -1,0 +1,247 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A recorded line made readable, from the formula's own `return` expression.
+
+`expression(formula)` turns the function's syntax tree into a small neutral tree of `Expr`; `text()` writes such a tree for a
+terminal, the report typesets the same tree.  Loaded only when something is shown.
+"""
+
+import ast
+import inspect
+import math
+import textwrap
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, get_type_hints
+
+from .formula import Formula
+from .number import SUBSCRIPTS, SUPERSCRIPTS, scalar, several
+from .trace import Line
+from .units import UNITS
+
+GREEK = dict(
+    alpha="α", beta="β", gamma="γ", delta="δ", epsilon="ε", eps="ε", zeta="ζ", eta="η", theta="θ", kappa="κ", lam="λ", mu="μ", nu="ν",
+    xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
+    Sigma="Σ", Gamma="Γ",
+)  # fmt: skip
+BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
+CALLS = {"sqrt": "sqrt", "total": "sum", "cis": "cis", "modulus": "abs", "abs": "abs", "largest": "max", "smallest": "min"}
+CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
+
+
+@dataclass(frozen=True, slots=True)
+class Expr:
+    """A node: `head` is number, symbol (both with their text in `name`), add, sub, mul, div, pow, neg, sqrt, sum, cis, abs or call."""
+
+    head: str
+    args: tuple["Expr", ...] = ()
+    name: str = ""
+
+
+def symbol(identifier: str) -> str:
+    """`alpha_wt` → `α_wt`, `omega` → `ω`, `C_1` → `C_1`, `z1` → `z_1`: base, underscore, index."""
+    base, *index = identifier.strip("_").split("_")
+    if base not in GREEK and (stem := base.rstrip("0123456789")) and stem != base and len(stem) <= 6:
+        index.insert(0, base[len(stem) :])
+        base = stem
+    base = GREEK.get(base, base)
+    return f"{base}_{','.join(GREEK.get(i, i) for i in index)}" if index else base
+
+
+@cache
+def units(formula: Formula[..., Any]) -> dict[str, str]:
+    """The unit of each argument, and of the result under "return", from the annotations."""
+    hints = get_type_hints(formula.function, include_extras=True)
+    return {name: hint.__metadata__[0] if hasattr(hint, "__metadata__") else "" for name, hint in hints.items()}
+
+
+@cache
+def expression(formula: Formula[..., Any]) -> Expr | None:
+    """The tree of the return expression; None where the source text is not at hand or the formula stands for an algorithm."""
+    if formula.shows:
+        return None
+    try:
+        source = inspect.getsource(formula.function)
+    except (OSError, TypeError):
+        return None
+    body = ast.parse(textwrap.dedent(source)).body[0].body  # type: ignore[attr-defined]
+    if not isinstance(body[-1], ast.Return) or body[-1].value is None:
+        raise TypeError(f"{formula.__name__}: a formula is one return expression, or says `shows=`")
+    return _build(body[-1].value, formula)
+
+
+def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
+    def sub(n: ast.expr) -> Expr:
+        return _build(n, formula)
+
+    match node:
+        case ast.Constant(value=complex() as v):
+            return Expr("symbol", name="i") if v == 1j else Expr("number", name=f"{v.imag:g}i")
+        case ast.Constant(value=v):
+            return Expr("number", name=scalar(v) if isinstance(v, (int, float)) else str(v))
+        case ast.Name(id=name):
+            if name in formula.parameters:
+                return Expr("symbol", name=formula.names.get(name, symbol(name)))
+            constant = formula.function.__globals__.get(name)
+            if isinstance(constant, (int, float)) and name != "pi":
+                return Expr("number", name=scalar(constant))
+            return Expr("symbol", name=symbol(name))
+        case ast.BinOp(left=a, op=op, right=b):
+            return Expr(BINARY[type(op)], (sub(a), sub(b)))
+        case ast.UnaryOp(op=ast.USub(), operand=a):
+            return Expr("neg", (sub(a),))
+        case ast.Call(func=ast.Name(id=name), args=args):
+            head = CALLS.get(name, name)
+            known = head if head in ("sqrt", "sum", "cis", "abs") else "call"
+            return Expr(known, tuple(sub(a) for a in args), head if known == "call" else "")
+    raise TypeError(f"{formula.__name__}: not allowed in a formula: {ast.unparse(node)}")
+
+
+def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
+    """The same tree with the symbols replaced by the numbers that stood for them."""
+    if tree.head == "symbol":
+        return Expr("number", name=numbers[tree.name]) if tree.name in numbers else tree
+    return Expr(tree.head, tuple(substituted(a, numbers) for a in tree.args), tree.name)
+
+
+# --- one recorded line, ready to be shown --------------------------------------------------------------------------------
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A line made readable: the two trees (None for an algorithm, whose words stand in `shows`), the value with its unit, the source."""
+
+    symbol: str
+    formula: Expr | None
+    numbers: Expr | None
+    shows: str
+    value: str
+    unit: str
+    source: str
+    about: str
+    where: str = ""  # which element of an array is shown
+
+
+def _governing(line: Line) -> tuple[int, ...] | None:
+    """The index of the element to show, None for a value that is no array."""
+    import numpy as np
+
+    if not isinstance(line.value, np.ndarray) or line.value.ndim == 0:
+        return None
+    size = np.abs(line.value)
+    flat = {"max": np.nanargmax, "min": np.nanargmin}[line.formula.governs](size) if np.isfinite(size).any() else 0
+    return tuple(int(i) for i in np.unravel_index(int(flat), line.value.shape))
+
+
+def _argument(x: Any, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> str:
+    if isinstance(x, (str, bool)) or x is None:
+        return str(x)
+    if not hasattr(x, "shape") and not isinstance(x, (list, tuple)):
+        return scalar(x)
+    if index is not None and hasattr(x, "shape"):
+        import numpy as np
+
+        try:
+            return scalar(np.broadcast_to(x, shape)[index])
+        except ValueError:
+            pass
+    return scalar(x) if getattr(x, "shape", None) == () else several(getattr(x, "ravel", lambda: x)())
+
+
+@cache
+def _result_unit(formula: Formula[..., Any]) -> tuple[str, float]:
+    inside = units(formula).get("return", "")
+    if formula.unit:
+        return formula.unit, UNITS[formula.unit].factor
+    return ("°", math.pi / 180) if inside == "rad" else (inside, 1.0)
+
+
+def show(line: Line) -> Shown:
+    formula = line.formula
+    index = _governing(line)
+    value = line.value if index is None else line.value[index]
+    unit, factor = _result_unit(formula)
+    shape = getattr(line.value, "shape", ())
+    tree = expression(formula)
+    numbers = None
+    if tree is not None:
+        texts = {formula.names.get(k, symbol(k)): _argument(v, index, shape) for k, v in line.arguments.items()}
+        numbers = substituted(tree, texts)
+    shows = formula.shows
+    if tree is None and not shows:
+        shows = f"{formula.__name__}({', '.join(f'{symbol(k)} = {_argument(v, index, shape)}' for k, v in line.arguments.items())})"
+    words = {"max": "largest", "min": "smallest"}[formula.governs]
+    where = f"{words} of {line.value.size}, number {index[-1] + 1}" if index is not None and line.value.size > 1 else ""
+    return Shown(formula.symbol, tree, numbers, shows, scalar(value / factor), unit, formula.source, line.about, where)
+
+
+# --- for the terminal ------------------------------------------------------------------------------------------------------
+def plain(name: str) -> str:
+    """A symbol for a terminal: digits below the line, letters after an underscore."""
+    base, _, index = name.partition("_")
+    return base + (index.translate(SUBSCRIPTS) if index.isdigit() else f"_{index}" if index else "")
+
+
+RANK = {"add": 1, "sub": 1, "mul": 2, "div": 2, "neg": 2.5, "pow": 4, "cis": 4}
+
+
+def text(tree: Expr, outer: float = 0) -> str:
+    """A tree as one line of text."""
+    rank = RANK.get(tree.head, 5)
+    a = tree.args
+    match tree.head:
+        case "number":
+            rank = 2 if "·10" in tree.name or tree.name.startswith("−") else 5
+            if tree.name.startswith("−") and outer > 0:
+                rank = 0
+            out = tree.name
+        case "symbol":
+            out = plain(tree.name)
+        case "add":
+            out = f"{text(a[0], 1)} + {text(a[1], 1)}"
+        case "sub":
+            out = f"{text(a[0], 1)} − {text(a[1], 1.5)}"
+        case "mul":
+            out = f"{text(a[0], 2)}·{text(a[1], 2.2)}"
+        case "div":
+            out = f"{text(a[0], 2)}/{text(a[1], 2.5)}"
+        case "neg":
+            out = f"−{text(a[0], 2.5)}"
+        case "pow":
+            exponent = text(a[1])
+            raised = exponent.translate(SUPERSCRIPTS) if exponent.lstrip("−").isdigit() else f"^{text(a[1], 5)}"
+            out = f"{text(a[0], 4.5)}{raised}"
+        case "cis":
+            out = f"e^(i·{text(a[0], 2.2)})"
+        case "sqrt":
+            out = f"√{text(a[0], 5)}" if a[0].head in ("symbol", "number") else f"√({text(a[0])})"
+            rank = 4.5
+        case "sum":
+            out, rank = f"Σ({text(a[0])})", 4.5
+        case "abs":
+            out = f"|{text(a[0])}|"
+        case _:
+            out = f"{tree.name}({', '.join(text(x) for x in a)})"
+    return f"({out})" if rank < outer else out
+
+
+def line_text(line: Line) -> tuple[str, str, str]:
+    """A line for a terminal: the formula, the substitution with its value, the source."""
+    shown = show(line)
+    result = f"{shown.value} {shown.unit}".rstrip() + (f"   ({shown.where})" if shown.where else "")
+    head = plain(shown.symbol)
+    if shown.formula is None or shown.numbers is None:
+        return f"{head}: {shown.shows}", f"= {result}", shown.source
+    return f"{head} = {text(shown.formula)}", f"= {text(shown.numbers)} = {result}", shown.source
+
+
+def line_json(line: Line) -> dict[str, str]:
+    """A line as JSON: what the terminal shows, in named parts."""
+    shown = show(line)
+    return {
+        "symbol": shown.symbol,
+        "formula": text(shown.formula) if shown.formula else shown.shows,
+        "substituted": text(shown.numbers) if shown.numbers else "",
+        "value": shown.value,
+        "unit": shown.unit,
+        "source": shown.source,
+        "about": shown.about,
+    }

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The mathematical functions that formulas may use: `math` for a float, numpy for anything else.
+
+They are typed float → float so that formulas stay readable to the type checker; arrays enter by the same door.
+"""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+pi = math.pi
+
+
+def _both(scalar: Callable[[float], float], vector: Callable[[Any], Any]) -> Callable[[float], float]:
+    def function(x: float) -> float:
+        return scalar(x) if type(x) is float else vector(x)
+
+    function.__name__ = scalar.__name__
+    return function
+
+
+sqrt = _both(math.sqrt, np.sqrt)
+exp = _both(math.exp, np.exp)
+ln = _both(math.log, np.log)
+log10 = _both(math.log10, np.log10)
+sin = _both(math.sin, np.sin)
+cos = _both(math.cos, np.cos)
+tan = _both(math.tan, np.tan)
+asin = _both(math.asin, np.arcsin)
+acos = _both(math.acos, np.arccos)
+atan = _both(math.atan, np.arctan)
+asinh = _both(math.asinh, np.arcsinh)
+
+
+def inv(angle: float) -> float:
+    """The involute function inv α = tan α − α."""
+    return tan(angle) - angle
+
+
+def cis(angle: float) -> complex:
+    """The unit phasor e^{iα}."""
+    return complex(math.cos(angle), math.sin(angle)) if type(angle) is float else np.exp(1j * np.asarray(angle))
+
+
+def conj(z: complex) -> complex:
+    return z.conjugate()
+
+
+def modulus(z: complex) -> float:
+    return abs(z)
+
+
+def argument(z: complex) -> float:
+    """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length."""
+    return math.atan2(z.imag, z.real) if abs(z) else 0.0
+
+
+def total(x: Any) -> Any:
+    """Sum over the elements (cylinders, masses, …).  Vectors that cancel give 0, not the dust of the last digits."""
+    result = np.sum(x).item()
+    return 0.0 if isinstance(result, complex) and abs(result) < 1e-12 * np.sum(np.abs(x)) else result
+
+
+def largest(a: float, b: float) -> float:
+    return np.maximum(a, b) if isinstance(a, np.ndarray) or isinstance(b, np.ndarray) else max(a, b)
+
+
+def smallest(a: float, b: float) -> float:
+    return np.minimum(a, b) if isinstance(a, np.ndarray) or isinstance(b, np.ndarray) else min(a, b)
+
+
+def rss(x: Any) -> float:
+    """Root of the sum of squares."""
+    return math.sqrt(float(np.sum(np.square(x))))

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How numbers are written: four significant digits, 6.2·10⁻³ and not 6.2e-03, a true minus sign."""
+
+import math
+from typing import Any
+
+SUPERSCRIPTS = str.maketrans("0123456789+-−.,/()", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻·’ᐟ⁽⁾")
+SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+DIGITS = 4
+
+
+def parts(number: float, digits: int = DIGITS) -> tuple[str, int | None]:
+    """A number as its written mantissa and its power of ten (None where it is written without one)."""
+    number = float(number)
+    if not math.isfinite(number):
+        return ("∞" if number > 0 else "−∞" if number < 0 else "not a number"), None
+    rounded = float(f"{number:.{digits}g}")
+    if rounded == 0 or 1e-2 <= abs(rounded) < 1e5:
+        text = f"{rounded:.12f}".rstrip("0").rstrip(".")
+        return text.replace("-", "−") if rounded else "0", None
+    mantissa, exponent = f"{number:.{digits - 1}e}".split("e")
+    return mantissa.rstrip("0").rstrip(".").replace("-", "−"), int(exponent)
+
+
+def short(number: float, digits: int = DIGITS) -> str:
+    mantissa, exponent = parts(number, digits)
+    if exponent is None:
+        return mantissa
+    return f"{mantissa}·10{str(exponent).translate(SUPERSCRIPTS)}"
+
+
+def phasor(z: complex) -> str:
+    """A vector in the transverse plane: its length and its angle."""
+    return f"{short(abs(z))}∠{short(math.degrees(math.atan2(z.imag, z.real)))}°" if abs(z) else "0"
+
+
+def scalar(x: Any) -> str:
+    if isinstance(x, bool):
+        return str(x)
+    if isinstance(x, complex) or getattr(getattr(x, "dtype", None), "kind", "") == "c":
+        return phasor(complex(x))
+    return short(x)
+
+
+def several(values: Any, most: int = 4) -> str:
+    """A short list in full, a long one by its ends."""
+    flat = list(values)
+    if len(flat) <= most:
+        return "(" + "; ".join(scalar(v) for v in flat) + ")"
+    return f"({scalar(flat[0])} … {scalar(flat[-1])}: {len(flat)})"

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is said about a number once: its label, unit, range and help.
+
+A field of an Inputs class is made by `quantity()` or one of its sisters, a field of a result by `value()`.  The design
+file, `--set`, the form, the report and the JSON all read this one description.
+"""
+
+from collections.abc import Iterator
+from dataclasses import MISSING, Field, dataclass, field, fields
+from functools import cache
+from typing import Any
+
+from .units import UNITS, Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """The description of one input.  `kind` is one of number, integer, text, choice, series, integers, table, tables."""
+
+    kind: str
+    label: str
+    unit: str = ""
+    symbol: str = ""
+    low: float | None = None
+    high: float | None = None
+    above: float | None = None  # an exclusive lower bound
+    usual: tuple[float, float] | None = None
+    choices: tuple[str, ...] = ()
+    count: tuple[int, int] | None = None  # how many elements a series may have
+    table: type | None = None
+    optional: bool = False
+    step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
+    help: str = ""
+
+    @property
+    def units(self) -> Unit:
+        return UNITS[self.unit]
+
+    def allowed(self) -> str:
+        """What may stand here, in words."""
+        match self.kind:
+            case "choice":
+                return "one of " + ", ".join(f'"{c}"' for c in self.choices)
+            case "text":
+                return "text"
+            case "table":
+                return "a table"
+            case "tables":
+                return "an array of tables"
+        noun = {"integer": "a whole number", "number": "a number"}.get(self.kind, "numbers")
+        if self.kind in ("series", "integers"):
+            noun = "a list of whole numbers" if self.kind == "integers" else "a list of numbers"
+        bounds = []
+        if self.above is not None:
+            bounds.append(f"above {self.above:g}")
+        if self.low is not None and self.high is not None:
+            bounds.append(f"from {self.low:g} to {self.high:g}")
+        elif self.low is not None:
+            bounds.append(f"{self.low:g} or more")
+        elif self.high is not None:
+            bounds.append(f"up to {self.high:g}" if self.above is None else f"and up to {self.high:g}")
+        unit = f" {self.unit}" if self.unit else ""
+        return f"{noun} {' '.join(bounds)}{unit}" if bounds else noun + (f" in{unit}" if unit else "")
+
+
+def _make(kind: str, label: str, unit: str, default: Any, **said: Any) -> Any:
+    optional = said.pop("optional", False) or default is not MISSING
+    what = Quantity(kind, label, unit, optional=optional, **said)
+    if optional and default is MISSING:
+        default = None
+    return field(default=default, kw_only=True, metadata={"quantity": what})
+
+
+def quantity(label: str, unit: str = "", *, default: Any = MISSING, **said: Any) -> Any:
+    """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default` (SI)."""
+    return _make("number", label, unit, default, **said)
+
+
+def integer(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+    return _make("integer", label, "", default, **said)
+
+
+def text(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+    return _make("text", label, "", default, **said)
+
+
+def choice(label: str, *choices: str, default: Any = MISSING, **said: Any) -> Any:
+    return _make("choice", label, "", default, choices=choices, **said)
+
+
+def series(label: str, unit: str = "", *, default: Any = MISSING, **said: Any) -> Any:
+    """A list of numbers (a single number is read as a list of one)."""
+    return _make("series", label, unit, default, **said)
+
+
+def integers(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+    return _make("integers", label, "", default, **said)
+
+
+def table(label: str, cls: type, *, optional: bool = False, **said: Any) -> Any:
+    """A sub-table, itself an Inputs class."""
+    return _make("table", label, "", MISSING, table=cls, optional=optional, **said)
+
+
+def tables(label: str, cls: type, *, optional: bool = False, **said: Any) -> Any:
+    """An array of tables; its elements are addressed by their `name`, else by index."""
+    return _make("tables", label, "", () if optional else MISSING, table=cls, **said)
+
+
+@dataclass(frozen=True, slots=True)
+class Key:
+    """One key of an Inputs class: where it stands in the file and where in the dataclass."""
+
+    key: str
+    attribute: str
+    about: Quantity
+    field: Field[Any]
+
+
+@cache
+def keys(inputs: type) -> dict[str, Key]:
+    """The keys of an Inputs class in their order: file key → Key."""
+    found = {}
+    for f in fields(inputs):
+        if (about := f.metadata.get("quantity")) is not None:
+            found[f.name + about.units.suffix] = Key(f.name + about.units.suffix, f.name, about, f)
+    return found
+
+
+# --- results ------------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True, slots=True)
+class Described:
+    """The description of one result: its label, the unit it is shown in, its symbol."""
+
+    label: str
+    unit: str
+    symbol: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Published:
+    """One result with its address: `shown` in its unit, `inside` the very object that the formulas returned."""
+
+    id: str
+    shown: float
+    unit: str
+    label: str
+    symbol: str
+    inside: Any
+
+
+def value(label: str, unit: str = "", symbol: str = "", *, default: Any = MISSING) -> Any:
+    """A field of a result, in SI; `None` means that there is no such value in this design."""
+    return field(default=default, kw_only=True, metadata={"value": Described(label, unit, symbol)})
+
+
+def group(*, spread: bool = False, default: Any = MISSING) -> Any:
+    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address."""
+    return field(default=default, kw_only=True, metadata={"group": spread})
+
+
+def published(result: Any, prefix: str) -> Iterator[Published]:
+    """All values of a result with their addresses, in the order in which they are declared."""
+    if isinstance(result, dict):
+        for name, part in result.items():
+            yield from published(part, f"{prefix}.{name}")
+        return
+    for f in fields(result):
+        content = getattr(result, f.name)
+        if content is None:
+            continue
+        if (about := f.metadata.get("value")) is not None:
+            number = float(content)
+            yield Published(f"{prefix}.{f.name.rstrip('_')}", UNITS[about.unit].shown(number), about.unit, about.label, about.symbol, content)
+        elif (spread := f.metadata.get("group")) is not None:
+            yield from published(content, prefix if spread else f"{prefix}.{f.name}")

@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Units: as types inside the formulas, as suffixes of the keys at the border.
+
+Inside the program every number is in SI (temperatures in °C, speeds in revolutions per second).  A `Unit` says how such a
+number is shown and which ending its key has in a design file: `mm` → `bore_mm`.
+"""
+
+from dataclasses import dataclass
+from typing import Annotated
+
+# --- units as types: a float to the type checker, a unit to the formula -------------------------------------------------
+Number = Annotated[float, ""]
+Metre = Annotated[float, "m"]
+SquareMetre = Annotated[float, "m²"]
+CubicMetre = Annotated[float, "m³"]
+Kilogram = Annotated[float, "kg"]
+Second = Annotated[float, "s"]
+Radian = Annotated[float, "rad"]
+RevPerSecond = Annotated[float, "1/s"]
+RadPerSecond = Annotated[float, "rad/s"]
+MetrePerSecond = Annotated[float, "m/s"]
+MetrePerSecond2 = Annotated[float, "m/s²"]
+Newton = Annotated[float, "N"]
+NewtonPerMetre = Annotated[float, "N/m"]
+NewtonMetre = Annotated[float, "N·m"]
+Pascal = Annotated[float, "Pa"]
+PascalSecond = Annotated[float, "Pa·s"]
+PerPascal = Annotated[float, "1/Pa"]
+Watt = Annotated[float, "W"]
+WattPerMetre = Annotated[float, "W/m"]
+Celsius = Annotated[float, "°C"]
+Kelvin = Annotated[float, "K"]
+PerKelvin = Annotated[float, "1/K"]
+KelvinPerWatt = Annotated[float, "K/W"]
+KilogramMetre = Annotated[float, "kg·m"]
+PhasorNewton = Annotated[complex, "N"]
+PhasorNewtonMetre = Annotated[complex, "N·m"]
+KilogramMetre2 = Annotated[float, "kg·m²"]
+KilogramPerMetre3 = Annotated[float, "kg/m³"]
+SquareMetrePerSecond = Annotated[float, "m²/s"]
+CubicMetrePerSecond = Annotated[float, "m³/s"]
+JoulePerKilogramKelvin = Annotated[float, "J/(kg·K)"]
+WattPerMetreKelvin = Annotated[float, "W/(m·K)"]
+NewtonPerMetreSecond = Annotated[float, "N/(m·s)"]  # heat index: load per length times speed
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """How a quantity is shown: `shown = inside / factor`; `suffix` ends its key in a design file."""
+
+    symbol: str
+    suffix: str
+    factor: float
+
+    def shown(self, inside: float) -> float:
+        """The number as the user sees it, without the last digits that the conversion itself makes."""
+        return float(f"{inside / self.factor:.14g}")
+
+    def inside(self, shown: float) -> float:
+        """The SI number; by a division where the factor is a whole part (mm, µm, rpm), which keeps the last digit right."""
+        parts = 1 / self.factor
+        return shown / round(parts) if parts > 1 and abs(parts - round(parts)) < 1e-6 * parts else shown * self.factor
+
+
+def _units(*rows: tuple[str, str, float]) -> dict[str, Unit]:
+    return {symbol: Unit(symbol, suffix, factor) for symbol, suffix, factor in rows}
+
+
+PI = 3.141592653589793
+UNITS = _units(
+    ("", "", 1.0),
+    ("mm", "_mm", 1e-3),
+    ("µm", "_um", 1e-6),
+    ("m", "_m", 1.0),
+    ("cm³", "_cm3", 1e-6),
+    ("mm²", "_mm2", 1e-6),
+    ("g", "_g", 1e-3),
+    ("kg", "_kg", 1.0),
+    ("g·mm", "_gmm", 1e-6),
+    ("kg·mm", "_kgmm", 1e-3),
+    ("kg·mm²", "_kgmm2", 1e-6),
+    ("kg·m²", "_kgm2", 1.0),
+    ("°", "_deg", PI / 180),
+    ("mrad", "_mrad", 1e-3),
+    ("rpm", "_rpm", 1 / 60),
+    ("1/s", "_1_s", 1.0),
+    ("rad/s", "_rad_s", 1.0),
+    ("m/s", "_m_s", 1.0),
+    ("m/s²", "_m_s2", 1.0),
+    ("N", "_N", 1.0),
+    ("N·m", "_Nm", 1.0),
+    ("N/mm", "_N_mm", 1e3),
+    ("MPa", "_MPa", 1e6),
+    ("GPa", "_GPa", 1e9),
+    ("bar", "_bar", 1e5),
+    ("MPa·m/s", "_MPa_m_s", 1e6),
+    ("mPa·s", "_mPas", 1e-3),
+    ("mm²/s", "_mm2_s", 1e-6),
+    ("N·rpm/mm", "_Nrpm_mm", 1000 / 60),
+    ("W", "_W", 1.0),
+    ("kW", "_kW", 1e3),
+    ("K", "_K", 1.0),
+    ("°C", "_C", 1.0),
+    ("10⁻⁶/K", "_1e6_K", 1e-6),
+    ("kg/m³", "_kgm3", 1.0),
+    ("L/min", "_L_min", 1e-3 / 60),
+    ("J/(kg·K)", "_J_kgK", 1.0),
+    ("W/(m·K)", "_W_mK", 1.0),
+    ("g/kWh", "_g_kWh", 1e-3 / 3.6e6),
+    ("g/h", "_g_h", 1e-3 / 3600),
+    ("h", "_h", 3600.0),
+    ("‰", "_permille", 1e-3),
+    ("%", "_percent", 1e-2),
+)
