@@ -11,7 +11,7 @@ from .catalogue import Oil
 from .sheet.formula import formula
 from .sheet.functions import log10
 from .sheet.units import (
-    Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Number, PascalSecond, PerKelvin, SquareMetrePerSecond,
+    Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Number, PascalSecond, PerKelvin, PerPascal, SquareMetrePerSecond,
 )  # fmt: skip
 
 ZERO_CELSIUS: Celsius = 273.15
@@ -21,6 +21,9 @@ SLOPE: PerKelvin = 0.00065
 REFERENCE: Celsius = 15.0
 CP_0: JoulePerKilogramKelvin = 1801.25
 CP_1: JoulePerKilogramKelvin = 4.6
+MILLIPASCAL_SECOND: PascalSecond = 1e-3
+SQUARE_MILLIMETRE_PER_NEWTON: PerPascal = 1e-6
+LN_10: Number = 2.302585092994046
 LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
 ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
 
@@ -50,6 +53,16 @@ def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
 @formula("μ", "definition of kinematic viscosity", unit="mPa·s")
 def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> PascalSecond:
     return nu * rho
+
+
+@formula("α", "AGMA 925-A03, as generally published: α = k·η^s, with the dynamic viscosity in mPa·s (the gear friction thesis writes the kinematic one)")
+def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
+    return k * (mu / MILLIPASCAL_SECOND) ** s
+
+
+@formula("β", "derivative of the viscosity and density laws: −d ln μ/dT")
+def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
+    return SLOPE / (1 - SLOPE * (T - REFERENCE)) - LN_10 * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (T + ZERO_CELSIUS)
 
 
 def walther_constants(oil: Oil, law: str = "walther") -> tuple[float, float, float]:
@@ -82,3 +95,18 @@ class Lubricant:
         nu = kinematic_viscosity(C_2=self.C_2, C_1=self.C_1, T=T, c=self.c)
         rho = density(rho_15=self.oil.rho15, T=T)
         return State(nu, dynamic_viscosity(nu=nu, rho=rho), rho, specific_heat(T=T))
+
+    def alpha(self, mu: PascalSecond) -> PerPascal:
+        """The rise of viscosity with pressure, from the dynamic viscosity at the same temperature."""
+        k, s = PRESSURE_VISCOSITY[self.oil.base]
+        return pressure_viscosity(k=k * SQUARE_MILLIMETRE_PER_NEWTON, mu=mu, s=s)
+
+    def beta(self, T: Celsius) -> PerKelvin:
+        """The fall of ln μ with temperature."""
+        nu = kinematic_viscosity(C_2=self.C_2, C_1=self.C_1, T=T, c=self.c)
+        return temperature_coefficient(C_1=self.C_1, nu=nu, c=self.c, T=T)
+
+    @property
+    def limiting_shear(self) -> Number:
+        """The largest shear stress of the oil over its pressure (by its base; an assumption, ±40 %)."""
+        return LIMITING_SHEAR[self.oil.base]

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from typing import Any
 
+from .bearings import solve as bearings
 from .countershaft import solve as countershaft
 from .design import STEPS, Design
 from .engine import solve as engine
@@ -82,8 +83,16 @@ def solve(design: Design, before: Results | None = None) -> Results:
     i = part("imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, after=(e,))
     omega = e.result.angular_speed if e.result else None
     c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, after=(e, i))
-    b = Outcome("bearings", "not_asked")
+    b = part(
+        "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
+        materials.get(_name(design.countershaft, "material")), materials.get(_name(design.bearings, "housing_material")), after=(e, i, c),
+    )  # fmt: skip
     g = Outcome("gears", "not_asked")
     f = Outcome("friction", "not_asked")
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
+
+
+def _name(inputs: Any, attribute: str) -> str:
+    """The name of an oil or material that a step asks for; empty where the step is not asked."""
+    return getattr(inputs, attribute, None) or ""

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command line.  Nothing but argparse is imported here; each command imports what it needs when it runs.
+
+Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 2 bad input or usage · 3 no solution found.
+"""
+
+import argparse
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+
+from calc.version import VERSION
+
+ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
+friction it costs.  Without a command: the guided session."""
+COMMANDS = {
+    "new": "write a complete design from a shipped engine",
+    "check": "solve a design and print values, checks and verdicts",
+    "explain": "the chain of formulas that leads to one value",
+    "report": "write the PDF calculation report",
+    "replay": "run scripted designs and compare with what they expect",
+    "set": "edit a design file in place, comments kept",
+    "validate": "published reference values beside ours",
+}
+KEY_VALUE = "KEY=VALUE"
+
+
+def parser() -> argparse.ArgumentParser:
+    top = argparse.ArgumentParser(
+        prog="contralbero", description=ABOUT, epilog="contralbero COMMAND --help tells more. contralbero [FILE] opens the guided session."
+    )
+    top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands")
+    add = {name: commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".") for name, about in COMMANDS.items()}
+
+    add["new"].add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
+    add["new"].add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
+    add["new"].add_argument("--list", action="store_true", help="list the shipped engines")
+
+    add["check"].add_argument("file")
+    add["check"].add_argument("--set", action="append", default=[], metavar=KEY_VALUE, dest="changes", help="change an input for this run; may be repeated")
+    add["check"].add_argument("--step", help="print this step only")
+    add["check"].add_argument("--json", action="store_true", help="print one JSON object")
+
+    add["explain"].add_argument("file")
+    add["explain"].add_argument("value", metavar="VALUE_ID", help="like bearings.front.film")
+    add["explain"].add_argument("--json", action="store_true", help="print the lines as JSON")
+
+    add["report"].add_argument("file")
+    add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
+    add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer")
+
+    add["replay"].add_argument("files", nargs="+", metavar="FILE")
+
+    add["set"].add_argument("file")
+    add["set"].add_argument("changes", nargs="+", metavar=KEY_VALUE)
+
+    add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
+
+    session = commands.add_parser("session", help="the guided session (the same as no command)", description="The guided session.")
+    session.add_argument("file", nargs="?")
+    session.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")
+    return top
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    first = next((a for a in given if not a.startswith("-")), None)
+    if not {"-h", "--help", "--version"} & set(given[:1]) and first not in (*COMMANDS, "session"):
+        given = ["session", *given]  # no command: the guided session
+    try:
+        asked = parser().parse_args(given)
+        return int(import_module(f"assistant.commands.{asked.command}").run(asked))
+    except SystemExit as usage:
+        return int(usage.code or 0)
+    except BrokenPipeError:
+        sys.stderr.close()
+        return 0
+    except KeyboardInterrupt:
+        return 130
+    except Exception as error:
+        from calc.sheet.errors import BadInput
+
+        if isinstance(error, BadInput):
+            print(error, file=sys.stderr)
+            return 2
+        raise
+
+
+if __name__ == "__main__":
+    sys.exit(main())

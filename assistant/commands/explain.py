@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero explain`: the chain of formulas that leads to one value, back to the inputs."""
+
+from argparse import Namespace
+
+from calc.design_file import load
+from calc.explain import chain
+from calc.sheet.errors import BadInput, InputError
+from calc.sheet.number import short
+from calc.solve import solve
+
+
+def run(asked: Namespace) -> int:
+    document, design = load(asked.file)
+    results = solve(design)
+    values = results.values()
+    if asked.value not in values:
+        from difflib import get_close_matches
+
+        near = get_close_matches(asked.value, list(values), 3, 0.4)
+        hint = "did you mean " + ", ".join(near) + "?" if near else "`contralbero check` lists the values"
+        raise BadInput(document.place, [InputError(0, asked.value, "", f"is not a value of this design; {hint}")])
+    lines = chain(results, asked.value)
+    from calc.sheet.expression import line_json, line_text
+
+    if asked.json:
+        import json
+
+        print(json.dumps([line_json(link.line) | {"inputs": list(link.inputs)} for link in lines], ensure_ascii=False, indent=1))
+        return 0
+    value = values[asked.value]
+    print(f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}\n")
+    for link in lines:
+        formula, numbers, source = line_text(link.line)
+        print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
+        for key in link.inputs:
+            print(f"    ← {key}")
+    if not lines:
+        print("taken from the inputs; no formula leads to it")
+    return 0

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero new`: write a design from a shipped engine."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from assistant.saving import write_atomic
+from calc.library import engine_design, engines
+from calc.sheet.errors import BadInput, InputError
+
+
+def run(asked: Namespace) -> int:
+    shipped = engines()
+    if asked.list:
+        for name, about in shipped.items():
+            print(f"{name:<14} {about}")
+        return 0
+    if asked.engine not in shipped:
+        raise BadInput("--engine", [InputError(0, "", asked.engine, "is not shipped; `contralbero new --list` lists " + ", ".join(shipped))])
+    if asked.file is None:
+        raise BadInput("contralbero new", [InputError(0, "", "", "needs the name of the file to write, like my_engine.toml")])
+    path = Path(asked.file)
+    if path.exists():
+        raise BadInput(str(path), [InputError(0, "", "", "exists already and is left alone; choose another name")])
+    try:
+        write_atomic(path, engine_design(asked.engine).encode("utf-8"))
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+    print(path)
+    return 0

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The source's second method: DIN 31652 as it uses it, with the film by Falz and the friction polynomial.
+
+Falz's two formulas do not meet at So = 1 unless l = d; the source's own rule (So above or below 1) is kept here.  Friction by the
+polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity of Reynolds' solution.
+"""
+
+from ..sheet.formula import formula
+from ..sheet.functions import log10
+from ..sheet.units import Metre, Number
+
+POLYNOMIAL_UP_TO = 0.55
+FALZ = "Falz, after Finotti 2013, 5.5.2 (DIN 31652)"
+POLYNOMIAL = "DIN 31652-1 as printed in Finotti 2013, 5.5.2"
+
+
+@formula("h_0", FALZ + ", So > 1", unit="µm", names={"b": "(l/d)"})
+def film_heavily_loaded(g: Metre, So: Number, b: Number) -> Metre:
+    return g / 2 / (2 * So) * (2 * b / (1 + b))
+
+
+@formula("h_0", FALZ + ", So ≤ 1", unit="µm", names={"b": "(l/d)"})
+def film_lightly_loaded(g: Metre, So: Number, b: Number) -> Metre:
+    return g / 2 * (1 - So / 2 * ((1 + b) / (2 * b)))
+
+
+def film(g: Metre, So: Number, b: Number) -> Metre:
+    """Falz's film by the source's own rule."""
+    return film_heavily_loaded(g=g, So=So, b=b) if So > 1 else film_lightly_loaded(g=g, So=So, b=b)
+
+
+@formula("C", POLYNOMIAL, names={"b": "(l/d)"})
+def coefficient_C(b: Number) -> Number:
+    return 1.153423 - 2.69332 * b + 6.552763 * b**2 - 7.81938 * b**3 + 3.405146 * b**4
+
+
+@formula("E", POLYNOMIAL, names={"b": "(l/d)"})
+def coefficient_E(b: Number) -> Number:
+    return -0.7441784 + 0.104245 * b - 0.343503 * b**2 + 0.4677244 * b**3 - 0.215028 * b**4
+
+
+@formula("F", POLYNOMIAL, names={"b": "(l/d)"})
+def coefficient_F(b: Number) -> Number:
+    return -0.0105921 + 0.342048 * b - 0.459955 * b**2 + 0.381193 * b**3 - 0.1056112 * b**4
+
+
+@formula("G", POLYNOMIAL, names={"b": "(l/d)"})
+def coefficient_G(b: Number) -> Number:
+    return -0.000397154 - 0.01669 * b + 0.00966612 * b**2 - 0.0191126 * b**3 - 0.01094135 * b**4
+
+
+@formula("H", POLYNOMIAL, names={"b": "(l/d)"})
+def coefficient_H(b: Number) -> Number:
+    return -0.00258444 - 0.00870384 * b - 0.00157289 * b**2 + 0.01759905 * b**3 - 0.00668883 * b**4
+
+
+@formula("s", POLYNOMIAL)
+def log_sommerfeld(So: Number) -> Number:
+    return log10(So)
+
+
+@formula("Y", POLYNOMIAL)
+def friction_exponent(C: Number, E: Number, F: Number, G: Number, H: Number, s: Number) -> Number:
+    return C + E * s + F * s**2 + G * s**3 + H * s**4
+
+
+@formula("f", POLYNOMIAL)
+def friction_coefficient(psi: Number, Y: Number) -> Number:
+    return psi * 10**Y
+
+
+def friction(psi: Number, So: Number, b: Number) -> tuple[Number, Number]:
+    """Y and f by the polynomial; its coefficients depend on l/d alone and are not traced one by one."""
+    parts = [c.function(b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H)]
+    Y = friction_exponent(*parts, s=log_sommerfeld(So))
+    return Y, friction_coefficient(psi=psi, Y=Y)
+
+
+def polynomial_holds(b: float) -> bool:
+    return b <= POLYNOMIAL_UP_TO or abs(b - 1) < 1e-9

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How much oil passes: the side flow of the turning film, and what the supply pressure drives through.
+
+Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5.1, with q_H and q_P in the denominator.
+"""
+
+from ..sheet.formula import formula
+from ..sheet.functions import ln, pi
+from ..sheet.units import CubicMetrePerSecond, KilogramPerMetre3, Metre, Number, Pascal, PascalSecond, RadPerSecond, RevPerSecond
+
+TABLE = "Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator"
+
+
+@formula("Q_1", "side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q/(r·c·n·l)", "share": "(Q_s/Q)"})
+def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
+    return Q_rel * share * d / 2 * g / 2 * n_h * l
+
+
+@formula("q_1", "DIN 31652-2, side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
+def side_flow_factor(b: Number, eps: Number) -> Number:
+    return (b - 0.223 * b**3) * eps / 4
+
+
+@formula("Q_1", "DIN 31652-2, side flow", unit="L/min")
+def side_flow_din(d: Metre, psi: Number, omega: RadPerSecond, q_1: Number) -> CubicMetrePerSecond:
+    return d**3 * psi * omega * q_1
+
+
+@formula("E", "hole or pocket in the seat, swept by a load that turns: mean of (h/c)³ over the turn")
+def swept(eps: Number) -> Number:
+    return 1 + 1.5 * eps**2
+
+
+@formula("E", "hole opposite the load, turning with it: (h/c)³ at the widest gap")
+def opposite(eps: Number) -> Number:
+    return (1 + eps) ** 3
+
+
+@formula("q_H", TABLE, names={"x": "(d_H/l)"})
+def hole_factor(x: Number) -> Number:
+    return 1.204 + 0.368 * x - 1.046 * x**2 + 1.942 * x**3
+
+
+@formula("q_P", TABLE, names={"x": "(b_P/l)"})
+def pocket_factor(x: Number) -> Number:
+    return 1.188 + 1.582 * x - 2.585 * x**2 + 5.563 * x**3
+
+
+@formula("q_2", TABLE)
+def supply_factor(E: Number, l: Metre, b: Metre, q: Number) -> Number:
+    """Hole (b its diameter) or pocket (b its width along the shaft)."""
+    return pi / 48 * E / (ln(l / b) * q)
+
+
+@formula("q_2", "full circumferential groove: flow through two lands of length (l − b_G)/2")
+def groove_factor(eps: Number, d: Metre, l: Metre, b_G: Metre) -> Number:
+    return pi / 24 * (1 + 1.5 * eps**2) * d / (l - b_G)
+
+
+@formula("Q_2", "DIN 31652-2, flow by supply pressure", unit="L/min")
+def supply_flow(d: Metre, psi: Number, p_s: Pascal, mu: PascalSecond, q_2: Number) -> CubicMetrePerSecond:
+    return d**3 * psi**3 * p_s / mu * q_2
+
+
+@formula("Q", "sum of both flows", unit="L/min")
+def total_flow(Q_1: CubicMetrePerSecond, Q_2: CubicMetrePerSecond) -> CubicMetrePerSecond:
+    return Q_1 + Q_2
+
+
+@formula("Q_s", "Finotti 2013, 5.5.2: flow of a pressure-fed bearing, with the full length where a groove would halve it", unit="L/min")
+def groove_flow_of_finotti(p_s: Pascal, d: Metre, g: Metre, eps: Number, mu: PascalSecond, l: Metre) -> CubicMetrePerSecond:
+    return pi * p_s * d / 2 * (g / 2) ** 3 * (1 + 1.5 * eps**2) / (3 * mu * l)
+
+
+@formula("p_eff", "feed through the shaft: the supply works against the centrifugal head", unit="bar")
+def pressure_through_shaft(p_s: Pascal, rho: KilogramPerMetre3, omega: RadPerSecond, d: Metre) -> Pascal:
+    return p_s - rho * omega**2 * (d / 2) ** 2 / 2

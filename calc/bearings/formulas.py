@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The journal in its seat: load, clearance, film, friction and heat.  g is the diametral clearance, ψ = g/d, n in 1/s.
+
+Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P·ψ²/(μ·ω); So·S = 1/(2π) exactly.
+"""
+
+from ..sheet.formula import formula
+from ..sheet.functions import modulus, pi, sin, sqrt
+from ..sheet.units import (
+    Celsius, CubicMetrePerSecond, JoulePerKilogramKelvin, Kelvin, KilogramPerMetre3, Metre, MetrePerSecond, Newton,
+    NewtonPerMetreSecond, Number, Pascal, PascalSecond, PerKelvin, Radian, RadPerSecond, RevPerSecond, Watt,
+)  # fmt: skip
+
+ONE_METRE_PER_SECOND: MetrePerSecond = 1.0
+MILLI: Number = 1e-3
+TRUMPLER_FILM: Metre = 5.08e-6
+TRUMPLER_SLOPE: Number = 4e-5
+TRANSITION: Metre = 1.7e-9
+CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / 6894.757
+
+
+@formula("u", "definition of the journal's surface speed")
+def surface_speed(d: Metre, n: RevPerSecond) -> MetrePerSecond:
+    return pi * d * n
+
+
+@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
+def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
+    return F / (d * l)
+
+
+@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
+def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
+    return F * n / l
+
+
+@formula("l/d", "definition of the length ratio")
+def length_ratio(l: Metre, d: Metre) -> Number:
+    return l / d
+
+
+@formula("g", "Finotti 2013, 5.5.2: g = K·d·u^¼ with g in mm, d in m, u in m/s", unit="µm")
+def clearance_by_factor(K: Number, d: Metre, u: MetrePerSecond) -> Metre:
+    return MILLI * K * d * (u / ONE_METRE_PER_SECOND) ** 0.25
+
+
+@formula("g_T", "linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
+def clearance_at(g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius) -> Metre:
+    """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized."""
+    return g + d * (alpha_H * (1 - chi) - alpha_J) * (T - T_ref)
+
+
+@formula("ψ", "definition of the relative clearance", unit="‰")
+def relative_clearance(g: Metre, d: Metre) -> Number:
+    return g / d
+
+
+@formula("n_h", "hydrodynamically effective speed for journal, bush and load vector (as generally published; ISO 7902-1)", unit="rpm")
+def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
+    """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood."""
+    return modulus(n_J + n_B - 2 * n_F)
+
+
+@formula("ω", "definition of angular speed")
+def angular_speed(n: RevPerSecond) -> RadPerSecond:
+    return 2 * pi * n
+
+
+@formula("S", "Raimondi & Boyd 1958: Sommerfeld number")
+def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> Number:
+    return mu * n_h / (p * psi**2)
+
+
+@formula("So", "DIN 31652-1: Sommerfeld number")
+def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond) -> Number:
+    return p * psi**2 / (mu * omega)
+
+
+@formula("T_m", "mean temperature of the film")
+def mean_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
+    return T_in + Delta_T / 2
+
+
+@formula("T_out", "temperature of the oil that leaves")
+def outlet_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
+    return T_in + Delta_T
+
+
+@formula("h_0", "definition of the eccentricity ratio", unit="µm")
+def film(g: Metre, eps: Number) -> Metre:
+    return g / 2 * (1 - eps)
+
+
+@formula("f*", "Couette shear of the full film and pressure term (identity of Reynolds' solution)")
+def friction_variable(So: Number, eps: Number, phi: Radian) -> Number:
+    return pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
+
+
+@formula("f", "Raimondi & Boyd 1958: friction variable f* = f/ψ", names={"f_v": "f*"})
+def friction_coefficient(psi: Number, f_v: Number) -> Number:
+    return psi * f_v
+
+
+@formula("P_f", "power of friction")
+def friction_power(f: Number, F: Newton, u: MetrePerSecond) -> Watt:
+    return f * F * u
+
+
+@formula("ΔT", "heat balance: all friction leaves with the oil", unit="K")
+def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKelvin, Q: CubicMetrePerSecond) -> Kelvin:
+    return P_f / (rho * c_p * Q)
+
+
+@formula("p_max", "largest film pressure, from the table of Reynolds solutions", unit="MPa", names={"ratio": "(p/p_max)"})
+def largest_pressure(p: Pascal, ratio: Number) -> Pascal:
+    return p / ratio
+
+
+# --- what is judged -----------------------------------------------------------------------------------------------------
+@formula("h_edge", "film at the edge of a journal that stands at a slope in its seat", unit="µm")
+def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
+    return h_0 - theta * l / 2
+
+
+@formula("h_K", "Kreisle, after Finotti 2013, 5.6: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
+def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
+    return k_R * Ra_1 + k_R * Ra_2
+
+
+@formula("h_T", "Trumpler, after Finotti 2013, 5.6: 0.00508 mm + 4·10⁻⁵·d", unit="µm")
+def trumpler_film(d: Metre) -> Metre:
+    return TRUMPLER_FILM + TRUMPLER_SLOPE * d
+
+
+@formula("n_T", "Vogelpohl's transition to mixed friction, after Finotti 2013, 5.6 (1.7·10⁻⁹ m)", unit="rpm")
+def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
+    return TRANSITION * p / (mu * d)
+
+
+@formula("n_min", "Finotti 2013, 5.6: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given", unit="rpm")
+def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
+    return k * n_T
+
+
+@formula("ZN/P", "McKee & McKee 1932, in cP·rpm/psi", names={"n_h": "n"})
+def mckee_number(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
+    return mu * n_h / p / CENTIPOISE_RPM_PER_PSI

@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reynolds' equation solved for a plain bearing of full circumference and finite length.
+
+The exact way, some milliseconds per state; `film_table` keeps the results of this module for daily use.
+
+Film h = c·(1 + ε·cos θ), θ from the widest film along the rotation; z = 2·y/l from the middle plane to the edge; pressure
+p = μ·ω·(r/c)²·Π.  Then
+
+    ∂/∂θ(h³·∂Π/∂θ) + (d/l)²·∂/∂z(h³·∂Π/∂z) = 6·dh/dθ,        Π = 0 at θ = 0 and at z = 1,
+
+and the film ruptures where Swift and Stieber place it: Π >= 0 everywhere, and Π and its gradient vanish together.  In discrete
+form this is a linear complementarity problem.  A primal-dual active set solves it: guess which nodes carry pressure, solve
+for them, correct the guess, until nothing changes (two to five times).
+
+Around the bearing the flow between two nodes is exact for constant flow (∫h⁻²dθ and ∫h⁻³dθ by Sommerfeld's substitution), so
+the infinitely long bearing is exact at its nodes.  Each of three grids halves the steps of the one before and starts from its
+pressure; the last two give Richardson's limit.  Against far finer grids: 1e-4 in S, f* and φ at worst, 2e-5 root mean square; 3e-5
+in the flows.
+
+Sources: O. Reynolds, Phil. Trans. R. Soc. 177 (1886) 157; H. W. Swift, Proc. ICE 233 (1932) 267; W. Stieber, Das
+Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958) 159-209 (the dimensionless groups).
+"""
+
+import math
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Value = TypeVar("Value", float, Array)
+
+ECCENTRICITY_RANGE = (0.02, 0.98)
+LENGTH_RATIO_RANGE = (0.1, 2.0)  # and infinity
+
+ITERATION_LIMIT = 100
+LAST_TURN = 1.5 * math.pi  # end of the grid: the infinitely long bearing ruptures at 1.43·π at the latest, a shorter one earlier
+UNIFORM_SHARE = 0.25  # of the nodes around: keeps the widest film resolved at high eccentricity
+EDGE_CLUSTERING = 1.5  # nodes across crowd towards the edge as tanh does
+REFINEMENTS = (4, 2, 1)
+LONG_BEARING_REFINEMENT = 4  # one dimension costs nothing, so the infinitely long bearing gets more nodes
+
+
+@dataclass(frozen=True)
+class FilmSolution:
+    """One state of the oil film, dimensionless.
+
+    When to use: the truth for one pair (ε, l/d).  In loops use `film_table.film_at`.
+
+    Assumptions: constant viscosity, steady load, parallel axes, 360° shell fed at the widest film without pressure.
+    """
+
+    eccentricity: float  # ε = e/c
+    length_ratio: float  # l/d, or infinity
+    sommerfeld: float  # S = (r/c)²·μ·N/P, N in revolutions per second
+    attitude: float  # φ, from the load line to the narrowest film, rad
+    friction: float  # f* = (r/c)·f, sheared oil over the whole circumference
+    flow: float  # Q/(r·c·N·l), through the widest film
+    side_flow_ratio: float  # Qs/Q, the share that leaves over the two edges
+    pressure_ratio: float  # P/p_max
+    theta: Array  # nodes from the widest film, 0 to 2π
+    pressure: Array  # Π there, middle plane, finest grid (about 2e-3 from the limit)
+
+
+@dataclass(frozen=True)
+class _Grid:
+    """The nodes, and all coefficients that follow from the film's shape alone."""
+
+    theta: Array  # nodes around
+    around: Array  # their weights in ∫dθ
+    across: Array  # weights of the nodes across in ∫dz, the edge included
+    film: Array  # h at the nodes around
+    conductance: Array  # 1/∫h⁻³dθ between neighbours around
+    drag: Array  # 6·∫h⁻²dθ/∫h⁻³dθ, the flow between neighbours without pressure
+    sideways: Array  # (d/l)²·h³·weight over Δz, [node around, gap across]
+
+
+def friction_variable(eccentricity: Value, sommerfeld: Value, sine_of_attitude: Value) -> Value:
+    """f* = (r/c)·f = π/(So·√(1 − ε²)) + (ε/2)·sin φ, with So = 1/(2π·S).
+
+    Exact: moment of the shear over the full circumference (Couette part) plus that of the pressure gradient, by equilibrium
+    of the film.  Counting sheared oil only where the film is whole would give 14 to 19 % less at usual working points.
+    """
+    friction: Value = 2.0 * math.pi**2 * sommerfeld / (1.0 - eccentricity**2) ** 0.5 + 0.5 * eccentricity * sine_of_attitude
+    return friction
+
+
+def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, int] = (192, 16)) -> FilmSolution:
+    """Solve the film of one bearing.
+
+    Range: 0.02 <= ε <= 0.98; 0.1 <= l/d <= 2, or l/d infinite.  `cells` are those of the finest grid around and across (half
+    the length), both multiples of 4.  Raises ValueError outside the range.
+    """
+    _require(eccentricity, length_ratio, cells)
+    if math.isinf(length_ratio):
+        cells = (LONG_BEARING_REFINEMENT * cells[0], 1)
+    pressure: Array | None = None
+    results = []
+    for coarser in REFINEMENTS:
+        grid = _grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
+        pressure = _pressure(grid, None if pressure is None else _refined(pressure, grid.across.size))
+        results.append(_integrals(grid, pressure))
+    assert pressure is not None
+    cosine, sine, flow, side_flow, peak = (float(value) for value in results[-1] + (results[-1] - results[-2]) / 3.0)
+
+    integral = math.hypot(cosine, sine)
+    sommerfeld = 1.0 / (math.pi * integral)
+    return FilmSolution(
+        eccentricity=eccentricity,
+        length_ratio=length_ratio,
+        sommerfeld=sommerfeld,
+        attitude=math.atan2(sine, -cosine),
+        friction=friction_variable(eccentricity, sommerfeld, sine / integral),
+        flow=flow,
+        side_flow_ratio=side_flow / flow,
+        pressure_ratio=0.5 * integral / peak,
+        theta=np.append(grid.theta, 2.0 * math.pi),
+        pressure=np.append(pressure[:, 0], 0.0),
+    )
+
+
+def _require(eccentricity: float, length_ratio: float, cells: tuple[int, int]) -> None:
+    low, high = ECCENTRICITY_RANGE
+    if not low <= eccentricity <= high:
+        raise ValueError(f"eccentricity ratio {eccentricity:g}: Reynolds' equation is solved from {low:g} to {high:g}")
+    low, high = LENGTH_RATIO_RANGE
+    if not (low <= length_ratio <= high or length_ratio == math.inf):
+        raise ValueError(f"length ratio l/d {length_ratio:g}: Reynolds' equation is solved from {low:g} to {high:g}, or infinite")
+    if cells[0] < 24 or cells[1] < 4 or cells[0] % 4 or cells[1] % 4:
+        raise ValueError(f"cells {cells}: two multiples of 4, from (24, 4) up")
+
+
+def _grid(eccentricity: float, length_ratio: float, cells_around: int, cells_across: int) -> _Grid:
+    """Nodes around: Sommerfeld's angle γ, 1 + ε·cos θ = (1 − ε²)/(1 − ε·cos γ), itself spread a little over the widest film."""
+    narrow = 1.0 - eccentricity**2
+    squeeze = math.sqrt((1.0 + eccentricity) / (1.0 - eccentricity))
+    spread = 1.0 - 1.0 / (1.0 - UNIFORM_SHARE + UNIFORM_SHARE * squeeze)
+    turn = np.linspace(0.0, LAST_TURN, cells_around + 1)
+    gamma = turn - spread * np.sin(turn)
+    theta = 2.0 * np.arctan2(squeeze * np.sin(0.5 * gamma), np.cos(0.5 * gamma))
+    sine, cosine = np.sin(gamma), np.cos(gamma)
+    film = narrow / (1.0 - eccentricity * cosine)
+
+    around = turn[1] * (1.0 - spread * np.cos(turn)) * film / math.sqrt(narrow)
+    around[0] *= 0.5
+    around[-1] *= 0.5
+    square = (gamma - eccentricity * sine) / narrow**1.5  # ∫h⁻²dθ
+    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5  # ∫h⁻³dθ
+    conductance = 1.0 / np.diff(cube)
+    drag = 6.0 * np.diff(square) * conductance
+
+    if math.isinf(length_ratio):
+        return _Grid(theta, around, np.array([1.0, 0.0]), film, conductance, drag, np.zeros((theta.size, 1)))
+    gap = np.diff(np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells_across + 1))) / math.tanh(EDGE_CLUSTERING)
+    across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
+    sideways = (film**3 * around / length_ratio**2)[:, None] / gap
+    return _Grid(theta, around, across, film, conductance, drag, sideways)
+
+
+def _refined(pressure: Array, nodes_across: int) -> Array:
+    """The pressure of one grid at the nodes of the next, by halving the steps."""
+    finer = np.empty((2 * pressure.shape[0] - 1, pressure.shape[1]))
+    finer[::2] = pressure
+    finer[1::2] = 0.5 * (pressure[1:] + pressure[:-1])
+    if nodes_across == pressure.shape[1]:
+        return finer
+    finest = np.empty((finer.shape[0], nodes_across))
+    finest[:, ::2] = finer
+    finest[:, 1::2] = 0.5 * (finer[:, 1:] + finer[:, :-1])
+    return finest
+
+
+def _pressure(grid: _Grid, guess: Array | None) -> Array:
+    """Π at all nodes: the complementarity problem A·Π >= b, Π >= 0, Π·(A·Π − b) = 0 of one grid."""
+    inner = grid.across[:-1]
+    along = grid.conductance[:, None] * inner  # links around
+    aside = grid.sideways[1:-1]  # links across, towards the edge
+    source = -np.diff(grid.drag)[:, None] * inner
+    diagonal = along[1:] + along[:-1] + aside
+    diagonal[:, 1:] += aside[:, :-1]
+
+    if guess is None:
+        active = np.broadcast_to(grid.theta[1:-1, None] < 1.1 * math.pi, source.shape)
+    else:
+        active = guess[1:-1, :-1] > 0.0
+    round_off = 1e-11 * float(np.abs(source).max())
+    pressure = np.zeros((grid.theta.size, grid.across.size))
+    inside = pressure[1:-1, :-1]
+    for _ in range(ITERATION_LIMIT):
+        whole = int(np.flatnonzero(active.any(axis=1))[-1]) + 1  # nodes around that the film can reach
+        inside[:whole] = _solved(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
+        inside[whole:] = 0.0
+        push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
+        push[:, 1:] += aside[:, :-1] * inside[:, :-1]
+        corrected = np.where(active, inside > 0.0, push > round_off)
+        if np.array_equal(corrected, active):
+            if active[-1].any():
+                raise ArithmeticError(f"the film has not ruptured at {grid.theta[-2]:.3f} rad, where the grid of {grid.theta.size} ends")
+            return pressure
+        active = corrected
+    raise ArithmeticError(f"no film found on {grid.theta.size} by {grid.across.size} nodes in {ITERATION_LIMIT} corrections")
+
+
+def _solved(active: Mask, diagonal: Array, along: Array, aside: Array, source: Array) -> Array:
+    """Solve for the active nodes; the others are zero.  Symmetric and banded: Cholesky, nodes across numbered first."""
+    from scipy.linalg.lapack import dpbsv  # type: ignore[import-untyped]
+
+    rows, columns = active.shape
+    band = np.zeros((rows, columns, columns + 1))
+    if columns > 1:
+        band[:, :-1, 1] = np.where(active[:, :-1] & active[:, 1:], -aside, 0.0)
+    band[:-1, :, columns] = np.where(active[:-1] & active[1:], -along, 0.0)
+    band[:, :, 0] = np.where(active, diagonal, 1.0)
+    _, solution, failure = dpbsv(
+        band.reshape(-1, columns + 1).T, np.where(active, source, 0.0).ravel(), lower=1, overwrite_ab=1, overwrite_b=1
+    )
+    if failure:
+        raise ArithmeticError(f"banded Cholesky of {rows} by {columns} nodes failed at row {failure}")
+    return np.asarray(solution, dtype=np.float64).reshape(rows, columns)
+
+
+def _integrals(grid: _Grid, pressure: Array) -> Array:
+    """∬Π·cos θ, ∬Π·sin θ (half length), inlet flow, side flow (both Q/(r·c·N·l)) and the largest Π of the middle plane."""
+    per_angle = pressure @ grid.across * grid.around
+    cosine = per_angle @ np.cos(grid.theta)
+    sine = per_angle @ np.sin(grid.theta)
+
+    # Inlet: the flow between the first two nodes, and what has left sideways before it (growing from zero with θ).
+    leaving = grid.sideways[:, -1] * pressure[:, -2]
+    inner, edge = grid.across[:-1], grid.across[-1]
+    inlet = (grid.drag[0] - grid.conductance[0] * pressure[1, :-1]) @ inner + 6.0 * grid.film[0] * edge
+    inlet += leaving[1] / grid.around[1] * grid.theta[1] / 8.0
+    # Side: over the last full cell, and the wedge of the half cell at the edge, where Π = 0 but the film still narrows.
+    last = int(np.flatnonzero(pressure[:, -2])[-1])
+    side = leaving.sum() + (6.0 * grid.film[0] - grid.drag[last]) * edge
+
+    middle = pressure[:, 0]
+    top = int(middle.argmax())
+    slope = 0.5 * (middle[top + 1] - middle[top - 1])
+    bend = middle[top + 1] - 2.0 * middle[top] + middle[top - 1]
+    peak = middle[top] - 0.5 * slope**2 / bend  # parabola through the three highest nodes
+    return np.array([cosine, sine, math.pi / 6.0 * inlet, math.pi / 6.0 * side, peak])

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The stored solutions of Reynolds' equation as lines of the calculation."""
+
+from functools import lru_cache
+
+from ..sheet.formula import formula
+from ..sheet.units import Number, Radian
+from .film_table import eccentricity_from
+from .film_table import film_at as _film_at
+
+SOURCE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
+film_at = lru_cache(maxsize=4)(_film_at)  # five lines of a calculation ask for the same point
+
+
+@formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted")
+def eccentricity(S: Number, b: Number) -> Number:
+    return eccentricity_from(S, b)
+
+
+@formula("φ", SOURCE, shows="φ from the table of Reynolds' solutions at ε, l/d")
+def attitude_angle(eps: Number, b: Number) -> Radian:
+    return film_at(eps, b).attitude
+
+
+@formula("Q/(r·c·n·l)", SOURCE, shows="Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d")
+def relative_flow(eps: Number, b: Number) -> Number:
+    return film_at(eps, b).flow
+
+
+@formula("Q_s/Q", SOURCE, shows="Q_s/Q from the table of Reynolds' solutions at ε, l/d")
+def side_flow_share(eps: Number, b: Number) -> Number:
+    return film_at(eps, b).side_flow_ratio
+
+
+@formula("p/p_max", SOURCE, shows="p/p_max from the table of Reynolds' solutions at ε, l/d")
+def pressure_ratio(eps: Number, b: Number) -> Number:
+    return film_at(eps, b).pressure_ratio

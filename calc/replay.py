@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A scripted session: a design, edits, and what is expected of the results."""
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from .design_file import Document, design, read
+from .sheet.errors import BadInput, InputError
+from .sheet.number import short
+from .solve import Results, solve
+
+STEP_KEYS = {"set", "to", "undo", "report"}
+EXPECT_KEYS = {"value", "check", "step", "is", "unit", "rel", "abs", "verdict", "kind", "source", "after"}
+KINDS = ("reference", "recorded")
+Report = Callable[[Document, Results, Path], None]
+
+
+@dataclass(frozen=True)
+class Compared:
+    """One expectation beside what came out."""
+
+    about: str
+    expected: str
+    found: str
+    agrees: bool
+    kind: str
+    source: str
+
+    @property
+    def text(self) -> str:
+        return f"{'✓' if self.agrees else '✗'} {self.about}: {self.found}, expected {self.expected}" + (f"   [{self.source}]" if self.source else "")
+
+
+@dataclass(frozen=True)
+class Script:
+    """A replay as its file has it."""
+
+    place: str
+    start: Document
+    steps: tuple[dict[str, Any], ...]
+    expects: tuple[dict[str, Any], ...]
+
+
+def load(path: Path | str) -> Script:
+    """Read a replay file.  Raises BadInput with every error in it."""
+    path = Path(path)
+    raw = read(path)  # the same care with files that are no TOML
+    data, errors = raw.data, []
+
+    def error(key: str, reason: str) -> None:
+        where = key
+        while where and where not in raw.lines:
+            where = where.rpartition(".")[0]
+        errors.append(InputError(raw.lines.get(where, 1), key, "", reason))
+
+    for key in data:
+        if key not in {"schema", "design", "step", "expect", "name", "note"}:
+            error(key, "is not known; a replay has schema, name, note, design, [[step]] and [[expect]]")
+    if data.get("schema") != 1:
+        error("schema", "must be 1")
+    steps, expects = data.get("step", []), data.get("expect", [])
+    for key, rows in (("step", steps), ("expect", expects)):
+        if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+            error(key, f"must be an array of tables: [[{key}]]")
+            steps, expects = [], []
+    for i, row in enumerate(steps):
+        _check_step(f"step.{i}", row, error)
+    for i, row in enumerate(expects):
+        _check_expect(f"expect.{i}", row, len(steps), error)
+    start: Document | None = None
+    given = data.get("design")
+    if isinstance(given, str):
+        start = read(path.parent / given)
+    elif isinstance(given, dict):
+        start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.sha256)
+    else:
+        error("design", "is missing; needs the path of a design file, or a whole [design] table")
+    if errors:
+        raise BadInput(raw.place, errors)
+    assert start is not None
+    return Script(raw.place, start, tuple(steps), tuple(expects))
+
+
+def _check_step(key: str, row: dict[str, Any], error: Callable[[str, str], None]) -> None:
+    for unknown in set(row) - STEP_KEYS:
+        error(f"{key}.{unknown}", "is not known; a step has set and to, or undo, or report")
+    if sum(name in row for name in ("set", "undo", "report")) != 1 or ("set" in row) != ("to" in row):
+        error(key, 'must be set = "KEY", to = VALUE, or undo = true, or report = "out.pdf"')
+
+
+def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, str], None]) -> None:
+    for unknown in set(row) - EXPECT_KEYS:
+        error(f"{key}.{unknown}", "is not known; an expectation has " + ", ".join(sorted(EXPECT_KEYS)))
+    if sum(name in row for name in ("value", "check", "step")) != 1:
+        error(key, "must name one value, check or step")
+    if "value" in row:
+        if not isinstance(row.get("is"), (int, float)) or isinstance(row.get("is"), bool):
+            error(key, "needs is = NUMBER")
+        if not any(isinstance(row.get(name), (int, float)) for name in ("rel", "abs")):
+            error(key, "needs a tolerance: rel or abs")
+        if row.get("kind") not in KINDS:
+            error(key, 'needs kind = "reference" or "recorded"')
+        if row.get("kind") == "reference" and not row.get("source"):
+            error(key, "a reference value needs its source")
+    elif "verdict" not in row:
+        error(key, "needs verdict")
+    if not 0 <= row.get("after", steps) <= steps:
+        error(f"{key}.after", f"must be a step from 0 to {steps}")
+
+
+def run(script: Script, report: Report | None = None) -> list[Compared]:
+    """Play a script and compare.  `report` writes the PDFs that it asks for, beside the script."""
+    history = [script.start]
+    results = solve(design(script.start))
+    compared: list[Compared] = []
+    for number in range(len(script.steps) + 1):
+        if number:
+            step = script.steps[number - 1]
+            if "set" in step:
+                history.append(history[-1].with_value(step["set"], step["to"]))
+            elif "undo" in step and len(history) > 1:
+                history.pop()
+            if "report" in step:
+                if report is not None:
+                    report(history[-1], results, Path(script.place).parent / step["report"])
+                continue
+            results = solve(design(history[-1]), results)
+        compared += [compare(results, row) for row in script.expects if row.get("after", len(script.steps)) == number]
+    return compared
+
+
+def compare(results: Results, row: dict[str, Any]) -> Compared:
+    """One expectation against results."""
+    kind, source = row.get("kind", ""), row.get("source", "")
+    if "value" not in row:
+        what = row.get("check") or row.get("step")
+        if "check" in row:
+            found = next((c.verdict for c in results.checks() if c.id == what), "no such check")
+        else:
+            found = results.outcomes[what].verdict if what in results.outcomes else "no such step"
+        return Compared(str(what), row["verdict"], found, found == row["verdict"], kind, source)
+    name, expected, unit = row["value"], float(row["is"]), row.get("unit", "")
+    value = results.values().get(name)
+    tolerance = max(abs(row.get("rel", 0.0) * expected), row.get("abs", 0.0))
+    text = f"{short(expected, 6)} ± {short(tolerance, 2)} {unit}".rstrip()
+    if value is None:
+        return Compared(name, text, "no such value", False, kind, source)
+    agrees = value.unit == unit and math.isfinite(value.shown) and abs(value.shown - expected) <= tolerance
+    return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source)
+
+

@@ -1,0 +1,148 @@
+"""The bearing step: what the source's design gives, and what must hold for any bearing."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calc.design_file import design
+from calc.solve import solve
+
+
+def outcome(document, **changes):
+    for key, value in changes.items():
+        document = document.with_value(key.replace("__", "."), value)
+    return solve(design(document)).outcomes["bearings"]
+
+
+def without_bench(document):
+    return replace(document, data={**document.data, "engine": {k: v for k, v in document.data["engine"].items() if k != "bench"}})
+
+
+def verdicts(found):
+    return {c.id: c.verdict for c in found.checks}
+
+
+def test_the_route_on_the_given_clearance(gamma_results):
+    """Reynolds, clearance as given, swept hole: front 10.38 µm, 6.22 K, 91.6 W at 1710 N (here 1706.8 N, the shaft's own reaction)."""
+    r = gamma_results.outcomes["bearings"].result.bearings["front"].reynolds
+    assert r.film * 1e6 == pytest.approx(10.38, rel=2e-3)
+    assert r.temperature_rise == pytest.approx(6.22, rel=2e-3)
+    assert r.friction_power == pytest.approx(91.6, rel=2e-3)
+
+
+def test_both_journals_lose_278_watts_on_the_given_clearance(gamma_results):
+    found = gamma_results.outcomes["bearings"].result.bearings
+    assert sum(r.reynolds.friction_power for r in found.values()) == pytest.approx(277.65, rel=2e-3)
+
+
+def test_the_source_methods_beside(gamma_results):
+    """Finotti's charts give 10.8 µm and 6.34 K (read to ±5 %); DIN by its own rule 8.9 µm front, 20.8 µm rear."""
+    found = gamma_results.outcomes["bearings"].result.bearings
+    assert found["front"].raimondi_boyd.film * 1e6 == pytest.approx(10.8, rel=0.05)
+    assert found["front"].raimondi_boyd.temperature_rise == pytest.approx(6.34, rel=0.02)
+    assert found["front"].din31652.film * 1e6 == pytest.approx(8.9, abs=0.06)
+    assert found["rear"].din31652.film * 1e6 == pytest.approx(20.8, abs=0.06)
+
+
+def test_the_source_design_fails_where_it_did_not_look(gamma_results):
+    found = verdicts(gamma_results.outcomes["bearings"])
+    assert found["bearings.front.film_edge"] == "fail"
+    assert found["bearings.front.film_double_load"] == "fail"
+    assert found["bearings.rear.film_double_load"] == "fail"
+    assert found["bearings.rear.film_edge"] == "pass"
+    assert found["bearings.front.mckee"] == "warn"
+    assert all(c.advice for c in gamma_results.outcomes["bearings"].checks if c.verdict != "pass")
+
+
+def test_steel_in_aluminium_opens_by_60_micrometres(gamma_results):
+    """59.5 mm · 10·10⁻⁶/K · 100 K = 59.5 µm at 120 °C; at the film's 120.9 °C a little more."""
+    r = gamma_results.outcomes["bearings"].result.bearings["front"]
+    assert (r.clearance_hot - r.clearance) * 1e6 == pytest.approx(59.5, rel=0.02)
+    assert r.clearance_cold * 1e6 == pytest.approx(80.3025 - 59.5e-3 * 10 * 40, abs=0.01)
+
+
+def test_a_clearance_meant_warm_seizes_when_cold(gamma):
+    found = outcome(gamma, bearings__clearance_reference_temperature_C=123.1)
+    r = found.result.bearings["front"]
+    assert r.clearance_cold * 1e6 == pytest.approx(-4.8, abs=0.05)
+    assert verdicts(found)["bearings.front.clearance_cold"] == "fail"
+
+
+def test_a_housing_that_expands_like_the_journal_keeps_the_clearance(gamma):
+    r = outcome(gamma, bearings__housing_material="steel").result.bearings["front"]
+    assert r.clearance_hot == pytest.approx(r.clearance)
+    assert r.film == pytest.approx(r.reynolds.film)
+
+
+def test_the_block_may_hold_the_housing_back(gamma):
+    free = outcome(gamma).result.bearings["front"].clearance_hot
+    held = outcome(gamma, bearings__expansion_restraint=0.4).result.bearings["front"].clearance_hot
+    assert held < free
+
+
+def test_the_thinnest_film_is_found_not_assumed(gamma_results):
+    """The no-load row (2646 rpm) does not govern, and the hottest loaded row is not the fastest."""
+    assert gamma_results.outcomes["bearings"].result.bearings["front"].speed_of_thinnest_film * 60 == pytest.approx(2497)
+
+
+def test_without_a_bench_run_a_range_is_swept(gamma):
+    found = outcome(without_bench(gamma))
+    assert found.result.bearings["front"].speed_of_thinnest_film * 60 == pytest.approx(2600)
+
+
+def test_a_full_groove_halves_the_bearing(gamma):
+    """Split bearing: 5.81 µm, 119.5 W on the given clearance with a groove of no width."""
+    found = outcome(gamma, bearings__supply="groove", bearings__groove_width_mm=0.0)
+    r = found.result.bearings["front"].reynolds
+    assert r.film * 1e6 == pytest.approx(5.81, rel=5e-3)
+    assert r.friction_power == pytest.approx(119.5, rel=5e-3)
+    assert r.temperature_rise == pytest.approx(3.68, rel=5e-3)
+
+
+@pytest.mark.parametrize("supply, more", [("pocket", {"pocket_width_mm": 8.0, "pocket_length_mm": 20.0}), ("shaft", {})])
+def test_other_supplies(gamma, supply, more):
+    document = gamma.with_value("bearings.supply", supply)
+    for key, value in more.items():
+        document = document.with_value(f"bearings.{key}", value)
+    assert outcome(document).state == "solved"
+
+
+def test_no_oil_through_a_fast_shaft(gamma):
+    found = outcome(without_bench(gamma), bearings__supply="shaft", bearings__supply_pressure_bar=0.2, engine__rated_speed_rpm=6000.0)
+    assert found.state == "no_solution"
+    assert "through the shaft" in found.reason
+
+
+@pytest.mark.parametrize("key, value, words", [
+    ("bearings.front.length_mm", 4.0, "l/d"), ("countershaft.masses.front.mass_kg", 300.0, "no film carries"),
+])  # fmt: skip
+def test_what_has_no_film_says_so(gamma, key, value, words):
+    found = outcome(gamma.with_value(key, value), bearings__hole_diameter_mm=2.0)
+    assert found.state == "no_solution"
+    assert words in found.reason
+
+
+def test_d341_is_selectable(gamma):
+    walther = outcome(gamma).result.bearings["front"].hot.oil.nu
+    astm = outcome(gamma, bearings__viscosity_law="d341").result.bearings["front"].hot.oil.nu
+    assert astm / walther - 1 == pytest.approx(-0.003, abs=1.5e-3)
+
+
+@settings(max_examples=15, deadline=None)
+@given(length=st.floats(20, 45))
+def test_a_longer_bearing_has_a_thicker_film(gamma, length):
+    short = outcome(gamma, bearings__front__length_mm=length).result.bearings["front"].film
+    longer = outcome(gamma, bearings__front__length_mm=length + 2).result.bearings["front"].film
+    assert longer > short
+
+
+@settings(max_examples=10, deadline=None)
+@given(length=st.floats(22, 40), clearance=st.floats(40, 120), temperature=st.floats(80, 130))
+def test_all_heat_leaves_with_the_oil(gamma, length, clearance, temperature):
+    """The film that is shown closes its own balance: P_f = ρ·c_p·Q·ΔT at the mean temperature."""
+    changed = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", clearance)
+    hot = outcome(changed, bearings__front__length_mm=length, bearings__supply_temperature_C=temperature).result.bearings["front"].hot
+    assert hot.mean_temperature == pytest.approx(temperature + hot.temperature_rise / 2, abs=1e-8)
+    assert hot.friction_power == pytest.approx(hot.oil.rho * hot.oil.cp * hot.oil_flow * hot.temperature_rise, rel=1e-9)

@@ -1,0 +1,95 @@
+"""Masses and kinematics beside the source's numbers and closed forms."""
+
+import math
+
+import numpy as np
+import pytest
+
+from calc.engine.crank import crank
+from calc.engine.inputs import EngineInputs
+from calc.engine.solve import solve
+
+from ..imbalance.test_engines import R753
+
+
+def result(**changes):
+    return solve(EngineInputs(**{**R753, **changes})).result
+
+
+def test_masses_of_the_r753():
+    """Finotti 2013, 2.5.3.1: 311.35 and 703.65 g of the rod, 1489.35 and 758.65 g per cylinder."""
+    e = result()
+    assert e.reciprocating_mass * 1e3 == pytest.approx(1489.350, abs=5e-4)
+    assert e.rotating_mass * 1e3 == pytest.approx(758.650, abs=5e-4)
+    assert e.lambda_ == pytest.approx(0.328221, abs=5e-7)
+    assert e.angular_speed == pytest.approx(272.2714, abs=5e-5)
+    assert e.mean_piston_speed == pytest.approx(9.2733, abs=5e-5)
+    assert e.displacement * 1e6 == pytest.approx(2228, abs=0.5)
+
+
+def test_the_rod_by_thirds_where_its_centre_of_gravity_is_not_known():
+    e = result(rod_cg_to_big_end=None)
+    assert e.reciprocating_mass == pytest.approx(1.178 + 1.015 / 3)
+
+
+def test_accelerations_at_the_dead_centres():
+    """ω²r(1+λ) = 5267.8 m/s² at TDC; λ > ¼: the minimum −0.69863 ω²r is at 138.98°, not at BDC (λ = 0.3282)."""
+    e = result()
+    assert e.acceleration_max == pytest.approx(5267.8, abs=0.05)
+    assert e.acceleration_min / (e.angular_speed**2 * 0.0535) == pytest.approx(-0.69863, abs=2e-5)
+    assert math.degrees(e.acceleration_min_angle) == pytest.approx(138.98, abs=0.01)
+
+
+def test_largest_speed_of_the_piston():
+    """λ = 0.24: 1.02848 ωr, exact."""
+    e = result(crank_radius=0.24 * 0.163)
+    assert e.piston_speed_max / (e.angular_speed * 0.24 * 0.163) == pytest.approx(1.02848, abs=5e-6)
+
+
+@pytest.mark.parametrize("lam", [0.15, 0.2, 0.25, 0.328220858895706])
+def test_harmonics_against_their_series(lam):
+    """A₂, A₄, A₆ of the slider-crank as power series in λ (Biezeno & Grammel)."""
+    c = result(crank_radius=lam * 0.163).harmonics
+    assert c[0] == pytest.approx(1)
+    assert c[1].real == pytest.approx(lam + lam**3 / 4 + 15 * lam**5 / 128 + 35 * lam**7 / 512, abs=lam**9)
+    assert c[3].real == pytest.approx(-(lam**3 / 4 + 3 * lam**5 / 16 + 35 * lam**7 / 256), abs=lam**9)
+    assert c[5].real == pytest.approx(9 * lam**5 / 128 + 45 * lam**7 / 512, abs=lam**9)
+    assert max(abs(c[n - 1]) for n in (3, 5, 7)) < 1e-12
+
+
+def test_offset_cylinder():
+    """r 53.5, L 163 mm, δ = 0.045: TDC at 1.9415°, stroke 107.122 mm, |c₁…c₄| 1.0011 .33869 .00610 .00978."""
+    e = result(cylinder_offset=0.045 * 0.163)
+    assert math.degrees(e.tdc_angle) == pytest.approx(1.9415, abs=5e-5)
+    assert e.stroke * 1e3 == pytest.approx(107.122, abs=5e-4)
+    assert [abs(c) for c in e.harmonics[:4]] == pytest.approx([1.0011, 0.33869, 0.00610, 0.00978], abs=5e-5)
+
+
+def test_two_terms_are_close_to_exact():
+    """At λ = 0.3282 the two-term acceleration errs by at most 0.0192 ω²r."""
+    outcome = solve(EngineInputs(**R753))
+    exact, two = outcome.curves[0].series
+    e = outcome.result
+    assert np.abs(exact.y - two.y).max() / (e.angular_speed**2 * 0.0535) == pytest.approx(0.0192, abs=5e-5)
+
+
+@pytest.mark.parametrize("order, angles", [((1, 3, 2), (0, 240, 120)), ((1, 2, 3), (0, 120, 240))])
+def test_crank_angles_follow_from_the_firing_order(order, angles):
+    c = crank(EngineInputs(**{**R753, "firing_order": order, "crank_angles": None}), 0.0)
+    assert np.degrees(c.phi) == pytest.approx(angles)
+    assert c.z == pytest.approx((-0.112, 0, 0.112))
+
+
+def test_the_usual_firing_order_is_chosen_and_said():
+    c = crank(EngineInputs(**{**R753, "firing_order": None}), 0.0)
+    assert np.degrees(c.phi) == pytest.approx((0, 240, 120))
+    assert "1-3-2" in c.chosen[0]
+
+
+@pytest.mark.parametrize("changes, key", [
+    ({"firing_order": (1, 2, 2)}, "firing_order"), ({"firing_order": (1, 2)}, "firing_order"), ({"strokes": 3}, "strokes"),
+    ({"rod_length": 0.05}, "rod_length_mm"), ({"rod_cg_to_big_end": 0.2}, "rod_cg_to_big_end_mm"), ({"layout": "vee"}, "bank_angle_deg"),
+    ({"cylinders": 11, "firing_order": None}, "crank_angles_deg"),
+])  # fmt: skip
+def test_what_makes_no_sense_is_named(changes, key):
+    assert key in [k for k, _ in EngineInputs(**{**R753, **changes}).problems()]

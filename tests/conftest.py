@@ -1,0 +1,24 @@
+"""Fixtures that every test may use."""
+
+from pathlib import Path
+
+import pytest
+
+from calc.design_file import Document, read
+from calc.design_file import design as checked
+from calc.solve import Results, solve
+
+ROOT = Path(__file__).parent.parent
+DESIGNS = ROOT / "designs"
+GAMMA = DESIGNS / "r753ie4_gamma.toml"
+
+
+@pytest.fixture(scope="session")
+def gamma() -> Document:
+    """The source's final design, as its file has it."""
+    return read(GAMMA)
+
+
+@pytest.fixture(scope="session")
+def gamma_results(gamma: Document) -> Results:
+    return solve(checked(gamma))
