@@ -113,6 +113,12 @@ def key_lines(text: str) -> dict[str, int]:
     return lines
 
 
+# What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
+PLACEHOLDER: Table = {
+    "number": math.nan, "integer": math.nan, "text": "", "choice": "", "series": (), "integers": (), "table": None, "tables": (),
+}  # fmt: skip
+
+
 # --- checking ---------------------------------------------------------------------------------------------------------------
 class _Reader:
     """Walks a document along the Inputs classes and collects every error."""
@@ -121,8 +127,10 @@ class _Reader:
         self.document = document
         self.errors: list[InputError] = []
 
-    def error(self, key: str, value: Any, reason: str) -> None:
+    def error(self, key: str, value: Any, reason: str, kind: str = "text") -> Any:
+        """Note an error; gives what stands for the wrong value while the rest is checked."""
         self.errors.append(InputError(self.line(key), key, "" if value is None else _written(value), reason))
+        return PLACEHOLDER[kind]
 
     def line(self, key: str) -> int:
         """The line of a key, or of the nearest table around it."""
@@ -131,9 +139,8 @@ class _Reader:
         return self.document.lines.get(key, 1) if key else 1
 
     def inputs(self, cls: type, data: Table, prefix: str) -> Any:
-        """One Inputs object, or None where something in it is wrong."""
+        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked."""
         known = keys(cls)
-        before = len(self.errors)
         values: Table = {}
         for key in data:
             if key not in known:
@@ -143,18 +150,23 @@ class _Reader:
                 values[about.attribute] = self.value(about.about, data[key], _join(prefix, key))
             elif not about.about.optional:
                 self.error(_join(prefix, key), None, f"is missing; needs {about.about.allowed()}")
-        if len(self.errors) > before:
-            return None
+                values[about.attribute] = PLACEHOLDER[about.about.kind]
         made = cls(**values)
-        for key, reason in getattr(made, "problems", lambda: ())():
-            self.error(_join(prefix, key), None, reason)
-        return made if len(self.errors) == before else None
+        wrong = {error.key for error in self.errors}
+        try:
+            for key, reason in getattr(made, "problems", lambda: ())():
+                if _join(prefix, key) not in wrong:
+                    self.error(_join(prefix, key), None, reason)
+        except (TypeError, ValueError, AttributeError, LookupError):
+            if not wrong:
+                raise  # a placeholder may stop a cross-check, nothing else may
+        return made
 
     def value(self, about: Quantity, value: Any, key: str) -> Any:
         match about.kind:
             case "table":
                 if not isinstance(value, dict):
-                    return self.error(key, value, "must be a table")
+                    return self.error(key, value, "must be a table", "table")
                 return self.inputs(about.table, value, key)  # type: ignore[arg-type]
             case "tables":
                 return self.tables(about, value, key)
@@ -162,33 +174,33 @@ class _Reader:
                 return self.series(about, value, key)
             case "text" | "choice":
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
-                    return self.error(key, value, f"must be {about.allowed()}")
+                    return self.error(key, value, f"must be {about.allowed()}", about.kind)
                 return value
         return self.number(about, value, key)
 
     def number(self, about: Quantity, value: Any, key: str) -> Any:
         whole = about.kind in ("integer", "integers")
         if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
-            return self.error(key, value, f"must be {about.allowed()}")
+            return self.error(key, value, f"must be {about.allowed()}", "number")
         if abs(value) > 1e300 or not math.isfinite(value):
-            return self.error(key, value, f"must be {about.allowed()}, and finite")
+            return self.error(key, value, f"must be {about.allowed()}, and finite", "number")
         low, high, above = about.low, about.high, about.above
         if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
-            return self.error(key, value, f"must be {about.allowed()}")
+            return self.error(key, value, f"must be {about.allowed()}", "number")
         return value if whole else about.units.inside(float(value))
 
     def series(self, about: Quantity, value: Any, key: str) -> Any:
         items = value if isinstance(value, list) else [value]
         if about.count and not about.count[0] <= len(items) <= about.count[1]:
             low, high = about.count
-            return self.error(key, value, f"has {len(items)} entries; needs {low if low == high else f'{low} to {high}'}")
+            return self.error(key, value, f"has {len(items)} entries; needs {low if low == high else f'{low} to {high}'}", "series")
         if not items:
-            return self.error(key, value, f"is empty; needs {about.allowed()}")
+            return self.error(key, value, f"is empty; needs {about.allowed()}", "series")
         return tuple(self.number(about, item, key) for item in items)
 
     def tables(self, about: Quantity, value: Any, key: str) -> Any:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
-            return self.error(key, value, "must be an array of tables: [[" + key + "]]")
+            return self.error(key, value, "must be an array of tables: [[" + key + "]]", "tables")
         made = tuple(self.inputs(about.table, item, f"{key}.{i}") for i, item in enumerate(value))  # type: ignore[arg-type]
         names = [item.get("name") for item in value]
         addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)  # type: ignore[arg-type]
@@ -204,8 +216,8 @@ class _Reader:
 def design(document: Document) -> Design:
     """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines."""
     reader = _Reader(document)
-    made: Design | None = reader.inputs(Design, document.data, "")
-    if made is None:
+    made: Design = reader.inputs(Design, document.data, "")
+    if reader.errors:
         raise BadInput(document.place, reader.errors)
     return made
 

@@ -11,7 +11,14 @@ from .catalogue import Oil
 from .sheet.formula import formula
 from .sheet.functions import log10
 from .sheet.units import (
-    Celsius, JoulePerKilogramKelvin, KilogramPerMetre3, Number, PascalSecond, PerKelvin, PerPascal, SquareMetrePerSecond,
+    Celsius,
+    JoulePerKilogramKelvin,
+    KilogramPerMetre3,
+    Number,
+    PascalSecond,
+    PerKelvin,
+    PerPascal,
+    SquareMetrePerSecond,
 )  # fmt: skip
 
 ZERO_CELSIUS: Celsius = 273.15

@@ -148,7 +148,7 @@ def compare(results: Results, row: dict[str, Any]) -> Compared:
     text = f"{short(expected, 6)} ± {short(tolerance, 2)} {unit}".rstrip()
     if value is None:
         return Compared(name, text, "no such value", False, kind, source)
-    agrees = value.unit == unit and math.isfinite(value.shown) and abs(value.shown - expected) <= tolerance
+    agrees = value.unit == unit and math.isfinite(value.shown) and abs(value.shown - expected) <= tolerance * (1 + 1e-9)
     return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source)
 
 

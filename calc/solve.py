@@ -7,12 +7,15 @@ loss, and only then is the torque known that loads the gears.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from math import pi
 from typing import Any
 
 from .bearings import solve as bearings
 from .countershaft import solve as countershaft
 from .design import STEPS, Design
 from .engine import solve as engine
+from .friction import train as friction
+from .gears import solve as gears
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
 from .sheet.errors import NoSolution
@@ -81,16 +84,55 @@ def solve(design: Design, before: Results | None = None) -> Results:
 
     e = part("engine", design.engine, engine.solve, design.engine)
     i = part("imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, after=(e,))
+    first_speed = _first_speed(design)
+    g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None
     c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, after=(e, i))
     b = part(
         "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
         materials.get(_name(design.countershaft, "material")), materials.get(_name(design.bearings, "housing_material")), after=(e, i, c),
     )  # fmt: skip
-    g = Outcome("gears", "not_asked")
-    f = Outcome("friction", "not_asked")
+    oil, law, temperature = _mesh_oil(design)
+    f = part(
+        "friction", design.friction, friction.solve, design.friction, design.gears, geometry.result, b.result, first_speed,
+        oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
+    )  # fmt: skip
+    torque = _torque(design, geometry, f, first_speed)
+    if torque is not None:
+        rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
+        g = gears.merge(g, rated) if rated.state == "solved" else rated
+    if g.state == "solved" and c.result is not None:
+        g = gears.with_residual_couple(g, c.result.couple)
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
+
+
+def _first_speed(design: Design) -> float | None:
+    """The speed of the train's first driver: given, or the crank's."""
+    if design.gears is not None and design.gears.speed is not None:
+        return design.gears.speed
+    return design.engine.rated_speed if design.engine is not None else None
+
+
+def _mesh_oil(design: Design) -> tuple[str, str, float | None]:
+    """Name, viscosity law and temperature of the oil on the teeth: given, or that of the bearings."""
+    own, there = design.friction, design.bearings
+    oil = _name(own, "oil") or _name(there, "oil")
+    law = there.viscosity_law if there is not None else "walther"
+    given = own.oil_temperature if own is not None else None
+    return oil, law, given if given is not None else there.supply_temperature if there is not None else None
+
+
+def _torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | None) -> Any:
+    """The torque that loads the teeth: of the given power, else of each mesh in the closed balance; None where neither is known."""
+    if geometry.state != "solved" or design.gears is None or not first_speed:
+        return None
+    if design.gears.power is not None:
+        return design.gears.power / (2 * pi * first_speed)
+    if f.state != "solved":
+        return None
+    train = geometry.result
+    return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
 
 
 def _name(inputs: Any, attribute: str) -> str:

@@ -22,11 +22,10 @@ from pathlib import Path
 from typing import Any, Generic, Literal, TypeAlias, overload
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from .reynolds import Array, Value, friction_variable
+from ..sheet.arrays import Array, IndexArray
+from .reynolds import Value, friction_variable
 
-Indices: TypeAlias = NDArray[np.intp]
 Outside: TypeAlias = Literal["raise", "nan"]
 
 TABLE = Path(__file__).parents[1] / "tables" / "film_table.npy"
@@ -246,7 +245,7 @@ def _scalar(value: Any) -> bool:
     return isinstance(value, float | int) or np.ndim(value) == 0
 
 
-def _broadcast(first: ArrayLike, second: ArrayLike) -> tuple[Array, Array]:
+def _broadcast(first: float | Array, second: float | Array) -> tuple[Array, Array]:
     one, two = np.broadcast_arrays(np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64))
     return one, two
 
@@ -263,7 +262,7 @@ def _clipped(quantity: str, values: Array, low: Any, high: Any, outside: Outside
     return np.where(wrong, np.nan, np.clip(values, low, high))
 
 
-def _cells(nodes: Array, positions: Array) -> tuple[Indices, tuple[Array, Array, Array, Array]]:
+def _cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Array, Array, Array]]:
     """The cell of each position, and the weights of its nodes; a nan gives nan weights in some cell."""
     cell = np.clip(np.searchsorted(nodes, positions, side="right") - 1, 0, nodes.size - 2)
     step = nodes[cell + 1] - nodes[cell]
@@ -292,7 +291,7 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
     length_ratio = _clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
     row, along = _cells(table.y, np.log(length_ratio))
 
-    def at(pair: Indices) -> Array:  # ln(So/So_short), or its slope, at a node of x
+    def at(pair: IndexArray) -> Array:  # ln(So/So_short), or its slope, at a node of x
         total: Array = sum(along[i] * table.rows[2 * row + i, pair, 0] for i in range(4))
         return total
 

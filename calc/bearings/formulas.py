@@ -7,8 +7,23 @@ Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P�
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi, sin, sqrt
 from ..sheet.units import (
-    Celsius, CubicMetrePerSecond, JoulePerKilogramKelvin, Kelvin, KilogramPerMetre3, Metre, MetrePerSecond, Newton,
-    NewtonPerMetreSecond, Number, Pascal, PascalSecond, PerKelvin, Radian, RadPerSecond, RevPerSecond, Watt,
+    Celsius,
+    CubicMetrePerSecond,
+    JoulePerKilogramKelvin,
+    Kelvin,
+    KilogramPerMetre3,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerKelvin,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    Watt,
 )  # fmt: skip
 
 ONE_METRE_PER_SECOND: MetrePerSecond = 1.0

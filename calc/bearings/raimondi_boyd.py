@@ -10,13 +10,12 @@ import tomllib
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..catalogue import TABLES
+from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.units import Number
 
-Array = NDArray[np.float64]
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
 
 

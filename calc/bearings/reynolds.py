@@ -26,10 +26,10 @@ from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Mask = NDArray[np.bool_]
+from ..sheet.arrays import Array
+from ..sheet.arrays import BoolArray as Mask
+
 Value = TypeVar("Value", float, Array)
 
 ECCENTRICITY_RANGE = (0.02, 0.98)

@@ -9,7 +9,8 @@ from ..root import root
 from ..sheet.errors import NoSolution
 from ..sheet.trace import untraced
 from . import din31652 as din
-from . import flow, formulas as f
+from . import flow
+from . import formulas as f
 from . import raimondi_boyd as rb
 from .film_table import FilmRangeError
 from .inputs import BearingInputs, BearingsInputs

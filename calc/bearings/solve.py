@@ -12,7 +12,17 @@ from ..sheet.quantity import group, value
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import (
-    Celsius, CubicMetrePerSecond, Kelvin, Metre, MetrePerSecond, NewtonPerMetreSecond, Number, Pascal, Radian, RevPerSecond, Watt,
+    Celsius,
+    CubicMetrePerSecond,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    Radian,
+    RevPerSecond,
+    Watt,
 )  # fmt: skip
 from . import formulas as f
 from .checks import checks

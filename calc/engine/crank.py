@@ -5,11 +5,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..sheet.arrays import Array
 from .inputs import USUAL_ORDERS, EngineInputs
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,15 @@ stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC,
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, pi, sin, sqrt, tan
 from ..sheet.units import (
-    CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond, RevPerSecond,
+    CubicMetre,
+    Kilogram,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Number,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
 )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..sheet.arrays import Array
 from ..sheet.check import check
 from ..sheet.formula import formula
 from ..sheet.quantity import value
@@ -12,7 +13,7 @@ from ..sheet.step import Curve, Outcome, Series
 from ..sheet.trace import trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond
 from . import formulas as f
-from .crank import Array, Crank, crank
+from .crank import Crank, crank
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)

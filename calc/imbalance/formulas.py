@@ -9,7 +9,16 @@ angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, modulus, total
 from ..sheet.units import (
-    Kilogram, KilogramMetre2, Metre, Newton, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond,
+    Kilogram,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
 )  # fmt: skip
 
 FORWARD = "Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vectors, here for any order, throws and banks"

@@ -12,7 +12,7 @@ its own return expression stands in `expression.py`, which nothing needs before 
 from collections.abc import Callable
 from typing import Any, Generic, ParamSpec, TypeVar
 
-from .trace import Line, recorder, record
+from .trace import Line, record, recorder
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""The oil film between the flanks: which of four regimes makes it, and what the heat of the inlet takes from it.
+
+    IR  isoviscous, rigid: light load; neither dents the steel nor thickens the oil      H = 4.896·U/W
+    VR  piezoviscous, rigid: the pressure thickens the oil                               H = 1.66·g_V^(2/3)·U/W
+    IE  isoviscous, elastic: soft bodies                                                 H = 3.10·g_E^0.8·U/W
+    VE  piezoviscous, elastic: EHL, the usual regime of loaded gears                     Dowson-Toyoda
+
+The thickest governs.  The friction source takes VE everywhere; at light load that is too thin by up to a factor of ten.
+
+All are for fully flooded, smooth line contact, with the oil at the temperature of the teeth.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..lubricant import Lubricant
+from ..sheet.formula import formula
+from ..sheet.functions import largest, sqrt
+from ..sheet.units import (
+    Celsius,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerKelvin,
+    PerPascal,
+    WattPerMetreKelvin,
+)  # fmt: skip
+from .contact import Motion
+from .path import array
+
+EXPONENT: Number = 0.56  # of the materials' parameter, line contact
+ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
+LEAST_FACTOR: Number = 0.05  # of the thermal reduction: below, its formula has left its range
+
+JOHNSON = "Johnson 1970, regimes of fluid-film lubrication of line contacts, as generally published"
+TOYODA = "Dowson and Toyoda 1978, central film of line contacts"
+GUPTA = "Gupta et al. 1992, as generally published"
+
+
+@formula("U", f"{TOYODA}: speed parameter")
+def speed_parameter(eta_0: PascalSecond, u_e: MetrePerSecond, E_r: Pascal, R: Metre) -> Number:
+    return eta_0 * u_e / (E_r * R)
+
+
+@formula("G", f"{TOYODA}: materials parameter")
+def materials_parameter(alpha: PerPascal, E_r: Pascal) -> Number:
+    return alpha * E_r
+
+
+@formula("W", f"{TOYODA}: load parameter")
+def load_parameter(w: NewtonPerMetre, E_r: Pascal, R: Metre) -> Number:
+    return w / (E_r * R)
+
+
+@formula("g_V", f"{JOHNSON}: viscosity parameter")
+def viscosity_group(W: Number, G: Number, U: Number) -> Number:
+    return W**1.5 * G / sqrt(U)
+
+
+@formula("g_E", f"{JOHNSON}: elasticity parameter")
+def elasticity_group(W: Number, U: Number) -> Number:
+    return W / sqrt(U)
+
+
+@formula("H_IR", f"{JOHNSON}: rigid bodies, constant viscosity (Martin 1916)", governs="min")
+def film_rigid_isoviscous(U: Number, W: Number) -> Number:
+    return 4.896 * U / W
+
+
+@formula("H_VR", f"{JOHNSON}: rigid bodies, viscosity rising with pressure (Blok)", governs="min")
+def film_rigid_piezoviscous(g_V: Number, U: Number, W: Number) -> Number:
+    return 1.66 * g_V ** (2 / 3) * U / W
+
+
+@formula("H_IE", f"{JOHNSON}: elastic bodies, constant viscosity (Herrebrugh)", governs="min")
+def film_elastic_isoviscous(g_E: Number, U: Number, W: Number) -> Number:
+    return 3.10 * g_E**0.8 * U / W
+
+
+@formula("H_VE", f"{TOYODA} (the friction source credits Hamrock and Dowson)", governs="min")
+def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Number:
+    return 3.06 * G**e * U**0.69 * W**-0.10
+
+
+@formula("L", f"{GUPTA}: thermal loading parameter, with the mean speed squared")
+def thermal_loading(eta_0: PascalSecond, beta: PerKelvin, u_e: MetrePerSecond, k_f: WattPerMetreKelvin) -> Number:
+    return eta_0 * beta * u_e**2 / k_f
+
+
+@formula("Φ_T", f"{GUPTA}: reduction by the heat of the sheared inlet", governs="min")
+def thermal_reduction(p_H: Pascal, E_r: Pascal, L: Number, S: Number) -> Number:
+    return (1 - 13.2 * p_H / E_r * L**0.42) / (1 + 0.213 * (1 + 2.23 * S**0.83) * L**0.64)
+
+
+@formula("Φ", "rule of this program: the thermal reduction, no less than 0.05", governs="min")
+def bounded_reduction(Phi_T: Number) -> Number:
+    return largest(Phi_T, LEAST_FACTOR)
+
+
+@formula("H", "the thickest of the four regimes governs (Johnson 1970)", governs="min")
+def governing_film(H_IR: Number, H_VR: Number, H_IE: Number, H_VE: Number) -> Number:
+    return largest(largest(H_IR, H_VR), largest(H_IE, H_VE))
+
+
+@formula("h", "film of the governing regime, times the thermal reduction", unit="µm", governs="min")
+def film_thickness(Phi: Number, H: Number, R: Metre) -> Metre:
+    return Phi * H * R
+
+
+@formula("h_0", "rigid isoviscous film (Martin 1916), without thermal reduction", unit="µm", governs="min")
+def rigid_film(H_IR: Number, R: Metre) -> Metre:
+    return H_IR * R
+
+
+@dataclass(frozen=True, slots=True)
+class Oil:
+    """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth."""
+
+    lubricant: Lubricant
+    T_m: Celsius
+    eta_0: PascalSecond
+    alpha: PerPascal
+    beta: PerKelvin
+    k_f: WattPerMetreKelvin
+
+
+def oil_at(lubricant: Lubricant, T_m: Celsius) -> Oil:
+    eta_0 = lubricant.at(T_m).mu
+    return Oil(lubricant, T_m, eta_0, lubricant.alpha(eta_0), lubricant.beta(T_m), lubricant.oil.conductivity)
+
+
+@dataclass(frozen=True, slots=True)
+class Film:
+    """The film at every position.  `rigid` is 1 where the rigid isoviscous film governs, `lead` the best of the others over it."""
+
+    h: Metre
+    h_0: Metre  # where IR governs, its film before the thermal reduction
+    Phi: Number
+    G: Number
+    U: Number
+    W: Number
+    rigid: float
+    lead: Number
+
+
+def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, exponent: Number = EXPONENT) -> Film:
+    """The film by regime, or with the EHL formula everywhere."""
+    U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
+    G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)
+    W = load_parameter(w=w, E_r=motion.E_r, R=motion.R)
+    H = H_VE = film_elastic_piezoviscous(G=G, e=exponent, U=U, W=W)
+    rigid = lead = h_0 = array(np.zeros_like(w))
+    if by_regime:
+        H_IR = film_rigid_isoviscous(U=U, W=W)
+        H_VR = film_rigid_piezoviscous(g_V=viscosity_group(W=W, G=G, U=U), U=U, W=W)
+        H_IE = film_elastic_isoviscous(g_E=elasticity_group(W=W, U=U), U=U, W=W)
+        H = governing_film(H_IR=H_IR, H_VR=H_VR, H_IE=H_IE, H_VE=H_VE)
+        h_0 = rigid_film(H_IR=H_IR, R=motion.R)
+        lead = largest(largest(H_VR, H_IE), H_VE) / H_IR
+        rigid = array(np.asarray(lead) < 1)
+    L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
+    Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)
+    Phi = bounded_reduction(Phi_T=Phi_T)
+    return Film(h=film_thickness(Phi=Phi, H=H, R=motion.R), h_0=h_0, Phi=Phi, G=G, U=U, W=W, rigid=rigid, lead=lead)

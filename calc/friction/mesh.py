@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the friction of one mesh needs to know of its two wheels; filled from the geometry of the train.
+
+The driver is body 1 and the driven wheel body 2 throughout this folder; a ratio below 1 is allowed.
+"""
+
+import math
+from dataclasses import dataclass, fields
+
+from ..sheet.errors import NoSolution
+from ..sheet.units import Metre, Number, Pascal, Radian
+
+MAY_BE_ZERO = ("base_helix_angle", "poisson")
+
+
+@dataclass(frozen=True, slots=True)
+class WheelGeometry:
+    """One wheel.  An idler is the same wheel in both of its meshes."""
+
+    name: str
+    teeth: int
+    reference_radius: Metre
+    base_radius: Metre
+    tip_radius: Metre
+    face_width: Metre
+    E: Pascal
+    poisson: Number
+
+
+@dataclass(frozen=True, slots=True)
+class MeshGeometry:
+    """Two wheels at their working centre distance; a base helix angle of 0 is a spur pair."""
+
+    driver: WheelGeometry
+    driven: WheelGeometry
+    centre_distance: Metre
+    base_helix_angle: Radian
+
+    @property
+    def name(self) -> str:
+        return f"{self.driver.name}_{self.driven.name}"
+
+    @property
+    def title(self) -> str:
+        return f"{self.driver.name}–{self.driven.name}"
+
+    @property
+    def face_width(self) -> Metre:
+        """The width that both wheels have."""
+        return min(self.driver.face_width, self.driven.face_width)
+
+    @property
+    def spur(self) -> bool:
+        return self.base_helix_angle == 0.0
+
+
+def sound(mesh: MeshGeometry) -> None:
+    """Raise where a number of a mesh has no meaning; whether the teeth reach each other is asked in `path.py`."""
+    for part in (mesh, mesh.driver, mesh.driven):
+        for field in fields(part):
+            number = getattr(part, field.name)
+            if isinstance(number, (int, float)):
+                require(f"mesh {mesh.title}: {field.name}", number, zero=field.name in MAY_BE_ZERO)
+
+
+def require(what: str, number: float, *, zero: bool = False) -> float:
+    """The number, if it is finite and positive (or zero, where zero has a meaning)."""
+    if not math.isfinite(number) or number < 0 or (number == 0 and not zero):
+        raise NoSolution(what, f"is {number}", "a finite number " + ("of zero or more" if zero else "above zero") + " is needed")
+    return number

@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The line of action of a mesh, the positions on it, and the load that each position carries.
+
+x runs along the transverse line of action from T₁, where it touches the driver's base circle.  Contact lasts from A to E; two
+pairs of spur teeth share the load before B and behind D; C is the pitch point, where nothing slides.
+
+A helical wheel is a pile of thin spur slices ("strips"), each a little later than the one before; every slice passes from A to
+E, and the load of a position follows from the total length of all contact lines at that moment.  A spur wheel is one strip.
+
+Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink at C; behind
+them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is right to 1e-7 (1e-5 with
+smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/test_path.py).
+"""
+
+import math
+from dataclasses import dataclass
+from functools import cache
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..sheet.errors import NoSolution
+from ..sheet.formula import formula
+from ..sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
+from ..sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
+from .mesh import MeshGeometry, require, sound
+
+Array = NDArray[np.float64]
+
+POINTS = 40  # Gauss-Legendre points of each piece of a spur path
+HELICAL_POINTS = 2  # and of a helical one, whose pieces are shorter
+STRIPS = 11  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
+FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
+
+AGMA = "AGMA 925-A03, as generally published"
+
+
+def array(x: Any) -> float:
+    """The one door by which arrays enter the formulas, which are typed float → float."""
+    return cast(float, np.asarray(x, dtype=np.float64))
+
+
+# --- the line of action ----------------------------------------------------------------------------------------------------
+@formula("α_wt", f"{AGMA}: working pressure angle, transverse")
+def working_pressure_angle(r_b1: Metre, r_b2: Metre, a_w: Metre) -> Radian:
+    return acos((r_b1 + r_b2) / a_w)
+
+
+@formula("p_bt", "definition of the transverse base pitch", unit="mm")
+def base_pitch(r_b1: Metre, z_1: Number) -> Metre:
+    return 2 * pi * r_b1 / z_1
+
+
+@formula("C_F", f"{AGMA}: distance of the points T₁ and T₂ where the line of action touches the base circles", unit="mm")
+def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
+    return a_w * sin(alpha_wt)
+
+
+@formula("C_A", f"{AGMA}: start of contact, at the tip of the driven wheel", unit="mm")
+def start_of_contact(C_F: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
+    return C_F - sqrt(r_a2**2 - r_b2**2)
+
+
+@formula("C_E", f"{AGMA}: end of contact, at the tip of the driver", unit="mm")
+def end_of_contact(r_a1: Metre, r_b1: Metre) -> Metre:
+    return sqrt(r_a1**2 - r_b1**2)
+
+
+@formula("C_B", f"{AGMA}: from here one pair is alone", unit="mm")
+def start_of_single_contact(C_E: Metre, p_bt: Metre) -> Metre:
+    return C_E - p_bt
+
+
+@formula("C_D", f"{AGMA}: to here one pair is alone", unit="mm")
+def end_of_single_contact(C_A: Metre, p_bt: Metre) -> Metre:
+    return C_A + p_bt
+
+
+@formula("C_C", f"{AGMA}: pitch point", unit="mm")
+def pitch_point(C_F: Metre, z_1: Number, z_2: Number) -> Metre:
+    return C_F * z_1 / (z_1 + z_2)
+
+
+@formula("ε_1", "contact ratio of the driver's addendum: recess")
+def recess_contact_ratio(C_E: Metre, C_C: Metre, p_bt: Metre) -> Number:
+    return (C_E - C_C) / p_bt
+
+
+@formula("ε_2", "contact ratio of the driven wheel's addendum: approach")
+def approach_contact_ratio(C_C: Metre, C_A: Metre, p_bt: Metre) -> Number:
+    return (C_C - C_A) / p_bt
+
+
+@formula("ε_α", "transverse contact ratio")
+def transverse_contact_ratio(epsilon_1: Number, epsilon_2: Number) -> Number:
+    return epsilon_1 + epsilon_2
+
+
+@formula("ε_β", "overlap ratio on the common face width")
+def overlap_ratio(b: Metre, beta_b: Radian, p_bt: Metre) -> Number:
+    return b * tan(beta_b) / p_bt
+
+
+# --- the load --------------------------------------------------------------------------------------------------------------
+@formula("F_bt", "power over the speed of the base circle")
+def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
+    return P / (omega_1 * r_b1)
+
+
+@formula(
+    "X_Γ", "ISO/TR 15144-1, unmodified profile, as generally published: two pairs always carry the whole load together",
+    shows="1/3 → 2/3 from A to B, 1 from B to D, 2/3 → 1/3 from D to E",
+)  # fmt: skip
+def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
+    falling = np.where(x > C_D, (1 + (C_E - x) / (C_E - C_D)) / 3, 1.0)
+    return array(np.where(x < C_B, (1 + (x - C_A) / (C_B - C_A)) / 3, falling))
+
+
+@formula(
+    "X_Γ", "ISO/TR 15144-1, adequate tip relief of both wheels, as generally published: two pairs always carry the whole load together",
+    shows="0 → 1 from A to B, 1 from B to D, 1 → 0 from D to E",
+)  # fmt: skip
+def smooth_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
+    return array(np.where(x < C_B, (x - C_A) / (C_B - C_A), np.where(x > C_D, (C_E - x) / (C_E - C_D), 1.0)))
+
+
+@formula(
+    "L", "geometry of the contact lines on the plane of action; the load is taken as uniform along all of them", unit="mm", governs="min",
+    shows="sum over all teeth in contact of the line that lies between A and E and on the face, over the moments of a mesh cycle",
+)  # fmt: skip
+def contact_length(s: Metre, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b: Radian) -> Metre:
+    """s: how far the line of one tooth has come since it entered at A; the others follow and precede it by base pitches."""
+    cycle = np.asarray(s) % p_bt
+    teeth = np.arange(math.ceil((g_alpha + g_beta) / p_bt) + 1)
+    way = cycle[..., None] + teeth * p_bt
+    on_face = np.minimum(way, g_alpha) - np.maximum(way - g_beta, 0.0)
+    return array(np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b))
+
+
+@formula("w", "load per length of the contact line", unit="N/mm", names={"X_Gamma": "X_Γ"})
+def spur_line_load(X_Gamma: Number, F_bt: Newton, b: Metre) -> NewtonPerMetre:
+    return X_Gamma * F_bt / b
+
+
+@formula("w", "load per length of the contact lines, uniform along all of them", unit="N/mm")
+def helical_line_load(F_bt: Newton, beta_b: Radian, L: Metre) -> NewtonPerMetre:
+    return F_bt / (cos(beta_b) * L)
+
+
+@formula("w_f", "rule of this program: film and pressure see at least 1 % of the full load, also at a relieved tip", unit="N/mm")
+def floored_line_load(w: NewtonPerMetre, w_max: NewtonPerMetre) -> NewtonPerMetre:
+    return largest(w, FLOOR * w_max)
+
+
+# --- both together ---------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True, slots=True)
+class Path:
+    """The line of action and the positions on it.  Arrays have one row per strip; the last five columns are the points A … E.
+
+    `weight` is the mean length of contact line for which a position stands: Σ weight·(power per length) is the mean power.
+    `carried` is what the load follows from: the share X_Γ of a spur pair, the contact length L of a helical one.
+    """
+
+    C_A: Metre
+    C_B: Metre
+    C_C: Metre
+    C_D: Metre
+    C_E: Metre
+    C_F: Metre
+    p_bt: Metre
+    epsilon_1: Number
+    epsilon_2: Number
+    epsilon_alpha: Number
+    epsilon_beta: Number
+    x: Metre
+    weight: Metre
+    carried: float
+
+    @property
+    def marks(self) -> tuple[float, ...]:
+        return self.C_A, self.C_B, self.C_C, self.C_D, self.C_E
+
+
+_legendre = cache(np.polynomial.legendre.leggauss)
+
+
+def _gauss(breaks: Array, points: int) -> tuple[Array, Array]:
+    """Gauss-Legendre positions and weights, piece by piece along the last axis."""
+    at, weight = _legendre(points)
+    middle, half = (breaks[..., 1:] + breaks[..., :-1]) / 2, (breaks[..., 1:] - breaks[..., :-1]) / 2
+    rows = (*breaks.shape[:-1], -1)
+    return (middle[..., None] + half[..., None] * at).reshape(rows), (half[..., None] * weight).reshape(rows)
+
+
+def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, strips: int = STRIPS) -> Path:
+    """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as assumed."""
+    sound(mesh)
+    one, two = mesh.driver, mesh.driven
+    where = f"mesh {mesh.title}: path of contact"
+    if mesh.centre_distance <= one.base_radius + two.base_radius:
+        raise NoSolution(where, f"the base circles overlap at a_w = {mesh.centre_distance * 1e3:.6g} mm", "more centre distance")
+    for wheel in (one, two):
+        if wheel.tip_radius <= wheel.base_radius:
+            raise NoSolution(where, f"the tip of {wheel.name} lies inside its base circle", "a larger tip diameter")
+    alpha_wt = working_pressure_angle(r_b1=one.base_radius, r_b2=two.base_radius, a_w=mesh.centre_distance)
+    p_bt = base_pitch(r_b1=one.base_radius, z_1=one.teeth)
+    C_F = line_of_action(a_w=mesh.centre_distance, alpha_wt=alpha_wt)
+    C_A = start_of_contact(C_F=C_F, r_a2=two.tip_radius, r_b2=two.base_radius)
+    C_E = end_of_contact(r_a1=one.tip_radius, r_b1=one.base_radius)
+    C_B = start_of_single_contact(C_E=C_E, p_bt=p_bt)
+    C_D = end_of_single_contact(C_A=C_A, p_bt=p_bt)
+    C_C = pitch_point(C_F=C_F, z_1=one.teeth, z_2=two.teeth)
+    if not 0 < C_A < C_C < C_E < C_F:
+        order = f"0 < A {C_A:.4g} < C {C_C:.4g} < E {C_E:.4g} < F {C_F:.4g} m does not hold"
+        raise NoSolution(where, order, "smaller tip diameters, or more centre distance")
+    epsilon_1 = recess_contact_ratio(C_E=C_E, C_C=C_C, p_bt=p_bt)
+    epsilon_2 = approach_contact_ratio(C_C=C_C, C_A=C_A, p_bt=p_bt)
+    epsilon_alpha = transverse_contact_ratio(epsilon_1=epsilon_1, epsilon_2=epsilon_2)
+    epsilon_beta = overlap_ratio(b=mesh.face_width, beta_b=mesh.base_helix_angle, p_bt=p_bt)
+    if mesh.spur and not 1 <= epsilon_alpha <= 2:
+        raise NoSolution(where, f"ε_α = {epsilon_alpha:.4g}", "the load sharing of a spur pair needs a contact ratio from 1 to 2")
+    if epsilon_alpha + epsilon_beta < 1:
+        ratios = f"ε_α + ε_β = {epsilon_alpha + epsilon_beta:.4g}"
+        raise NoSolution(where, ratios, "below 1 the teeth lose contact: a wider face or higher teeth")
+    marks = np.clip([C_A, C_B, C_C, C_D, C_E], C_A, C_E)
+    if mesh.spur:
+        x, weight = _gauss(np.sort(marks)[None, :], points or POINTS)
+        x, weight = np.hstack((x, marks[None, :])), weight * mesh.face_width / p_bt
+        share = linear_load_sharing if load_sharing == "linear" else smooth_load_sharing
+        with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
+            carried = share(x=array(x), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
+    else:
+        g_alpha, g_beta = epsilon_alpha * p_bt, epsilon_beta * p_bt
+        x, weight, s = _strips(marks, g_alpha, g_beta, p_bt, points or HELICAL_POINTS, strips)
+        weight = weight * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
+        carried = contact_length(s=array(s), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle)
+    weight = np.hstack((weight, np.zeros((len(x), marks.size))))
+    return Path(
+        C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
+        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=array(x), weight=array(weight), carried=carried,
+    )  # fmt: skip
+
+
+def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: int, strips: int) -> tuple[Array, Array, Array]:
+    """Positions on each strip of a helical face, their weights per width, and how far their contact line has come.
+
+    The load has a kink wherever the line of some tooth begins or ends to enter at A or leave at E.
+    """
+    C_A, C_C, C_E = marks[0], marks[2], marks[4]
+    y, width = _gauss(np.array([0.0, g_beta]), strips)  # how much later each strip is
+    kinks = (np.array([0.0, g_alpha, g_beta, g_alpha + g_beta]) - y[:, None]) % p_bt
+    breaks = [np.minimum(C_A + kinks + turn * p_bt, C_E) for turn in range(math.ceil(g_alpha / p_bt))]
+    x, weight = _gauss(np.sort(np.hstack((*breaks, np.broadcast_to([C_A, C_C, C_E], (strips, 3))))), points)
+    x = np.hstack((x, np.broadcast_to(marks, (strips, marks.size))))
+    return x, weight * width[:, None] / g_beta, x - C_A + y[:, None]
+
+
+def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMetre, NewtonPerMetre]:
+    """The load per length at every position, and the same with its floor for film and pressure."""
+    require(f"mesh {mesh.title}: force", F_bt)
+    if mesh.spur:
+        w = spur_line_load(X_Gamma=path.carried, F_bt=F_bt, b=mesh.face_width)
+        return w, floored_line_load(w=w, w_max=F_bt / mesh.face_width)
+    w = helical_line_load(F_bt=F_bt, beta_b=mesh.base_helix_angle, L=path.carried)
+    return w, w
+
+
+def at_pitch_point(x: float) -> float:
+    """The value that an array of the path has at C."""
+    return float(np.asarray(x)[0, -3])

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the power flows through the train: from what its last wheel must deliver up to the first driver, or the other way round.
+
+A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own windage, and
+what else it drives.  Meshes are listed along the flow; a wheel may drive several.
+"""
+
+from collections.abc import Callable, Mapping
+
+from ..sheet.errors import NoSolution
+from ..sheet.formula import formula
+from ..sheet.trace import untraced
+from ..sheet.units import Number, Watt
+from .mesh import MeshGeometry, require
+
+TOLERANCE = 1e-10  # of the power
+PASSES = 40
+LEFT: Number = 1e-3  # of the power: what a jump of the loss may leave
+
+Loss = Callable[[str, Watt], Watt]
+
+
+@formula("P_in", "conservation of energy")
+def power_in(P_out: Watt, P_VZ: Watt) -> Watt:
+    return P_out + P_VZ
+
+
+@formula("P_out", "conservation of energy")
+def power_out(P_in: Watt, P_VZ: Watt) -> Watt:
+    return P_in - P_VZ
+
+
+def settled(name: str, P_out: Watt, loss: Loss) -> tuple[Watt, Watt]:
+    """The power P that loads a mesh which must put out P_out, and P_in = P_out + P_loss(P); secant steps from P_out.
+
+    Where a position changes its regime the loss jumps by a little, and P = P_in may fall into the jump; then the last pass stands
+    if it is within 0.1 %.  The balance loses nothing by that: P_in always is P_out plus the loss that is published.
+    """
+    with untraced():
+        P, P_in, slope = P_out, P_out + loss(name, P_out), 0.0
+        for _ in range(PASSES):
+            step = (P_in - P) / (1 - slope)
+            if abs(step) <= TOLERANCE * P:
+                return P, P_in
+            before, P = P_in, P + step
+            P_in = P_out + loss(name, P)
+            slope = min(max((P_in - before) / step, -0.5), 0.9)
+    if abs(P_in - P) <= LEFT * P:
+        return P, P_in
+    tried = f"{P:.6g} W in, {P_out:.6g} W out: off by {P_in - P:.3g} W after {PASSES} passes"
+    raise NoSolution(f"power balance of mesh {name}", tried, "less friction, or more power")
+
+
+def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt]) -> dict[str, Watt]:
+    """The power that loads each mesh; `needed` is what each wheel drives besides its meshes."""
+    carried = dict(needed)
+    loads: dict[str, Watt] = {}
+    for name, mesh in reversed(list(meshes.items())):
+        P_out = require(f"mesh {mesh.title}: power", carried[mesh.driven.name])
+        loads[name], P_in = settled(name, P_out, loss)
+        carried[mesh.driver.name] += P_in
+    return {name: loads[name] for name in meshes}
+
+
+def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
+    """The same for a train whose first driver gets the power P; each wheel drives one mesh."""
+    wheel = next(iter(meshes.values())).driver.name
+    loads: dict[str, Watt] = {}
+    for name, mesh in meshes.items():
+        if mesh.driver.name != wheel:
+            branches = "the train branches, and the power of its first driver does not say how it divides"
+            raise NoSolution(f"mesh {mesh.title}", branches, "give one chain of wheels")
+        loads[name] = require(f"mesh {mesh.title}: power", P - needed[wheel])
+        P, wheel = loads[name] - loss(name, loads[name]), mesh.driven.name
+    return loads

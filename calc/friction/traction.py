@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Friction between the flanks, and the temperature of the film that it makes and depends on.
+
+Part ξ of the load rides on the roughness and rubs as solids do; the rest shears oil.  Between elastic bodies the oil is squeezed to
+a thin hard layer of the width 2·b_H (Eyring, with a limit to its shear stress); between rigid ones it stays thin and is sheared over
+a far wider gap.
+
+The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.  The teeth
+themselves have the bulk temperature; their own resistance to heat is not counted.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Annotated
+
+import numpy as np
+
+from ..sheet.errors import NoSolution
+from ..sheet.formula import formula
+from ..sheet.functions import asinh, exp, largest, smallest, sqrt
+from ..sheet.trace import untraced
+from ..sheet.units import (
+    Celsius,
+    Metre,
+    MetrePerSecond,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    WattPerMetre,
+    WattPerMetreKelvin,
+)  # fmt: skip
+from .contact import Motion
+from .erf import erf
+from .film import Film, Oil
+from .path import Array, array
+
+KelvinMetrePerWatt = Annotated[float, "K·m/W"]
+SquareMetrePerSecond = Annotated[float, "m²/s"]
+
+STEEL_CONDUCTIVITY: WattPerMetreKelvin = 46.0
+STEEL_DIFFUSIVITY: SquareMetrePerSecond = 46.0 / (7830.0 * 465.0)
+SHEAR_MODULUS: Pascal = 1e9  # of an oil under pressure
+STEEPEST: Number = 60.0  # of α·p in the exponent
+
+TOLERANCE = 1e-7  # K
+PASSES = 60
+
+THESIS = "gear friction thesis"
+OLVER = "Olver 1991, Olver and Spikes 1998, as generally published"
+
+
+# --- how the load is carried ----------------------------------------------------------------------------------------------
+@formula("σ", f"{THESIS}: both roughnesses together", unit="µm")
+def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
+    return sqrt(Ra_1**2 + Ra_2**2)
+
+
+@formula("λ", f"{THESIS}: film over roughness", governs="min")
+def film_ratio(h: Metre, sigma: Metre) -> Number:
+    return h / sigma
+
+
+@formula("ξ", f"{THESIS}, after Diab: share of the load on the roughness; it fades at λ = 2", names={"lam": "λ"})
+def solid_share(lam: Number) -> Number:
+    return 1 - erf(lam)
+
+
+@formula("μ", f"{THESIS}: mixed friction")
+def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
+    return xi * mu_s + (1 - xi) * mu_f
+
+
+# --- the fluid's part ------------------------------------------------------------------------------------------------------
+@formula("η", "Barus, viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
+    return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
+
+
+@formula("τ_E", f"{THESIS}: Eyring stress, 2·Λ/α", unit="MPa")
+def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
+    return 2 * Lambda / alpha_f
+
+
+@formula("μ_EHL", f"{THESIS}, eq. 32 (misprinted there): Eyring's law, no more than the limiting shear Λ of Bair and Winer")
+def fluid_friction(tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number) -> Number:
+    return smallest(tau_E / p_m * asinh(eta * V_s / (tau_E * h)), Lambda)
+
+
+@formula("μ_IR", "derived: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
+def rigid_fluid_friction(eta_0: PascalSecond, V_s: MetrePerSecond, R: Metre, h_0: Metre, w_f: NewtonPerMetre) -> Number:
+    return 2.849 * eta_0 * V_s * sqrt(R / h_0) / w_f
+
+
+@formula("a_IR", "rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm")
+def sheared_half_width(R: Metre, h_0: Metre) -> Metre:
+    return sqrt(2 * R * h_0)
+
+
+@formula("De", f"{THESIS}: Deborah number, relaxation time over time in the contact; G = 1 GPa")
+def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
+    """a: half width of the zone that is sheared, b_H of an elastic contact."""
+    return eta * u_e / (SHEAR_MODULUS * 2 * a)
+
+
+# --- temperatures ----------------------------------------------------------------------------------------------------------
+@formula("q", "friction power per length of the contact line")
+def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
+    return mu * w * V_s
+
+
+@formula("B", f"{OLVER}: resistance of a moving surface to heat, per length")
+def transient_resistance(a: Metre, u: MetrePerSecond) -> KelvinMetrePerWatt:
+    return sqrt(STEEL_DIFFUSIVITY * a / u) / (2 * a * STEEL_CONDUCTIVITY)
+
+
+@formula("ε", f"{OLVER}: share of the heat that enters the driver")
+def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt) -> Number:
+    return B_2 / (B_1 + B_2)
+
+
+@formula("R_th", f"{OLVER}: flash temperature of the surfaces and mean temperature across the film, per heat")
+def film_resistance(epsilon: Number, B_1: KelvinMetrePerWatt, h: Metre, a: Metre, k_f: WattPerMetreKelvin) -> KelvinMetrePerWatt:
+    return 1.06 * epsilon * B_1 + h / (16 * a * k_f)
+
+
+@formula("T_f", f"{OLVER}: temperature of the film")
+def film_temperature(T_m: Celsius, q: WattPerMetre, R_th: KelvinMetrePerWatt) -> Celsius:
+    return T_m + q * R_th
+
+
+def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
+    """The temperature T = warmed(T) at every position, each by itself.
+
+    Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside the bracket;
+    a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position.
+    """
+    low, high = np.full_like(x, T_m), np.asarray(highest) + TOLERANCE
+    before: Array = low
+    gap_before = np.asarray(warmed(array(before))) - before
+    T: Array = before + gap_before
+    for _ in range(PASSES):
+        gap = np.asarray(warmed(array(T))) - T
+        if float(np.max(np.abs(gap))) <= TOLERANCE:  # NaN never is
+            return array(T)
+        low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
+        step = T - before
+        slope = np.minimum((gap - gap_before) / np.where(step == 0, 1.0, step), -1.0)
+        before, gap_before = T, gap
+        T = T - gap / slope
+        T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
+    worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
+    place, left = float(np.ravel(x)[worst]) * 1e3, float(np.ravel(gap)[worst])
+    tried = f"{place:.4g} mm from T₁: off by {left:.3g} K after {PASSES} passes"
+    raise NoSolution(f"{subject}: temperature of the film", tried, "check load, speed and oil of this mesh")
+
+
+# --- together --------------------------------------------------------------------------------------------------------------
+@dataclass(frozen=True, slots=True)
+class Traction:
+    """Friction at every position: film over roughness, coefficient, the fluid's part of it, heat, film temperature, Deborah number."""
+
+    lam: Number
+    mu: Number
+    mu_f: Number
+    q: WattPerMetre
+    T_f: Celsius
+    De: Number
+
+
+def traction(
+    oil: Oil, motion: Motion, film: Film, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, sigma: Metre, mu_s: Number,
+    x: Metre, subject: str,
+) -> Traction:  # fmt: skip
+    """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor."""
+    Lambda = oil.lubricant.limiting_shear
+    lam = film_ratio(h=film.h, sigma=sigma)
+    xi = solid_share(lam=lam)
+    rigid = np.asarray(film.rigid) > 0
+    mu_IR, width = array(np.zeros_like(w)), b_H
+    if rigid.any():
+        mu_IR = rigid_fluid_friction(eta_0=oil.eta_0, V_s=motion.V_s, R=motion.R, h_0=film.h_0, w_f=w_f)
+        width = array(np.where(rigid, sheared_half_width(R=motion.R, h_0=film.h_0), b_H))
+    B_1, B_2 = transient_resistance(a=width, u=motion.u_1), transient_resistance(a=width, u=motion.u_2)
+    R_th = film_resistance(epsilon=heat_partition(B_1=B_1, B_2=B_2), B_1=B_1, h=film.h, a=width, k_f=oil.k_f)
+
+    def at(T_f: Celsius) -> Traction:
+        eta_f = oil.lubricant.at(T_f).mu
+        alpha_f = oil.lubricant.alpha(eta_f)
+        eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_m)
+        tau_E = eyring_stress(Lambda=Lambda, alpha_f=alpha_f)
+        mu_f = fluid_friction(tau_E=tau_E, p_m=p_m, eta=eta, V_s=motion.V_s, h=film.h, Lambda=Lambda)
+        mu_f = array(np.where(rigid, mu_IR, mu_f))
+        mu = friction(xi=xi, mu_s=mu_s, mu_f=mu_f)
+        q = friction_power(mu=mu, w=w, V_s=motion.V_s)
+        return Traction(lam, mu, mu_f, q, film_temperature(T_m=oil.T_m, q=q, R_th=R_th), deborah(eta=eta, u_e=motion.u_e, a=width))
+
+    with untraced():
+        most = friction(xi=xi, mu_s=mu_s, mu_f=largest(mu_IR, Lambda))
+        T_f = settled(lambda T: at(T).T_f, oil.T_m, oil.T_m + most * w * motion.V_s * R_th, x, subject)
+    return at(T_f)

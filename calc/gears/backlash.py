@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last wheel.
+
+Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an allowance of
+the span acts on it micrometre for micrometre.  Runout and temperature are not part of it.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ..sheet.errors import NoSolution
+from ..sheet.formula import formula
+from ..sheet.functions import cos, pi, rss, sin
+from ..sheet.trace import about
+from ..sheet.units import Metre, NewtonMetre, Number, Radian
+from . import formulas as f
+from .measures import generating_shift
+from .result import MeshResult, ToothSystem, WheelResult
+
+DUST: Metre = 1e-12  # a backlash below this is none
+ISO = "ISO 21771:2007, as generally published"
+
+
+@formula("T_a", "root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm")
+def tolerance_of_contributors(T: Metre) -> Metre:
+    return rss(T) / 2
+
+
+@formula("a_max", "centre distance at the upper end of its tolerance", unit="mm")
+def widest(a_w: Metre, T_a: Metre) -> Metre:
+    return a_w + T_a
+
+
+@formula("a_min", "centre distance at the lower end of its tolerance", unit="mm")
+def narrowest(a_w: Metre, T_a: Metre) -> Metre:
+    return a_w - T_a
+
+
+@formula("E_W", "middle of the allowance", unit="µm")
+def middle_allowance(E_Ws: Metre, E_Wi: Metre) -> Metre:
+    return (E_Ws + E_Wi) / 2
+
+
+@formula("j_wt", f"{ISO}: circumferential backlash at the working circle", unit="µm")
+def circumferential_backlash(d_w1: Metre, z_1: Number, s_w1: Metre, s_w2: Metre) -> Metre:
+    return pi * d_w1 / z_1 - s_w1 - s_w2
+
+
+@formula("j_bn", f"{ISO}: normal backlash", unit="µm")
+def normal_backlash(j_wt: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    return j_wt * cos(alpha_wt) * cos(beta_b)
+
+
+@formula("φ_j", "free turn of the driven wheel")
+def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
+    return j_wt / (d_w2 / 2)
+
+
+@formula("Δφ", "free turns along the train, each reduced to the last wheel by the ratio of the teeth")
+def reduced_play(phi_before: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
+    return phi_before + phi_j * z / z_last
+
+
+@formula("C_Δφ", "exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
+def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
+    return 2 * C * sin(Delta_phi / 2)
+
+
+@dataclass(frozen=True, slots=True)
+class Pair:
+    """What backlash needs to know of a mesh."""
+
+    place: str  # where its centre distance stands in the design
+    driver: WheelResult
+    driven: WheelResult
+    a_w: Metre
+    tolerance: Metre  # ±, 0 where none is given
+
+
+@dataclass(frozen=True, slots=True)
+class Backlash:
+    smallest: Metre
+    nominal: Metre
+    largest: Metre
+    play_angle: Radian
+
+
+def backlash(system: ToothSystem, pair: Pair) -> Backlash:
+    """Normal backlash over the tolerance of the centre distance and the allowances of both wheels."""
+    subject = f"mesh {pair.driver.name}–{pair.driven.name}"
+    upper, lower = ([_end(w, i) for w in (pair.driver, pair.driven)] for i in (0, 1))
+    with about(f"{subject}, backlash at mid-tolerance"):
+        middle = [middle_allowance(*w.allowance) if w.allowance else 0.0 for w in (pair.driver, pair.driven)]
+        nominal, j_wt, d_w2 = _backlash_at(system, pair, pair.a_w, middle)
+    smallest = largest = nominal
+    if pair.tolerance or any(upper) or any(lower):
+        with about(f"{subject}, largest backlash"):
+            largest, j_wt, d_w2 = _backlash_at(system, pair, widest(pair.a_w, pair.tolerance), lower)
+        with about(f"{subject}, smallest backlash"):
+            closest = narrowest(pair.a_w, pair.tolerance)
+            if closest <= (pair.driver.base_diameter + pair.driven.base_diameter) / 2:
+                raise NoSolution(
+                    f"{pair.place} = {pair.a_w * 1e3:.6g}: less its tolerance of {pair.tolerance * 1e3:.6g} mm the wheels can not mesh",
+                    advice="give a tolerance_um that leaves the base circles apart",
+                )
+            smallest, _, _ = _backlash_at(system, pair, closest, upper)
+    with about(f"{subject}, largest backlash"):
+        return Backlash(smallest, nominal, largest, play_angle(j_wt, d_w2))
+
+
+def _end(wheel: WheelResult, i: int) -> Metre:
+    return wheel.allowance[i] if wheel.allowance else 0.0
+
+
+def _backlash_at(system: ToothSystem, pair: Pair, a: Metre, allowances: list[Metre]) -> tuple[Metre, Metre, Metre]:
+    """(j_bn, j_wt, working diameter of the driven wheel) at one centre distance, with one change of the span for each wheel."""
+    alpha_wt = f.working_pressure_angle(pair.driver.base_diameter, pair.driven.base_diameter, a)
+    d_w, s_w = [], []
+    for wheel, mate, E_W in ((pair.driver, pair.driven, allowances[0]), (pair.driven, pair.driver, allowances[1])):
+        x_E = generating_shift(wheel.profile_shift, E_W, system.m_n, system.alpha_n) if E_W else wheel.profile_shift
+        d_w.append(f.working_diameter(a, wheel.teeth, mate.teeth))
+        s_t = f.reference_thickness(system.m_n, x_E, system.alpha_n, system.beta)
+        s_w.append(f.thickness_at(d_w[-1], s_t, wheel.pitch_diameter, system.transverse_pressure_angle, alpha_wt))
+    j_wt = circumferential_backlash(d_w[0], pair.driver.teeth, *s_w)
+    j_bn = normal_backlash(j_wt, alpha_wt, system.base_helix_angle)
+    return (j_bn, j_wt, d_w[1]) if abs(j_bn) > DUST else (0.0, 0.0, d_w[1])
+
+
+def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
+    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to it.
+
+    A mesh that is tight adds nothing and takes nothing away.
+    """
+    above = {mesh.driven: mesh for mesh in meshes.values()}
+    way: list[MeshResult] = []
+    wheel = last_wheel
+    while wheel in above:
+        way.insert(0, above[wheel])
+        wheel = above[wheel].driver
+    angle = 0.0
+    for mesh in way:
+        if mesh.play_angle > 0:
+            angle = reduced_play(angle, mesh.play_angle, wheels[mesh.driven].teeth, wheels[last_wheel].teeth)
+    return angle

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is judged on the gear train, and what to do where it fails."""
+
+import math
+
+from ..sheet.check import Check, check
+from . import measures as m
+from .formulas import diameter_at
+from .result import MeshResult, ToothSystem, TrainResult, WheelResult
+
+ISO = "ISO 21771:2007, as generally published"
+PRACTICE = "practice for cylindrical gears, as generally published"
+
+
+def checks(train: TrainResult) -> tuple[Check, ...]:
+    found: list[Check] = []
+    for i, (key, mesh) in enumerate(train.meshes.items()):
+        id, pair = f"gears.{key}", (train.wheels[mesh.driver], train.wheels[mesh.driven])
+        found.append(_backlash(train.system, id, f"gears.meshes.{i}", mesh, *pair))
+        found += _contact(id, mesh)
+        found += _clearance(train.system, id, mesh, *pair)
+    for wheel in train.wheels.values():
+        found += _tooth(train.system, wheel)
+        found += _measures(train.system, wheel)
+    return tuple(found)
+
+
+# --- meshes ----------------------------------------------------------------------------------------------------------------
+def _backlash(system: ToothSystem, id: str, place: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Check:
+    return check(
+        f"{id}.backlash", f"Smallest backlash {mesh.driver}–{mesh.driven}", mesh.backlash_min, ">=", 0.0, "µm",
+        "teeth must not jam at any combination of the tolerances; runout and temperature are not included",
+        _backlash_advice(system, place, mesh, driver, driven),
+    )  # fmt: skip
+
+
+def _backlash_advice(system: ToothSystem, place: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> str:
+    """What would just pass: an allowance of the span acts micrometre for micrometre, the tolerance by 2·sin α_wt·cos β_b."""
+    missing = -mesh.backlash_min
+    if missing <= 0:
+        return ""
+    less = math.ceil(missing * 1e6 - 1e-6)
+    thick = max((driver, driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
+    upper, lower = (round(end * 1e6, 6) for end in thick.allowance or (0.0, 0.0))
+    new = f"[{upper - less:g}, {min(lower, upper - less):g}]"
+    advice = f"Take {less} µm more off the span of the teeth, for example gears.wheels.{thick.name}.span_allowance_um = {new}"
+    held = mesh.centre_tolerance - missing / (2 * math.sin(mesh.working_pressure_angle) * math.cos(system.base_helix_angle))
+    if held > 1e-6:
+        advice += f"; or hold the centre distance to ±{math.floor(held * 1e6):g} µm ({place}.tolerance_um)"
+    return advice + "."
+
+
+def _contact(id: str, mesh: MeshResult) -> list[Check]:
+    name, eps_alpha = f"Transverse contact ratio {mesh.driver}–{mesh.driven}", mesh.transverse_contact_ratio
+    advice = "Cut less off the tips, give smaller profile shifts, or take more teeth of a smaller module."
+    return [
+        check(
+            f"{id}.contact_ratio", name, eps_alpha, ">=", 1.1, "",
+            f"{PRACTICE}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted", advice,
+        ),
+        check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", 1.25, "", PRACTICE, advice, kind="advice"),
+    ]  # fmt: skip
+
+
+def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> list[Check]:
+    at_root = {mesh.driver: mesh.tip_clearance_driver, mesh.driven: mesh.tip_clearance_driven}
+    low = min(at_root, key=at_root.__getitem__)
+    usual, missing = 0.15 * system.m_n, max(0.0, 0.15 * system.m_n - at_root[low]) * 1e3
+    more = f"Cut the tip of {_mate(mesh, low)} by {missing:.3g} mm more, or take a tool with a larger addendum."
+    above = {driver.name: _above_fillet(mesh, driver, driven), driven.name: _above_fillet(mesh, driven, driver)}
+    tight = min(above, key=above.__getitem__)
+    mate = _mate(mesh, tight)
+    free = f"The tip of {mate} works low on {tight}: cut it (gears.wheels.{mate}.tip_shortening_mm), or give {tight} more shift."
+    clearance, start = (f"{what} {mesh.driver}–{mesh.driven}" for what in ("Tip clearance", "Start of contact above the fillet"))
+    enough = 0.1 * system.m_n
+    return [
+        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", f"{PRACTICE}: 0.15 m_n", more, kind="advice"),
+        check(f"{id}.interference", start, above[tight], ">=", 0.0, "mm", f"{ISO}: (d_Nf − d_Ff)/2", free),
+        check(f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", f"{PRACTICE}: 0.1 m_n", free, kind="advice"),
+    ]
+
+
+def _above_fillet(mesh: MeshResult, wheel: WheelResult, mate: WheelResult) -> float:
+    """(d_N − d_Ff)/2, d_N where the mate's tip arrives; what it reaches past the base circle is counted along the line of action."""
+    rho = mesh.line_of_action - mate.tip_curvature
+    reached = diameter_at(wheel.base_diameter, rho) / 2 if rho > 0 else wheel.base_diameter / 2 + rho
+    return reached - wheel.form_diameter / 2
+
+
+def _mate(mesh: MeshResult, name: str) -> str:
+    return mesh.driven if name == mesh.driver else mesh.driver
+
+
+# --- wheels ----------------------------------------------------------------------------------------------------------------
+def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
+    name, place, s_an = wheel.name, f"gears.wheels.{wheel.name}", wheel.tip_thickness_normal
+    return [
+        check(
+            f"gears.{name}.undercut", f"Profile shift of {name} against undercut", wheel.profile_shift, ">=", wheel.undercut_limit, "", ISO,
+            f"Give {place}.profile_shift at least {wheel.undercut_limit:.4f}, more teeth, or a tool with a smaller addendum.",
+        ),
+        check(
+            f"gears.{name}.tip_thickness", f"Normal tip thickness of {name}", s_an, ">=", 0.25 * system.m_n, "mm", f"{PRACTICE}: 0.25 m_n",
+            f"Cut the tip ({place}.tip_shortening_mm), or give a smaller {place}.profile_shift.",
+        ),
+        check(
+            f"gears.{name}.tip_thickness_hardened", f"Tip thickness of {name}, if case-hardened", s_an, ">=", 0.4 * system.m_n, "mm",
+            f"{PRACTICE}: 0.4 m_n if case-hardened", "A thin tip hardens through: cut it, or give less shift.", kind="advice",
+        ),
+    ]  # fmt: skip
+
+
+def _measures(system: ToothSystem, wheel: WheelResult) -> list[Check]:
+    """Whether span and balls touch where they should."""
+    id, name, flank = f"gears.{wheel.name}", wheel.name, (wheel.form_diameter, wheel.tip_diameter)
+    balls = (_ball(system, wheel, wheel.form_diameter), _ball(system, wheel, wheel.tip_diameter))
+    touched = m.span_contact_diameter(wheel.base_diameter, wheel.span_length, system.base_helix_angle)
+    needed = m.span_width(wheel.span_length, system.base_helix_angle)
+    ball = f"Choose a ball near {wheel.ideal_ball * 1e3:.3f} mm (gears.ball_diameter_mm)."
+    found = [
+        check(
+            f"{id}.span_contact", f"Circle on which the span of {name} touches", touched, "in", flank, "mm",
+            f"{ISO}: the anvils must touch the involute", f"Choose another gears.wheels.{name}.span_teeth.", kind="advice",
+        ),
+        check(
+            f"{id}.ball", f"Measuring ball of {name}", wheel.ball_diameter, "in", balls, "mm",
+            "the ball must touch between form and tip circle", ball, kind="advice",
+        ),
+    ]  # fmt: skip
+    if wheel.over_balls is not None:
+        found.append(
+            check(
+                f"{id}.ball_proud", f"Size over balls of {name} against its tip", wheel.over_balls, ">", wheel.tip_diameter, "mm",
+                "the balls must stand proud of the tip circle", ball, kind="advice",
+            )
+        )  # fmt: skip
+    if system.beta:
+        found.append(
+            check(
+                f"{id}.span_width", f"Face width of {name} for its span", wheel.face_width, ">=", needed, "mm",
+                f"{ISO}: W·sin β_b, the width of the anvils apart", "Span fewer teeth, or measure over balls.", kind="advice",
+            )
+        )  # fmt: skip
+    return found
+
+
+def _ball(system: ToothSystem, wheel: WheelResult, d_y: float) -> float:
+    """The ball that touches on a circle."""
+    s_t = wheel.reference_thickness
+    alpha_yt = math.acos(min(wheel.base_diameter / d_y, 1.0))
+    alpha_t, beta_b = system.transverse_pressure_angle, system.base_helix_angle
+    return m.ball_for_contact(s_t, wheel.pitch_diameter, alpha_t, wheel.teeth, wheel.base_diameter, beta_b, alpha_yt)

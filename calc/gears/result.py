@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What solving the gear train gives: the tooth system, its wheels, its meshes."""
+
+from dataclasses import dataclass
+
+from ..sheet.quantity import group, value
+from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond
+from .named import Named
+
+
+@dataclass(frozen=True, kw_only=True)
+class ToothSystem:
+    """What all wheels of a train have in common; tool addendum and tip radius in modules."""
+
+    transverse_module: Metre = value("Transverse module", "mm", "m_t")
+    transverse_pressure_angle: Radian = value("Transverse pressure angle", "°", "α_t")
+    base_helix_angle: Radian = value("Helix angle at the base circle", "°", "β_b")
+    base_pitch: Metre = value("Transverse base pitch", "mm", "p_bt")
+    m_n: Metre
+    alpha_n: Radian
+    beta: Radian
+    h_aP0: Number
+    rho_aP0: Number
+
+
+@dataclass(frozen=True, kw_only=True)
+class WheelResult:
+    """One wheel.  Values ending in _min and _max belong to the two ends of the allowance of the span."""
+
+    profile_shift: Number = value("Profile shift coefficient", "", "x")
+    undercut_limit: Number = value("Smallest shift without undercut", "", "x_min")
+    pitch_diameter: Metre = value("Reference diameter", "mm", "d")
+    base_diameter: Metre = value("Base diameter", "mm", "d_b")
+    tip_diameter: Metre = value("Tip diameter", "mm", "d_a")
+    root_diameter: Metre = value("Root diameter", "mm", "d_f")
+    root_diameter_min: Metre | None = value("Root diameter, thinnest tooth", "mm", "d_f", default=None)
+    root_diameter_max: Metre | None = value("Root diameter, thickest tooth", "mm", "d_f", default=None)
+    form_diameter: Metre = value("Form diameter: the fillet begins", "mm", "d_Ff")
+    form_diameter_min: Metre | None = value("Form diameter, thinnest tooth", "mm", "d_Ff", default=None)
+    form_diameter_max: Metre | None = value("Form diameter, thickest tooth", "mm", "d_Ff", default=None)
+    tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
+    tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
+    speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
+    span_teeth: Number = value("Teeth spanned", "", "K")
+    span: Named = group(spread=True)
+    ideal_ball: Metre = value("Ball that touches in the middle of the flank", "mm", "D_y")
+    ball_diameter: Metre = value("Measuring ball", "mm", "D_M")
+    over_balls: Metre | None = value("Size over balls", "mm", "M", default=None)
+    over_balls_min: Metre | None = value("Size over balls, thinnest tooth", "mm", "M", default=None)
+    over_balls_max: Metre | None = value("Size over balls, thickest tooth", "mm", "M", default=None)
+    chordal_thickness: Metre = value("Chordal thickness, normal", "mm", "s_c")
+    chordal_height: Metre = value("Height above the chord", "mm", "h_c")
+    name: str
+    teeth: int
+    face_width: Metre
+    material: str
+    allowance: tuple[Metre, Metre] | None  # (upper, lower) change of the span
+    reference_thickness: Metre  # s_t
+    span_length: Metre  # W_K
+    tip_curvature: Metre  # ρ_a
+    form_curvature: Metre  # ρ_F
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshRating:
+    """Nominal stresses of one mesh: no influence factors, K = 1."""
+
+    tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t")
+    contact_stress: Pascal = value("Nominal contact stress, K = 1", "MPa", "σ_H0")
+    root_stress: Named = group(spread=True)  # root_stress_WHEEL
+    torque: NewtonMetre  # at the driver
+
+
+@dataclass(frozen=True, kw_only=True)
+class MeshResult:
+    centre_distance: Metre = value("Centre distance", "mm", "a_w")
+    working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt")
+    working_helix_angle: Radian = value("Helix angle at the working circle", "°", "β_w")
+    working_diameter_driver: Metre = value("Working diameter, driver", "mm", "d_w1")
+    working_diameter_driven: Metre = value("Working diameter, driven", "mm", "d_w2")
+    standard_tip_shortening: Metre = value("Standard tip shortening (not applied)", "mm", "k*·m_n")
+    transverse_contact_ratio: Number = value("Transverse contact ratio", "", "ε_α")
+    overlap_ratio: Number = value("Overlap ratio", "", "ε_β")
+    total_contact_ratio: Number = value("Total contact ratio", "", "ε_γ")
+    sap_diameter_driver: Metre = value("Start of active profile, driver", "mm", "d_Nf1")
+    sap_diameter_driven: Metre = value("Start of active profile, driven", "mm", "d_Nf2")
+    tip_clearance_driver: Metre = value("Tip clearance at the driver's root", "mm", "c_1")
+    tip_clearance_driven: Metre = value("Tip clearance at the driven wheel's root", "mm", "c_2")
+    specific_sliding_driver: Number = value("Specific sliding at the start of contact, driver", "", "ζ_A1")
+    specific_sliding_driven: Number = value("Specific sliding at the start of contact, driven", "", "ζ_A2")
+    specific_sliding_lpstc_driver: Number | None = value("Specific sliding at the lowest single contact, driver", "", "ζ_B1", default=None)
+    specific_sliding_lpstc_driven: Number | None = value("Specific sliding at the lowest single contact, driven", "", "ζ_B2", default=None)
+    backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min")
+    backlash_nominal: Metre = value("Backlash at mid-tolerance, normal", "µm", "j_bn")
+    backlash_max: Metre = value("Largest backlash, normal", "µm", "j_bn,max")
+    rating: MeshRating | None = group(spread=True, default=None)
+    driver: str
+    driven: str
+    face_width: Metre  # common to both
+    line_of_action: Metre  # T_1T_2
+    sap_curvature_driver: Metre  # ρ_A of each
+    sap_curvature_driven: Metre
+    centre_tolerance: Metre  # ±
+    play_angle: Radian  # free turn of the driven wheel at the largest backlash
+
+
+@dataclass(frozen=True, kw_only=True)
+class TrainResult:
+    system: ToothSystem = group(spread=True)
+    wheels: dict[str, WheelResult] = group(spread=True)
+    meshes: dict[str, MeshResult] = group(spread=True)
+    phase_error: Radian = value("Free turn of the last wheel by backlash", "°", "Δφ")
+    residual_couple: NewtonMetre | None = value("Couple left by the phase error", "N·m", "C_Δφ", default=None)
+
+
+def mesh_name(mesh: MeshResult) -> str:
+    return f"mesh {mesh.driver}–{mesh.driven}"

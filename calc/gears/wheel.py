@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
+
+from dataclasses import dataclass
+from typing import Any
+
+from ..sheet.errors import NoSolution
+from ..sheet.quantity import Described
+from ..sheet.trace import about
+from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from . import formulas as f
+from . import measures as m
+from .inputs import GearsInputs, Wheel
+from .named import Named, named
+from .profile import Cut, form_diameter_of_undercut
+from .result import ToothSystem, WheelResult
+
+
+@dataclass(frozen=True, slots=True)
+class _Bare:
+    """What every size of a wheel needs."""
+
+    system: ToothSystem
+    wheel: Wheel
+    x: Number
+    d: Metre
+    d_b: Metre
+
+
+def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number, d: Metre, d_b: Metre, speed: RevPerSecond) -> WheelResult:
+    """All values of one wheel.  A tooth that can not be is no solution; one that is only poor is for the checks to judge."""
+    bare = _Bare(system, wheel, x, d, d_b)
+    alpha_t, alpha_n = system.transverse_pressure_angle, system.alpha_n
+    with about(f"wheel {wheel.name}"):
+        d_a = f.tip_diameter(d, system.m_n, x, wheel.tip_shortening)
+        d_f = f.root_diameter(d, system.m_n, x, system.h_aP0)
+        x_min = f.undercut_limit(system.h_aP0, system.rho_aP0, alpha_n, wheel.teeth, alpha_t, system.beta)
+        d_Ff = _form_diameter(bare, x, x_min)
+        _must_be_a_tooth(wheel, x, d_a, d_f, d_Ff)
+        s_t = f.reference_thickness(system.m_n, x, alpha_n, system.beta)
+        s_at = f.thickness_at(d_a, s_t, d, alpha_t, f.pressure_angle_at(d_b, d_a))
+        s_an = f.normal_thickness_at(s_at, system.beta, d_a, d)
+        alpha_m = _mid_flank(bare, d_a, d_Ff)
+        chord = m.virtual_teeth(wheel.teeth, system.beta)
+        psi = m.half_tooth_angle(chord, x, alpha_n)
+        K = wheel.span_teeth or max(1, round(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n)))
+        W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
+        ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
+        ball = gears.ball_diameter or ideal
+        return WheelResult(
+            profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
+            form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, K, W_K),
+            ideal_ball=ideal, ball_diameter=ball, over_balls=_over_balls(bare, s_t, ball),
+            chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
+            name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
+            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
+            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b), **_limits(bare, ball, x_min),
+        )  # fmt: skip
+
+
+def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
+    s = bare.system
+    if x < x_min:
+        return form_diameter_of_undercut(Cut(s, bare.wheel.teeth, x))
+    depth = f.straight_flank_depth(s.m_n, s.h_aP0, s.rho_aP0, s.alpha_n, x)
+    return f.form_diameter(bare.d, s.transverse_pressure_angle, depth, bare.d_b)
+
+
+def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metre) -> None:
+    origin = "" if wheel.profile_shift is not None else " (it follows from the train)"
+    place = f"gears.wheels.{wheel.name}.profile_shift = {x:.6g}{origin}"
+    if d_f <= 0:
+        raise NoSolution(
+            f"{place}: the tool would cut through the centre of the wheel (root diameter {d_f * 1e3:.4g} mm)",
+            advice="give more teeth, a larger shift, or a smaller gears.tool_addendum",
+        )
+    if d_a <= d_Ff:
+        cut = f" and the tip cut {wheel.tip_shortening * 1e3:g} mm" if wheel.tip_shortening else ""
+        raise NoSolution(
+            f"{place}{cut}: the tip circle ({d_a * 1e3:.4f} mm) lies inside the form circle ({d_Ff * 1e3:.4f} mm), "
+            "no involute flank is left",
+            advice="give a larger profile shift, or " + ("a smaller tip_shortening_mm" if wheel.tip_shortening else "more teeth"),
+        )
+
+
+def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
+    """Pressure angle where spans and balls are meant to touch: at d + 2·x·m_n, or halfway up the flank where that is not on it."""
+    d_V = bare.d + 2 * bare.x * bare.system.m_n
+    return f.pressure_angle_at(bare.d_b, d_V if d_Ff < d_V < d_a else (d_Ff + d_a) / 2)
+
+
+def _allowance(wheel: Wheel) -> tuple[Metre, Metre] | None:
+    return None if wheel.span_allowance is None else (wheel.span_allowance[0], wheel.span_allowance[1])
+
+
+def _span(wheel: Wheel, K: int, W_K: Metre) -> Named:
+    upper, lower = _allowance(wheel) or (None, None)
+    sizes = {"": ("", W_K)}
+    if lower is not None and upper is not None:
+        sizes["_min"] = (", smallest", m.span_with_allowance(W_K, lower))
+        sizes["_max"] = (", largest", m.span_with_allowance(W_K, upper))
+    return named({f"span_{K}{end}": (Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()})
+
+
+def _over_balls(bare: _Bare, s_t: Metre, ball: Metre) -> Metre | None:
+    """None where the ball lies on the root and touches no flank."""
+    z, s = bare.wheel.teeth, bare.system
+    involute = m.ball_involute(s_t, bare.d, s.transverse_pressure_angle, ball, bare.d_b, s.base_helix_angle, z)
+    if involute <= 0:
+        return None
+    d_K = m.ball_centre_diameter(bare.d_b, f.angle_of_involute(involute))
+    return m.over_balls_odd(d_K, z, ball) if z % 2 else m.over_balls_even(d_K, ball)
+
+
+def _limits(bare: _Bare, ball: Metre, x_min: Number) -> dict[str, Any]:
+    """The sizes at both ends of the allowance."""
+    if (allowance := _allowance(bare.wheel)) is None:
+        return {}
+    s, place = bare.system, f"gears.wheels.{bare.wheel.name}.span_allowance_um"
+    found: dict[str, Any] = {}
+    for end, E_W in zip(("max", "min"), allowance):
+        with about(f"wheel {bare.wheel.name}, {'thickest' if end == 'max' else 'thinnest'} tooth"):
+            x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
+            s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
+            d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_aP0)
+            if s_t <= 0 or d_f <= 0:
+                raise NoSolution(f"{place} = {E_W * 1e6:g}: takes away the whole tooth", advice="−20 to −50 µm is usual")
+            found[f"root_diameter_{end}"] = d_f
+            found[f"form_diameter_{end}"] = _form_diameter(bare, x_E, x_min)
+            found[f"over_balls_{end}"] = _over_balls(bare, s_t, ball)
+    return found

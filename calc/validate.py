@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Published reference values beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd."""
+
+import tomllib
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from .bearings.film_table import eccentricity_from, film_at
+from .catalogue import TABLES
+from .design_file import Document, design, read
+from .library import DESIGNS
+from .solve import Results, solve
+
+# Where the charts of 1958 are known to be off by more than the 2 % that their grid supports (ε, quantity).
+CHARTS_HOLD_UP_TO = 0.9
+
+
+@dataclass(frozen=True)
+class Row:
+    """One published value beside ours."""
+
+    source: str
+    what: str
+    published: float
+    ours: float
+    tolerance: float  # absolute, what the source supports
+    unit: str
+
+    @property
+    def deviation(self) -> float:
+        """Relative to the published value; absolute where that is zero."""
+        return (self.ours - self.published) / abs(self.published) if self.published else self.ours
+
+    @property
+    def verdict(self) -> str:
+        return "pass" if abs(self.ours - self.published) <= self.tolerance else "fail"
+
+
+def rows() -> Iterator[Row]:
+    """Every comparison, case by case."""
+    for case in tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))["case"]:
+        yield from _case(case)
+    yield from _raimondi_boyd()
+
+
+def _case(case: dict[str, Any]) -> Iterator[Row]:
+    given = case["design"]
+    document = read(DESIGNS / given) if isinstance(given, str) else Document(given, case["source"])
+    for key, value in case.get("set", {}).items():
+        document = document.with_value(key, value)
+    values = _solved(document).values()
+    for expect in case["expect"]:
+        published = float(expect["is"])
+        tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
+        found = values.get(expect["value"])
+        ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
+        yield Row(case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+
+
+def _solved(document: Document) -> Results:
+    return solve(design(document))
+
+
+def _raimondi_boyd() -> Iterator[Row]:
+    """S at the charts' ε within 2 %, friction within 1 %, flow within 0.5 %, for finite l/d and ε ≤ 0.9."""
+    source = "Raimondi & Boyd 1958, as tabulated in textbooks"
+    for row in tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]:
+        eps, ratio = row["eccentricity"], row["length_ratio"]
+        if ratio > 2 or eps > CHARTS_HOLD_UP_TO:
+            continue
+        ours = film_at(eps, ratio)
+        at = f"at ε = {eps:g}, l/d = {ratio:g}"
+        yield Row(source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
+        yield Row(source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
+        yield Row(source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
+        inverted = eccentricity_from(row["S"], ratio)
+        yield Row(source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")

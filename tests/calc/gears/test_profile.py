@@ -1,0 +1,155 @@
+"""The outline of a tooth: it is what the tool leaves, it is smooth, and two of them roll without touching twice."""
+
+import math
+
+import numpy as np
+import pytest
+
+from calc.gears import formulas as f
+from calc.gears.curves import pitch_point_view
+from calc.gears.profile import Cut, outline, regions, tooth
+
+from .trains import mesh, r753, solved, train, wheel
+
+TOOTH = [(36, 0.014, 21.916, (1.41, 0.2)), (25, 0.0142, 21.916, (1.41, 0.2)), (20, 0.0, 0.0, (1.25, 0.38)), (80, -0.4, 10.0, (1.25, 0.0))]
+UNDERCUT = [(10, 0.0, 0.0, (1.25, 0.38)), (8, -0.3, 15.0, (1.25, 0.2)), (12, 0.0, 0.0, (1.25, 0.0)), (16, -0.02, 0.0, (1.25, 0.3))]
+
+
+def cut_wheel(z, x, beta, tool):
+    t = solved(train([wheel("a", z, x), wheel("b", 60, 0.5)], [mesh("a", "b")], m_n=1.0, beta=beta, tool=tool))
+    return t.system, t.wheels["a"]
+
+
+def derivative(function, at, h=1e-3):
+    return (8 * (function(at + h) - function(at - h)) - (function(at + 2 * h) - function(at - 2 * h))) / (12 * h)
+
+
+@pytest.mark.parametrize("case", TOOTH)
+def test_fillet_meets_the_involute_with_a_common_tangent(case):
+    system, w = cut_wheel(*case)
+    cut = Cut(system, w.teeth, w.profile_shift)
+    radius, angle = (float(a[0]) for a in cut.fillet(np.array([-system.alpha_n])))
+    assert 2 * radius == pytest.approx(w.form_diameter, rel=1e-13)
+    assert angle == pytest.approx(float(cut.involute(radius)), abs=1e-13)
+    dr, dtheta = (derivative(lambda phi, i=i: float(cut.fillet(np.array([phi]))[i][0]), -system.alpha_n) for i in (0, 1))
+    tangent = math.atan2(radius * dtheta, dr)
+    assert tangent == pytest.approx(-math.acos(w.base_diameter / 2 / radius), abs=1e-9)
+
+
+@pytest.mark.parametrize("case", TOOTH + UNDERCUT)
+def test_radius_rises_from_root_to_tip(case):
+    system, w = cut_wheel(*case)
+    flank = regions(system, w, 40)
+    assert flank.fillet[0][0] * 2 == pytest.approx(w.root_diameter, rel=1e-13)
+    assert flank.involute[0][-1] * 2 == pytest.approx(w.tip_diameter, rel=1e-13)
+    radius = np.concatenate([flank.fillet[0], flank.involute[0][1:]])
+    assert np.all(np.diff(radius) >= (0 if system.rho_aP0 else -1e-15))
+    for (r_1, a_1), (r_2, a_2) in ((flank.root, flank.fillet), (flank.fillet, flank.involute), (flank.involute, flank.tip)):
+        assert (r_1[-1], a_1[-1]) == pytest.approx((r_2[0], a_2[0]), abs=1e-12)
+
+
+@pytest.mark.parametrize("case", TOOTH + UNDERCUT)
+def test_the_tool_rolls_through_the_space_and_cuts_nothing_more(case):
+    """Every point of the rack's tooth, rolled past the wheel, stays out of the outline, and touches it."""
+    system, w = cut_wheel(*case)
+    flank = regions(system, w, 1500)
+    r_flank, a_flank = (np.concatenate([flank.fillet[i], flank.involute[i][1:]]) for i in (0, 1))
+    h_a, rho, m_n = system.h_aP0 * system.m_n, system.rho_aP0 * system.m_n, system.m_n
+    phi = np.linspace(-np.pi / 2, -system.alpha_n, 60)
+    alpha_t = system.transverse_pressure_angle
+    corner = f.tool_corner_position(system.transverse_module, system.h_aP0, system.rho_aP0, m_n, alpha_t, system.alpha_n, system.beta)
+    v_round = w.profile_shift * m_n - h_a + rho + rho * np.sin(phi)
+    u_round = corner + rho / np.cos(system.beta) * np.cos(phi)
+    v_flank = np.linspace(v_round[-1], w.profile_shift * m_n + m_n, 60)
+    u_flank = np.pi * system.transverse_module / 4 + (v_flank - w.profile_shift * m_n) * np.tan(alpha_t)
+    u, v = np.concatenate([u_round, u_flank]), np.concatenate([v_round, v_flank])
+    r = w.pitch_diameter / 2
+    deepest = np.inf
+    for s in np.linspace(-2.5 * m_n, 2.5 * m_n, 401) * np.pi:
+        X, Y = u + s, v + r
+        R, angle = np.hypot(X, Y), np.pi / w.teeth - (np.arctan2(X, Y) - s / r)
+        inside = (R >= r_flank[0]) & (R < w.tip_diameter / 2)
+        if inside.any():
+            gap = (angle[inside] - np.interp(R[inside], r_flank, a_flank)) * R[inside]
+            deepest = min(deepest, float(gap.min()))
+    assert -2e-6 * m_n < deepest < 2e-3 * m_n
+
+
+@pytest.mark.parametrize("case", UNDERCUT)
+def test_undercut_ends_where_the_trochoid_crosses_the_involute(case):
+    system, w = cut_wheel(*case)
+    assert w.profile_shift < w.undercut_limit
+    assert w.base_diameter < w.form_diameter < w.tip_diameter
+    cut = Cut(system, w.teeth, w.profile_shift)
+    phi = np.linspace(-np.pi / 2, cut.end_of_fillet(), 400)
+    radius, angle = cut.fillet(phi)
+    assert angle[-1] == pytest.approx(float(cut.involute(radius[-1])), abs=1e-12)
+    below = (radius > w.base_diameter / 2) & (radius < w.form_diameter / 2)
+    assert np.all(angle[below] <= cut.involute(radius[below]) + 1e-12)
+
+
+def test_form_diameter_is_continuous_where_undercut_begins():
+    limit = cut_wheel(14, 0.4, 0.0, (1.25, 0.3))[1].undercut_limit
+    above, below = (cut_wheel(14, limit + e, 0.0, (1.25, 0.3))[1].form_diameter for e in (1e-9, -1e-9))
+    assert above == pytest.approx(below, rel=1e-6)
+
+
+def test_critical_section_of_iso_6336_on_the_real_fillet():
+    """z 20, tool 1.25 / 0.38: where the tangent stands at 30° the chord is 1.94475 and the radius 0.57295 modules (public test, ISO 6336-3)."""
+    system, w = cut_wheel(20, 0.0, 0.0, (1.25, 0.38))
+    cut = Cut(system, 20, 0.0)
+
+    def point(phi):
+        radius, angle = (float(a[0]) for a in cut.fillet(np.array([phi])))
+        return radius * np.exp(1j * angle)  # the tooth points along the real axis
+
+    def slope(phi):
+        return float(np.angle(derivative(point, phi, 1e-4)))
+
+    low, high = -1.5, -0.4
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if slope(middle) < math.radians(-30) else (low, middle)
+    assert 2 * abs(point(low).imag) / system.m_n == pytest.approx(1.94475, abs=5e-6)
+    radius = abs(derivative(point, low, 1e-4)) / abs(derivative(slope, low, 1e-4))
+    assert radius / system.m_n == pytest.approx(0.57295, abs=5e-6)
+
+
+def test_outline_is_closed_and_repeats():
+    system, w = cut_wheel(*TOOTH[0])
+    whole, one = outline(system, w), tooth(system, w)
+    assert abs(whole[0] - whole[-1]) < 1e-15
+    assert whole.size == w.teeth * (one.size - 1) + 1
+    assert np.allclose(whole[one.size - 1 : 2 * one.size - 1], one * np.exp(2j * np.pi / w.teeth))
+    steps = np.diff(np.unwrap(np.angle(whole)))
+    assert steps.sum() == pytest.approx(2 * np.pi)
+
+
+def test_pointed_tooth_ends_where_its_flanks_meet():
+    t = solved(train([wheel("a", 12, 1.2), wheel("b", 40, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.25, 0.2)))
+    assert t.wheels["a"].tip_thickness < 0
+    flank = regions(t.system, t.wheels["a"])
+    assert flank.involute[1][-1] == 0
+    assert flank.involute[0][-1] < t.wheels["a"].tip_diameter / 2
+    assert np.isfinite(tooth(t.system, t.wheels["a"])).all()
+
+
+@pytest.mark.parametrize("pair", ["crank_central", "central_idler", "idler_shaft"])
+@pytest.mark.parametrize("turn", [-0.6, -0.35, -0.1, 0.0, 0.2, 0.45, 0.7])
+def test_teeth_touch_and_never_enter_each_other(pair, turn):
+    """Without backlash, at any roll: no point of the driven teeth lies inside a tooth of the driver; some lie on it."""
+    t = solved(r753())
+    mesh_ = t.meshes[pair]
+    driver, driven = t.wheels[mesh_.driver], t.wheels[mesh_.driven]
+    roll = turn * 2 * np.pi / driver.teeth
+    _, above = pitch_point_view(t.system, mesh_, driver, driven, roll)
+    seen = (above + 1j * mesh_.working_diameter_driver / 2) * -1j * np.exp(-1j * roll)  # from the driver's middle
+    pitch = 2 * np.pi / driver.teeth
+    angle = np.abs((np.angle(seen) + pitch / 2) % pitch - pitch / 2)
+    radius = np.abs(seen)
+    flank = regions(t.system, driver, 400)
+    cut = Cut(t.system, driver.teeth, driver.profile_shift)
+    tooth_angle = np.where(radius >= driver.form_diameter / 2, cut.involute(radius), np.interp(radius, *flank.fillet))
+    inside = radius < driver.tip_diameter / 2
+    gap = (angle - tooth_angle)[inside] * radius[inside]
+    assert -1e-9 < gap.min() < 2e-5

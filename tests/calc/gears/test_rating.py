@@ -1,0 +1,111 @@
+"""Nominal stresses: recomputed values of the source's pair, Hertz's own formula, the editions, the source's sheet."""
+
+import math
+
+import pytest
+
+from calc.catalogue import Material, materials
+from calc.gears import solve
+from calc.gears import stress as s
+
+from .trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
+
+TORQUE = 1350 / (2 * math.pi * SPEED)  # 1.35 kW at 2600 rpm
+
+
+def stresses(gears, torque, solids=None):
+    outcome = solve.geometry(gears, SPEED)
+    return shown(solve.merge(outcome, solve.rating(gears, outcome.result, torque, solids or materials())))
+
+
+def test_source_train_at_a_consistent_load():
+    """4.958 N·m at crank and shaft are 184.0 N in every mesh; first pair 214.98, 15.746 and 15.156 MPa with the right factors of 2006."""
+    v = stresses(r753(), TORQUE)
+    assert TORQUE == pytest.approx(4.958, abs=5e-4)
+    assert [v[f"{m}.tangential_force"] for m in ("crank_central", "central_idler", "idler_shaft")] == pytest.approx([184.0] * 3, abs=0.05)
+    assert v["central_idler.contact_stress"] == pytest.approx(214.98, abs=5e-3)
+    assert v["central_idler.root_stress_central"] == pytest.approx(15.746, abs=5e-4)
+    assert v["central_idler.root_stress_idler"] == pytest.approx(15.156, abs=5e-4)
+
+
+def test_right_factors_at_the_source_torque():
+    """Finotti 2013 enters 2600 rpm for the 36: 4.958 N·m at the driver.  With the right factors 179.15, 10.935 and 10.525 MPa."""
+    v = stresses(pair_1(), TORQUE)
+    assert v["central_idler.contact_stress"] == pytest.approx(179.15, abs=5e-3)
+    assert v["central_idler.root_stress_central"] == pytest.approx(10.935, abs=5e-4)
+    assert v["central_idler.root_stress_idler"] == pytest.approx(10.525, abs=5e-4)
+
+
+def test_steel_has_the_usual_elasticity_factor():
+    assert math.sqrt(s.contact_modulus(0.3, 206e9, 0.3, 206e9) / 1e6) == pytest.approx(189.81, abs=5e-3)
+
+
+@pytest.mark.parametrize("pair", ["crank_central", "central_idler", "idler_shaft"])
+def test_contact_stress_is_hertz_at_the_pitch_point(pair):
+    """Without Z_ε and Z_β: line contact of two cylinders with the normal radii of the pitch point, load F_bn over b/cos β_b."""
+    gears = r753()
+    t = solved(gears)
+    mesh_, system = t.meshes[pair], t.system
+    rated = solve.rating(gears, t, TORQUE, materials()).result.meshes[pair]
+    sin_w, cos_b = math.sin(mesh_.working_pressure_angle), math.cos(system.base_helix_angle)
+    r_1, r_2 = (d / 2 * sin_w / cos_b for d in (mesh_.working_diameter_driver, mesh_.working_diameter_driven))
+    w = rated.tangential_force / math.cos(system.transverse_pressure_angle) / mesh_.face_width
+    E_r = 206e9 / (1 - 0.3**2)  # 2/E_r = 2·(1 − ν²)/E
+    hertz = math.sqrt(w * E_r / (2 * math.pi) * (1 / r_1 + 1 / r_2))
+    factors = s.contact_ratio_factor(mesh_.transverse_contact_ratio, mesh_.overlap_ratio) / math.sqrt(math.cos(system.beta))
+    assert rated.contact_stress == pytest.approx(hertz * factors, rel=1e-12)
+
+
+def test_softer_wheels_touch_softer():
+    iron = {**materials(), "iron": Material(name="iron", E=206e9 / 4, poisson=0.3, density=7100.0, expansion=1e-5)}
+    both = [wheel("a", 30, 0.0, material="iron"), wheel("b", 40, 0.0, material="iron")]
+    steel, soft = train([wheel("a", 30, 0.0), wheel("b", 40, 0.0)], [mesh("a", "b")]), train(both, [mesh("a", "b")])
+    assert stresses(soft, 1.0, iron)["a_b.contact_stress"] == pytest.approx(stresses(steel, 1.0)["a_b.contact_stress"] / 2)
+
+
+def test_stress_grows_with_load_and_its_root():
+    one, four = stresses(r753(), 2.0), stresses(r753(), -8.0)
+    assert four["idler_shaft.contact_stress"] == pytest.approx(2 * one["idler_shaft.contact_stress"])
+    assert four["idler_shaft.root_stress_shaft"] == pytest.approx(4 * one["idler_shaft.root_stress_shaft"])
+
+
+def test_torque_by_wheel_or_by_mesh_is_the_same():
+    gears = r753()
+    t = solved(gears)
+    handed_on = solve.rating(gears, t, TORQUE, materials()).result
+    by_wheel = {"crank": TORQUE, "central": TORQUE * 36 / 25, "idler": TORQUE * 39 / 25}
+    by_mesh = {"crank_central": TORQUE, "central_idler": TORQUE * 36 / 25, "idler_shaft": TORQUE * 39 / 25}
+    for given in (by_wheel, by_mesh):
+        rated = solve.rating(gears, t, given, materials()).result
+        assert [m.contact_stress for m in rated.meshes.values()] == pytest.approx([m.contact_stress for m in handed_on.meshes.values()], rel=1e-12)
+
+
+def test_the_edition_changes_the_root_stress_only():
+    old, new = stresses(pair_1(), TORQUE), stresses(pair_1(edition=2019), TORQUE)
+    assert new["central_idler.contact_stress"] == old["central_idler.contact_stress"]
+    eps_alphan = old["central_idler.transverse_contact_ratio"] / math.cos(math.radians(old["base_helix_angle"])) ** 2
+    eps_beta = old["central_idler.overlap_ratio"]
+    factor = math.sqrt(1 - eps_beta + eps_beta / eps_alphan) / math.cos(math.radians(21.916)) ** 3
+    assert new["central_idler.root_stress_central"] == pytest.approx(factor * old["central_idler.root_stress_central"])
+
+
+@pytest.mark.parametrize("eps_beta, expected", [(0.0, 1.0), (1.0, 1.5**-0.5), (2.5, 1.5**-0.5)])
+def test_load_distribution_of_2019_at_its_ends(eps_beta, expected):
+    assert s.load_distribution(eps_beta, 1.5) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("eps_beta, Z_eps", [(0.0, math.sqrt(2.5 / 3)), (1.0, math.sqrt(1 / 1.5)), (3.0, math.sqrt(1 / 1.5))])
+def test_contact_ratio_factor_at_its_ends(eps_beta, Z_eps):
+    assert s.contact_ratio_factor(1.5, eps_beta) == pytest.approx(Z_eps)
+
+
+def test_what_the_source_prints_is_an_erratum():
+    """Table 4.5: 52.833, 1.191 and 1.146 daN/mm²; the contact stress is √10 too high."""
+    gears = r753()
+    rated = solve.rating(gears, solved(gears), TORQUE, materials())
+    theirs = {e.about.removeprefix("gears.central_idler."): e for e in rated.errata if e.about.startswith("gears.central_idler.")}
+    assert theirs["contact_stress"].source_value == pytest.approx(528.33, abs=5e-3)
+    assert theirs["root_stress_central"].source_value == pytest.approx(11.91, abs=5e-3)
+    assert theirs["root_stress_idler"].source_value == pytest.approx(11.46, abs=5e-3)
+    assert "127.8 N instead of 184 N" in theirs["contact_stress"].why
+    assert "2006" in rated.notes[0]

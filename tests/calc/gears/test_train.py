@@ -1,0 +1,181 @@
+"""The train as a whole: open shifts and centre distances, speeds, the source's second pair, one outcome."""
+
+import math
+import pickle
+import subprocess
+import sys
+
+import pytest
+
+from calc.catalogue import materials
+from calc.gears import solve
+from calc.gears.curves import curves
+from calc.gears.named import named
+from calc.sheet.errors import NoSolution
+from calc.sheet.quantity import Described
+
+from .trains import SPEED, mesh, r753, shown, solved, train, wheel
+
+TORQUE = 1350 / (2 * math.pi * SPEED)
+
+
+@pytest.fixture(scope="module")
+def whole():
+    """Geometry, rating and residual couple of the source's train, as one outcome."""
+    gears = r753()
+    geometry = solve.geometry(gears, SPEED)
+    rated = solve.rating(gears, geometry.result, TORQUE, materials())
+    return solve.with_residual_couple(solve.merge(geometry, rated), 572.93)
+
+
+# --- the source's train ------------------------------------------------------------------------------------------------------------
+def test_shifts_follow_through_the_train(whole):
+    """36: 0.014 is given; the 39 follows from 80.555 mm (printed −0.312 mm), the shaft's 25 from 68.698 mm, the crank's is the shaft's."""
+    v = shown(whole)
+    assert 2 * v["idler.profile_shift"] == pytest.approx(-0.312, abs=5e-4)
+    assert v["crank.profile_shift"] == v["shaft.profile_shift"]
+    assert v["crank_central.centre_distance"] == pytest.approx(65.808, abs=5e-4)
+    assert any("crank" in note and "chosen" in note and "shaft" in note for note in whole.notes)
+    assert any("65.808" in note for note in whole.notes)
+
+
+def test_speeds(whole):
+    v = shown(whole)
+    assert [v[f"{w}.speed"] for w in ("crank", "central", "idler", "shaft")] == pytest.approx([2600, -1805.56, 1666.67, -2600], abs=5e-3)
+
+
+def test_second_pair_agrees_with_what_is_known_of_it(whole):
+    """Its sheet is not printed in full: ε_α 1.453, ε_β 0.891, k*·m_n 0.004 mm, and sliding of both wheels equal at the start of contact."""
+    v = {k.removeprefix("idler_shaft."): n for k, n in shown(whole).items() if k.startswith("idler_shaft.")}
+    assert v["transverse_contact_ratio"] == pytest.approx(1.453, abs=5e-4)
+    assert v["overlap_ratio"] == pytest.approx(0.891, abs=5e-4)
+    assert v["standard_tip_shortening"] == pytest.approx(0.004, abs=5e-4)
+    assert v["specific_sliding_driver"] == pytest.approx(v["specific_sliding_driven"], abs=5e-4)
+    assert v["working_diameter_driver"] / v["working_diameter_driven"] == pytest.approx(39 / 25)
+    assert v["working_diameter_driver"] + v["working_diameter_driven"] == pytest.approx(2 * 68.698)
+
+
+def test_the_first_pair_can_jam_and_the_check_says_what_to_do(whole):
+    (jams,) = [c for c in whole.checks if c.verdict == "fail"]
+    assert jams.id == "gears.central_idler.backlash"
+    assert "15 µm" in jams.advice and "central.span_allowance_um = [-17, -20]" in jams.advice and "±33 µm" in jams.advice
+    assert {c.verdict for c in whole.checks} == {"pass", "fail"}
+
+
+def test_one_outcome_with_every_promised_name(whole):
+    v = shown(whole)
+    for w in ("crank", "central", "idler", "shaft"):
+        for name in ("tip_diameter", "pitch_diameter", "base_diameter", "root_diameter", "form_diameter", "profile_shift", "tip_thickness",
+                     "tip_thickness_normal", "over_balls", "over_balls_min", "over_balls_max", "chordal_thickness", "chordal_height", "speed",
+                     "undercut_limit", "ball_diameter"):  # fmt: skip
+            assert f"{w}.{name}" in v
+        assert {f"gears.{w}.undercut", f"gears.{w}.tip_thickness"} <= {c.id for c in whole.checks}
+    for pair in ("crank_central", "central_idler", "idler_shaft"):
+        for name in ("transverse_contact_ratio", "overlap_ratio", "total_contact_ratio", "working_pressure_angle", "working_helix_angle", "backlash_min",
+                     "backlash_nominal", "backlash_max", "working_diameter_driver", "working_diameter_driven", "sap_diameter_driver",
+                     "sap_diameter_driven", "specific_sliding_driver", "specific_sliding_driven", "tip_clearance_driver", "contact_stress",
+                     "tangential_force"):  # fmt: skip
+            assert f"{pair}.{name}" in v
+        ids = {f"gears.{pair}.{c}" for c in ("backlash", "contact_ratio", "contact_ratio_usual", "tip_clearance", "interference")}
+        assert ids <= {c.id for c in whole.checks}
+    assert {"idler.span_5", "idler.span_5_min", "crank.span_4_max", "idler_shaft.root_stress_shaft", "phase_error", "residual_couple"} <= v.keys()
+
+
+def test_addresses_and_checks_are_unique_and_errata_point_at_values(whole):
+    addresses = [v.id for v in whole.values()]
+    assert len(addresses) == len(set(addresses))
+    assert len({c.id for c in whole.checks}) == len(whole.checks)
+    assert {e.about for e in whole.errata} <= set(addresses)
+    assert all(c.advice for c in whole.checks if c.verdict != "pass")
+
+
+def test_every_value_is_what_a_line_returned(whole):
+    """So that it can be explained: the object itself, not a copy.  First speed, given shift, ball and teeth spanned are inputs."""
+    made = {id(line.value) for line in whole.lines}
+    loose = [v.id for v in whole.values() if id(v.inside) not in made and not v.id.endswith(("ball_diameter", "span_teeth"))]
+    assert set(loose) == {"gears.crank.speed", "gears.central.profile_shift", "gears.central_idler.centre_distance", "gears.idler_shaft.centre_distance"}
+
+
+def test_wrong_speeds_of_the_source(whole):
+    speeds = {e.about: e.source_value for e in whole.errata if e.unit == "rpm"}
+    assert speeds == {"gears.central.speed": pytest.approx(2600), "gears.idler.speed": pytest.approx(2600)}
+
+
+def test_results_can_be_compared_and_sent_to_another_process(whole):
+    assert pickle.loads(pickle.dumps(whole.result)) == whole.result
+    assert named({"a-1": (Described("A", "mm"), 1.0)}) != named({"a-1": (Described("A", "mm"), 2.0)})
+
+
+def test_wheel_names_with_a_hyphen():
+    gears = train([wheel("crank-1", 25, 0.0), wheel("idler-2", 36, 0.0)], [mesh("crank-1", "idler-2")])
+    outcome = solve.geometry(gears, SPEED)
+    rated = solve.rating(gears, outcome.result, 1.0, materials())
+    assert "crank-1_idler-2.root_stress_crank-1" in shown(solve.merge(outcome, rated))
+
+
+def test_curves_are_small_and_complete(whole):
+    drawn = curves(whole.result)
+    assert [c.id for c in drawn] == ["profile_central_idler", "sliding_central_idler", "tooth_central", "tooth_idler"]
+    assert all(sum(len(s.x) for s in c.series) < 3000 and c.equal == (not c.id.startswith("sliding")) for c in drawn)
+    below, above, path = drawn[0].series
+    ratio = math.hypot(path.x[1] - path.x[0], path.y[1] - path.y[0]) / shown(whole)["base_pitch"]
+    assert ratio == pytest.approx(shown(whole)["central_idler.transverse_contact_ratio"])
+    for wheel_, zeta in zip(drawn[1].series, ("driver", "driven")):
+        ends = wheel_.y[0], wheel_.y[-1]
+        assert min(ends) == pytest.approx(shown(whole)[f"central_idler.specific_sliding_{zeta}"])
+
+
+# --- open shifts and distances ---------------------------------------------------------------------------------------------------------
+def shifts(wheels, meshes, **said):
+    return {name: w.profile_shift for name, w in solved(train(wheels, meshes, **said)).wheels.items()}
+
+
+def test_the_mate_is_derived_in_either_direction():
+    forward = shifts([wheel("a", 36, 0.014), wheel("b", 39)], [mesh("a", "b", 80.555)])
+    backward = shifts([wheel("a", 36), wheel("b", 39, forward["b"])], [mesh("a", "b", 80.555)])
+    assert backward["a"] == pytest.approx(0.014, abs=1e-15)
+
+
+def test_a_chain_is_derived_from_its_far_end():
+    known = shifts([wheel("a", 25, 0.1), wheel("b", 36), wheel("c", 39)], [mesh("a", "b", 65.9), mesh("b", "c", 80.6)])
+    again = shifts([wheel("a", 25), wheel("b", 36), wheel("c", 39, known["c"])], [mesh("a", "b", 65.9), mesh("b", "c", 80.6)])
+    assert again == pytest.approx(known, abs=1e-14)
+
+
+def test_open_shifts_are_chosen_and_said():
+    """As many teeth: the same shift; else 0 for the first, and what follows from it."""
+    outcome = solve.geometry(train([wheel("a", 30), wheel("b", 40), wheel("c", 30, 0.2)], [mesh("a", "b", 75.6), mesh("b", "c")]), SPEED)
+    assert outcome.result.wheels["a"].profile_shift == 0.2
+    assert any("of a: not given; chosen: 0.2" in n for n in outcome.notes)
+    outcome = solve.geometry(train([wheel("a", 30), wheel("b", 40)], [mesh("a", "b", 75.6)]), SPEED)
+    assert outcome.result.wheels["a"].profile_shift == 0.0
+    assert outcome.result.wheels["b"].profile_shift > 0
+    assert any("of a: not given; chosen: 0." in n for n in outcome.notes)
+
+
+def test_two_given_shifts_that_nearly_agree():
+    exact = shifts([wheel("a", 36, 0.014), wheel("b", 39)], [mesh("a", "b", 80.555)])["b"]
+    outcome = solve.geometry(train([wheel("a", 36, 0.014), wheel("b", 39, -0.156)], [mesh("a", "b", 80.555)]), SPEED)
+    assert outcome.result.wheels["b"].profile_shift == exact
+    assert any("-0.156 is given" in n for n in outcome.notes)
+    assert outcome.result.meshes["a_b"].backlash_nominal == 0
+
+
+def test_two_given_shifts_that_contradict():
+    with pytest.raises(NoSolution, match=r"meshes\.0\.centre_distance_mm = 80\.555.*a 0\.014 and b -0\.16.*needs b -0\.15597.*b\.profile_shift"):
+        solved(train([wheel("a", 36, 0.014), wheel("b", 39, -0.16)], [mesh("a", "b", 80.555)]))
+
+
+def test_a_branching_train():
+    wheels = [wheel("a", 25, 0.0), wheel("b", 30, 0.0), wheel("c", 40, 0.0)]
+    gears = train(wheels, [mesh("a", "b"), mesh("a", "c")])
+    t = solved(gears)
+    assert (t.wheels["b"].speed, t.wheels["c"].speed) == pytest.approx((-SPEED * 25 / 30, -SPEED * 25 / 40))
+    rated = solve.rating(gears, t, {"a_b": 2.0, "a_c": 1.0}, materials()).result.meshes
+    assert rated["a_b"].tangential_force == pytest.approx(2 * rated["a_c"].tangential_force)
+
+
+def test_nothing_heavier_than_numpy_is_loaded():
+    heavy = "scipy", "matplotlib", "reportlab", "textual", "rich", "pint"
+    code = f"import sys, calc.gears.solve; print([m for m in {heavy} if m in sys.modules])"
+    assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.strip() == "[]"

@@ -1,0 +1,201 @@
+"""Reading a design: what is right round-trips, what is wrong is named with its line, all at once."""
+
+import math
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calc.design import Design
+from calc.design_file import (
+    Document,
+    address,
+    design,
+    key_lines,
+    load,
+    parse,
+    parse_assignment,
+    quantities,
+    quantity_of,
+    read,
+    value_at,
+)  # fmt: skip
+from calc.sheet.errors import BadInput
+from calc.sheet.units import UNITS
+
+from ..conftest import DESIGNS, GAMMA
+
+TEXT = GAMMA.read_text(encoding="utf-8")
+
+
+def errors(text: str) -> list[str]:
+    with pytest.raises(BadInput) as bad:
+        design(parse(text.encode() if isinstance(text, str) else text, "d.toml"))
+    return str(bad.value).splitlines()
+
+
+@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda p: p.stem)
+def test_shipped_designs_load(path):
+    assert isinstance(load(path)[1], Design)
+
+
+def test_numbers_come_in_si(gamma):
+    d = design(gamma)
+    assert d.engine.bore == 0.094
+    assert d.engine.rated_speed == pytest.approx(2600 / 60)
+    assert d.bearings.supply_pressure == 4e5
+    assert d.bearings.front.journal_roughness == 0.6e-6
+    assert d.countershaft.masses[1].angle == pytest.approx(math.pi / 6)
+    assert d.gears.meshes[1].centre_distance == 0.080555
+
+
+@pytest.mark.parametrize("unit", UNITS.values(), ids=lambda u: u.symbol)
+@given(number=st.floats(1e-6, 1e6))
+@settings(max_examples=40)
+def test_a_number_survives_its_unit(unit, number):
+    number = float(f"{number:.10g}")
+    assert unit.shown(unit.inside(number)) == pytest.approx(number, rel=1e-13)
+
+
+@pytest.mark.parametrize("old, new, line, words", [
+    ("bore_mm = 94.0", 'bore_mm = "94"', True, ["engine.bore_mm", '"94"', "a number"]),
+    ("bore_mm = 94.0", "bore_mm = -1", True, ["engine.bore_mm", "-1", "above 0", "mm"]),
+    ("bore_mm = 94.0", "bore_mm = nan", True, ["engine.bore_mm", "finite"]),
+    ("bore_mm = 94.0", "bore_mm = inf", True, ["engine.bore_mm", "up to 1000"]),
+    ("bore_mm = 94.0", "bore_mm = true", True, ["engine.bore_mm", "a number"]),
+    ("bore_mm = 94.0", "bore_mm = " + "9" * 400, True, ["engine.bore_mm"]),
+    ("bore_mm = 94.0", "bore_m = 94.0", True, ["engine.bore_m", 'did you mean "bore_mm"']),
+    ("bore_mm = 94.0\n", "", False, ["engine.bore_mm", "is missing"]),
+    ("cylinders = 3", "cylinders = 3.0", True, ["engine.cylinders", "whole number"]),
+    ("cylinders = 3", "cylinders = 17", True, ["engine.cylinders", "from 1 to 16"]),
+    ('layout = "inline"', 'layout = "star"', True, ["engine.layout", '"star"', '"inline", "vee", "boxer"']),
+    ("[imbalance]", "[imbalanse]", True, ["imbalanse", 'did you mean "imbalance"']),
+    ('oil = "10W-40 Q8 T905"', 'oil = "10W-40 Q8 T90"', True, ["bearings.oil", "10W-40 Q8 T905"]),
+    ('housing_material = "EN AC-43100"', 'housing_material = "cheese"', True, ["bearings.housing_material", "known are"]),
+    ('driver = "central"', 'driver = "centre"', True, ["gears.meshes.1.driver", 'no wheel "centre"']),
+    ('name = "idler"', 'name = "shaft"', False, ["stands twice"]),
+    ('name = "idler"', 'name = "the idler"', True, ["letters, digits and -"]),
+    ("firing_order = [1, 3, 2]", "firing_order = [1, 3, 3]", True, ["engine.firing_order", "once"]),
+    ("bearing_positions_mm = [-167.5, 167.5]", "bearing_positions_mm = [-167.5]", True, ["has 1 entries; needs 2"]),
+    ("bearing_positions_mm = [-167.5, 167.5]", "bearing_positions_mm = [167.5, -167.5]", True, ["z_front < z_rear"]),
+    ("clearance_factor = 0.8", "clearance_um = 80", False, []),
+])  # fmt: skip
+def test_one_mistake_is_named_with_its_line(old, new, line, words):
+    assert TEXT.count(old) >= 1
+    text = TEXT.replace(old, new, 1)
+    if not words:
+        design(parse(text.encode(), "d.toml"))
+        return
+    found = errors(text)
+    assert any(all(w in e for w in words) for e in found), found
+    if line:
+        at = text[: text.index(new)].count("\n") + 1
+        assert any(e.startswith(f"d.toml:{at}: ") for e in found), (at, found)
+
+
+def test_every_error_at_once_in_the_order_of_the_lines():
+    text = TEXT.replace("bore_mm = 94.0", "bore_mm = -1").replace("teeth = 39", "teeth = 1.5").replace("supply_pressure_bar = 4.0", "supply_presure_bar = 4.0")
+    text = text.replace('oil = "10W-40 Q8 T905"', 'oil = "water"').replace("firing_order = [1, 3, 2]", "firing_order = [1, 3]")
+    found = errors(text)
+    assert len(found) == 6  # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
+    lines = [int(e.split(":")[1]) for e in found]
+    assert lines == sorted(lines)
+
+
+@pytest.mark.parametrize("raw, words", [
+    (b"", "is empty"), (b"   \n\n", "is empty"), (b"\x00\x01\xff\xfe", "UTF-8"), (b"\x89PNG\r\n\x1a\n\x00", "UTF-8"), (b"a = ", "is not TOML"),
+    (b"[[[[", "is not TOML"), (b"x = " + b"[" * 20000, "not"), (b"a.b = 1\na = 2", "is not TOML"), (b"schema = 1", "no step is asked"),
+    (b"hello", "is not TOML"), (b'schema = 1\nname = "x"\nengine = 3', "must be a table"), (b'schema = 1\nname = "x"\n[gears]\nwheels = 3', "array of tables"),
+    (b'schema = 2\nname = "x"', "from 1 to 1"), (b"x = " + b"1" * 5000, ""),
+])  # fmt: skip
+def test_what_is_no_design_is_refused_without_a_traceback(raw, words):
+    found = errors(raw)
+    assert all(e.startswith("d.toml:") for e in found)
+    assert any(words in e for e in found), found
+
+
+def test_a_huge_file_is_refused_before_it_is_read_as_toml(tmp_path):
+    path = tmp_path / "huge.toml"
+    path.write_bytes(b"# " + b"x" * 2_000_000)
+    with pytest.raises(BadInput, match="at most"):
+        read(path)
+
+
+@pytest.mark.parametrize("name", ["missing.toml", "."])
+def test_what_can_not_be_read_is_said(tmp_path, name):
+    with pytest.raises(BadInput, match="cannot be read"):
+        read(tmp_path / name)
+
+
+@settings(max_examples=200, deadline=None)
+@given(raw=st.binary(max_size=300))
+def test_any_bytes_give_a_design_or_a_named_error(raw):
+    try:
+        design(parse(raw, "d.toml"))
+    except BadInput as bad:
+        assert bad.errors
+
+
+LINES = TEXT.splitlines()
+
+
+@settings(max_examples=150, deadline=None)
+@given(line=st.integers(0, len(LINES) - 1), text=st.text(max_size=20))
+def test_any_broken_line_gives_a_design_or_a_named_error(line, text):
+    broken = "\n".join([*LINES[:line], text, *LINES[line + 1 :]])
+    try:
+        design(parse(broken.encode("utf-8", "surrogatepass"), "d.toml"))
+    except BadInput as bad:
+        assert bad.errors
+
+
+def test_lines_of_keys():
+    lines = key_lines('a = 1\n# b\n[t]\nx = [\n 1,\n 2]\ny = """\nz = 1\n"""\n[[t.w]]\nn = 1\n[[t.w]]\nn = 2\n[t.w.s]\nq.r = 1\n')
+    assert lines["a"] == 1 and lines["t"] == 3 and lines["t.x"] == 4 and lines["t.y"] == 7
+    assert "t.z" not in lines
+    assert lines["t.w.0.n"] == 11 and lines["t.w.1.n"] == 13 and lines["t.w.1.s.q.r"] == 15
+
+
+def test_values_are_addressed_by_name_or_index(gamma):
+    assert value_at(gamma.data, "gears.wheels.shaft.teeth") == value_at(gamma.data, "gears.wheels.3.teeth") == 25
+    assert address(gamma.data, "countershaft.masses.rear.mass_kg") == ("countershaft", "masses", 1, "mass_kg")
+    assert value_at(gamma.data, "engine.bench.0.speed_rpm") == 2646.0
+    assert quantity_of(gamma.data, "bearings.front.length_mm").unit == "mm"
+
+
+@pytest.mark.parametrize("key, words", [
+    ("bearings.front.lenght_mm", 'did you mean "length_mm"'), ("gears.wheels.sun.teeth", "there are crank, central, idler, shaft"),
+    ("bearings", "is a table"), ("engine.bore_mm.x", "has no parts"), ("nonsense", "is not known"), ("", "is not known"),
+])  # fmt: skip
+def test_a_wrong_address_is_named(gamma, key, words):
+    with pytest.raises(BadInput, match=".*") as bad:
+        gamma.with_value(key, 1)
+    assert words in str(bad.value)
+
+
+def test_an_edit_changes_one_key_and_leaves_the_document_as_it_was(gamma):
+    other = gamma.with_value("bearings.front.length_mm", 34.0)
+    assert design(other).bearings.front.length == 0.034
+    assert design(gamma).bearings.front.length == 0.0275
+    assert gamma.with_value("bearings.front.clearance_factor", None).data["bearings"]["front"].keys() == gamma.data["bearings"]["front"].keys() - {"clearance_factor"}
+
+
+@pytest.mark.parametrize("text, key, value", [
+    ("a.b=3", "a.b", 3), ("a = 3.5", "a", 3.5), ('a="x"', "a", "x"), ("a=exact", "a", "exact"), ("a=[1, 2]", "a", [1, 2]), ("a=", "a", None),
+    ("a=10W-40 Q8 T905", "a", "10W-40 Q8 T905"), ("a=1=2", "a", "1=2"),
+])  # fmt: skip
+def test_assignments_of_the_command_line(text, key, value):
+    assert parse_assignment(text) == (key, value)
+
+
+@pytest.mark.parametrize("text", ["", "a", "=3", "  = 3"])
+def test_what_is_no_assignment(text):
+    with pytest.raises(BadInput, match="KEY=VALUE"):
+        parse_assignment(text)
+
+
+def test_every_quantity_of_a_design_is_described(gamma):
+    found = dict(quantities(gamma.data))
+    assert "gears.wheels.idler.tip_shortening_mm" in found and "bearings.rear.clearance_factor" in found
+    assert all(q.label and q.allowed() for q in found.values())
+    assert isinstance(gamma, Document)

@@ -1,0 +1,247 @@
+"""The command line: names, exit codes, errors, and what it leaves alone."""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from .conftest import DESIGNS, GAMMA, ROOT
+
+
+def run(*arguments, cwd=None, env=None):
+    return subprocess.run(
+        [sys.executable, "-m", "assistant", *map(str, arguments)], capture_output=True, text=True, cwd=cwd or ROOT,
+        env={**os.environ, "PYTHONPATH": str(ROOT), **(env or {})},
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def checked():
+    done = run("check", GAMMA, "--json")
+    return done, json.loads(done.stdout)
+
+
+def test_check_prints_one_json_object(checked):
+    done, found = checked
+    assert done.returncode == 1 and done.stderr == ""
+    assert {"schema", "program", "version", "design", "values", "checks", "steps"} <= set(found)
+    assert found["schema"] == 1 and found["program"] == "contralbero"
+    assert len(found["design"]["sha256"]) == 64
+
+
+NAMES = """engine.reciprocating_mass engine.rotating_mass engine.lambda imbalance.required_couple imbalance.required_couple_phase
+imbalance.mistiming_per_degree countershaft.couple countershaft.couple_phase countershaft.residual_order_1_couple
+countershaft.reaction_front countershaft.reaction_rear friction.bearing_loss friction.mesh_loss friction.windage_loss
+friction.total_loss friction.crank_torque gears.phase_error gears.residual_couple""".split()
+NAMES += [f"imbalance.order_{n}.{kind}_{sense}{tail}" for n in (1, 2, 4, 6) for kind in ("force", "couple") for sense in ("forward", "backward") for tail in ("", "_phase")]
+NAMES += [f"imbalance.order_{n}.{kind}_peak_{way}" for n in (1, 2) for kind in ("force", "couple") for way in ("vertical", "horizontal")]
+NAMES += [f"bearings.{b}.{name}" for b in ("front", "rear") for name in """specific_load heat_index clearance_hot clearance_cold film film_edge
+film_double_load speed_of_thinnest_film temperature_rise friction_power oil_flow""".split()]  # fmt: skip
+NAMES += [f"bearings.{b}.{route}.{name}" for b in ("front", "rear") for route in ("raimondi_boyd", "din31652", "reynolds")
+          for name in ("film", "temperature_rise", "friction_power", "sommerfeld", "oil_flow")]  # fmt: skip
+NAMES += [f"bearings.{b}.reynolds.{name}" for b in ("front", "rear") for name in ("eccentricity", "attitude_angle", "friction_variable")]
+NAMES += [f"gears.{w}.{name}" for w in ("crank", "central", "idler", "shaft") for name in """tip_diameter pitch_diameter base_diameter root_diameter
+form_diameter profile_shift tip_thickness tip_thickness_normal over_balls over_balls_min over_balls_max""".split()]  # fmt: skip
+NAMES += ["gears.central.span_5", "gears.central.span_5_min", "gears.central.span_5_max", "gears.idler.span_5"]
+MESHES = ("crank_central", "central_idler", "idler_shaft")
+NAMES += [f"gears.{m}.{name}" for m in MESHES for name in """transverse_contact_ratio overlap_ratio working_pressure_angle working_helix_angle
+backlash_min backlash_max working_diameter_driver working_diameter_driven sap_diameter_driver sap_diameter_driven specific_sliding_driver
+specific_sliding_driven contact_stress""".split()]  # fmt: skip
+NAMES += [f"friction.{m}.{name}" for m in MESHES for name in ("loss", "efficiency", "loss_factor", "film_min", "friction_mean", "source.loss", "source.film_min")]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_names_that_are_promised(checked, name):
+    value = checked[1]["values"][name]
+    assert isinstance(value["value"], float) and value["label"] and "unit" in value
+
+
+LIMITS = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in """film_edge film_double_load temperature specific_load heat_index clearance_cold
+length_ratio transition""".split()]  # fmt: skip
+LIMITS += ["countershaft.residual", *(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
+LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
+ADVICE = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("length_ratio_usual", "mckee", "routes_spread")]
+
+
+@pytest.mark.parametrize("name, kind", [*((n, "limit") for n in LIMITS), *((n, "advice") for n in ADVICE)])
+def test_the_checks_that_are_promised(checked, name, kind):
+    (found,) = [c for c in checked[1]["checks"] if c["id"] == name]
+    assert found["kind"] == kind and found["verdict"] in ("pass", "warn", "fail") and found["source"]
+    assert found["verdict"] == "pass" or found["advice"]
+
+
+def test_verdicts_follow_from_value_limit_and_kind(checked):
+    for c in checked[1]["checks"]:
+        low, high = c["limit"] if isinstance(c["limit"], list) else (None, None)
+        if low is not None:
+            inside = low <= c["value"] <= high
+        else:
+            inside = {">=": c["value"] >= c["limit"], ">": c["value"] > c["limit"], "<=": c["value"] <= c["limit"], "<": c["value"] < c["limit"]}[c["sense"]]
+        if not inside:
+            assert c["verdict"] == ("fail" if c["kind"] == "limit" else "warn"), c
+            assert c["margin"] <= 0
+        else:
+            assert c["verdict"] == ("warn" if c["kind"] == "limit" and c["margin"] < 0.05 else "pass"), c
+
+
+def test_the_source_is_corrected_beside_its_own_values(checked):
+    errata = {e["about"]: e["source_value"] for e in checked[1]["errata"]}
+    assert errata["imbalance.order_2.couple_peak_vertical"] == pytest.approx(188.05, abs=0.01)
+    assert checked[1]["values"]["imbalance.order_2.couple_peak_vertical"]["value"] == pytest.approx(386.8, abs=0.05)
+    assert errata["bearings.front.din31652.film"] == pytest.approx(12.9, abs=0.1)
+    assert any(about.endswith("contact_stress") for about in errata)
+    assert any(about.endswith(".speed") for about in errata)
+
+
+def test_the_steps_of_the_source_design(checked):
+    assert checked[1]["steps"] == {
+        "engine": "pass", "imbalance": "warn", "countershaft": "pass", "bearings": "fail", "gears": "fail", "friction": checked[1]["steps"]["friction"],
+    }  # fmt: skip
+    assert checked[1]["steps"]["friction"] in ("pass", "warn")
+
+
+def test_plain_check_has_every_value_and_every_check_of_the_json(checked):
+    text = run("check", GAMMA).stdout
+    for name in [*checked[1]["values"], *(c["id"] for c in checked[1]["checks"])]:
+        assert name in text
+
+
+def test_set_changes_an_input_for_one_run():
+    before = GAMMA.read_bytes()
+    done = run("check", GAMMA, "--json", "--set", "bearings.front.length_mm=34", "--set", "engine.rated_speed_rpm=1000")
+    assert json.loads(done.stdout)["values"]["imbalance.required_couple"]["value"] == pytest.approx(84.753, abs=5e-4)
+    assert GAMMA.read_bytes() == before
+
+
+def test_one_step_only():
+    found = json.loads(run("check", GAMMA, "--json", "--step", "engine").stdout)
+    assert set(found["steps"]) == {"engine"}
+    assert all(name.startswith("engine.") for name in found["values"])
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (["check", "nowhere.toml"], ["nowhere.toml", "cannot be read"]), (["check"], ["usage"]), (["check", GAMMA, "--set", "a"], ["KEY=VALUE"]),
+    (["check", GAMMA, "--set", "bearings.front.lenght_mm=3", "--set", "x=1"], ["length_mm", "x: is not known"]),
+    (["check", GAMMA, "--set", "bearings.front.length_mm=-3"], ["bearings.front.length_mm", "above 0"]),
+    (["check", GAMMA, "--step", "wheels"], ["--step", "engine, imbalance"]), (["explain", GAMMA, "bearings.front.flim"], ["bearings.front.film"]),
+    (["report", GAMMA, "-o", "/nowhere/at/all.pdf"], ["cannot be written"]), (["replay", GAMMA], ["design", "is missing"]),
+    (["new", "x.toml", "--engine", "v99"], ["v99", "r753ie4"]), (["set", GAMMA, "engine.bore_mm=wide"], ["engine.bore_mm", "a number"]),
+    (["frobnicate.toml", "--help-me"], ["usage"]), (["new"], ["needs the name"]),
+])  # fmt: skip
+def test_bad_use_is_exit_code_2_without_a_traceback(arguments, words, tmp_path):
+    before = GAMMA.read_bytes()
+    done = run(*arguments, cwd=tmp_path)
+    assert done.returncode == 2, done
+    assert "Traceback" not in done.stderr
+    assert all(w in done.stderr for w in words), done.stderr
+    assert GAMMA.read_bytes() == before and list(tmp_path.iterdir()) == []
+
+
+def test_no_solution_is_exit_code_3():
+    done = run("check", GAMMA, "--set", "countershaft.masses.front.mass_kg=300")
+    assert done.returncode == 3
+    assert "no film carries" in done.stdout
+
+
+def test_a_passing_step_is_exit_code_0():
+    assert run("check", GAMMA, "--step", "engine").returncode == 0
+
+
+def test_help_names_every_command():
+    text = run("--help").stdout
+    assert all(name in text for name in ("new", "check", "explain", "report", "replay", "set", "validate"))
+    assert run("--version").stdout.startswith("contralbero ")
+
+
+def test_a_session_without_a_terminal_says_so():
+    done = run(GAMMA)
+    assert done.returncode == 2 and "terminal" in done.stderr
+
+
+def test_new_writes_a_complete_design_and_never_over_another(tmp_path):
+    assert run("new", "mine.toml", cwd=tmp_path).returncode == 0
+    assert run("check", "mine.toml", cwd=tmp_path).returncode == 1
+    before = (tmp_path / "mine.toml").read_bytes()
+    assert run("new", "mine.toml", cwd=tmp_path).returncode == 2
+    assert (tmp_path / "mine.toml").read_bytes() == before
+
+
+def test_every_shipped_engine_makes_a_design(tmp_path):
+    for line in run("new", "--list").stdout.splitlines():
+        name = line.split()[0]
+        assert run("new", f"{name}.toml", "--engine", name, cwd=tmp_path).returncode == 0
+        assert run("check", f"{name}.toml", "--step", "imbalance", cwd=tmp_path).returncode == 0
+
+
+def test_set_edits_in_place_and_keeps_the_comments(tmp_path):
+    path = tmp_path / "d.toml"
+    shutil.copy(GAMMA, path)
+    done = run("set", path, "bearings.front.length_mm=34", "gears.wheels.central.span_allowance_um=[-20, -30]")
+    assert done.returncode == 0, done.stderr
+    text = path.read_text()
+    assert "length_mm = 34" in text and "[-20, -30]" in text
+    assert "# the text prints 0.6; only 0.61 gives the source's numbers" in text
+    assert (tmp_path / "d.toml.bak").read_bytes() == GAMMA.read_bytes()
+
+
+def test_set_leaves_the_file_alone_when_the_design_would_be_wrong(tmp_path):
+    path = tmp_path / "d.toml"
+    shutil.copy(GAMMA, path)
+    assert run("set", path, "bearings.front.length_mm=34", "gears.wheels.central.teeth=2").returncode == 2
+    assert path.read_bytes() == GAMMA.read_bytes() and len(list(tmp_path.iterdir())) == 1
+
+
+@pytest.mark.parametrize("name", ["imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress"])
+def test_explain_goes_back_to_the_inputs(name):
+    done = run("explain", GAMMA, name)
+    assert done.returncode == 0, done.stderr
+    assert name in done.stdout and "←" in done.stdout and " = " in done.stdout
+
+
+def test_explain_of_the_film_reaches_the_engine():
+    text = run("explain", GAMMA, "bearings.front.film").stdout
+    assert "← engine.rated_speed_rpm" in text and "← countershaft.masses.*.mass_kg" in text and "← bearings.supply_temperature_C" in text
+    assert "9.559 µm" in text
+
+
+def test_validate_compares_with_published_values():
+    done = run("validate")
+    assert done.returncode == 0, done.stdout
+    found = json.loads(run("validate", "--json").stdout)
+    assert len(found["rows"]) > 80
+    assert all(row["source"] and row["verdict"] == "pass" for row in found["rows"])
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "tests" / "replays").glob("*.toml")), ids=lambda p: p.stem)
+def test_shipped_replays_agree(path):
+    done = run("replay", path)
+    assert done.returncode == 0, done.stdout
+
+
+def test_a_replay_that_differs_is_exit_code_1(tmp_path):
+    script = tmp_path / "r.toml"
+    script.write_text(
+        f'schema = 1\ndesign = "{GAMMA}"\n[[expect]]\nvalue = "engine.lambda"\nis = 0.5\nunit = ""\nrel = 1e-3\nkind = "recorded"\n'
+    )
+    done = run("replay", script)
+    assert done.returncode == 1 and "engine.lambda" in done.stdout
+
+
+def test_report_prints_the_verdicts_and_why(tmp_path):
+    done = run("report", GAMMA, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert (tmp_path / "r753ie4_gamma.pdf").read_bytes().startswith(b"%PDF")
+    assert "FAIL" in done.stdout and "Film at the edge, front" in done.stdout and "Lengthen" in done.stdout
+
+
+def test_designs_are_all_checked():
+    for path in DESIGNS.glob("*.toml"):
+        assert run("check", path).returncode in (0, 1)
+
+
+def test_nothing_of_this_machine_is_printed():
+    assert str(Path.home()) not in run("check", "designs/r753ie4_gamma.toml").stdout
