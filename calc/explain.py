@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from .design import Design
 from .sheet.quantity import keys
 from .sheet.trace import Line
 from .solve import Results
@@ -28,7 +29,7 @@ def chain(results: Results, value_id: str) -> list[Link]:
     """The lines that lead to a value, in the order in which they were computed; empty for a value taken straight from an input."""
     lines = [line for outcome in results.outcomes.values() for line in outcome.lines]
     made = {id(line.value): number for number, line in enumerate(lines)}
-    inputs = dict(_inputs(results.design))
+    inputs = dict(_inputs(results.design)) | dict(_named(results.design))
     columns = list(_columns(results.design))
     wanted: set[int] = set()
     todo = [made[i] for i in (id(results.values()[value_id].inside),) if i in made]
@@ -58,6 +59,18 @@ def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, 
             for part in keys(type(content[0])).values():
                 if part.about.kind == "number":
                     yield f"{here}.*.{part.key}", tuple(getattr(item, part.attribute) for item in content)
+
+
+def _named(design: Design) -> Iterator[tuple[int, str]]:
+    """The numbers that a name brings in: an oil's, a material's."""
+    oils, materials = design.oils, design.materials
+    for step in design.asked():
+        inputs = getattr(design, step.key)
+        for attribute in ("oil", "material", "housing_material"):
+            name = getattr(inputs, attribute, None)
+            known = oils.get(name) if attribute == "oil" else materials.get(name)  # type: ignore[arg-type]
+            for f in fields(known) if known is not None else ():
+                yield id(getattr(known, f.name)), f"{step.key}.{attribute} ({name})"
 
 
 def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:

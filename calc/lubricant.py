@@ -72,13 +72,14 @@ def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T:
     return SLOPE / (1 - SLOPE * (T - REFERENCE)) - LN_10 * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (T + ZERO_CELSIUS)
 
 
-def walther_constants(oil: Oil, law: str = "walther") -> tuple[float, float, float]:
-    """C_2, C_1 and c of an oil's viscosity line through its two given points (40 and 100 °C)."""
-    c = ADDED[law]
-    points = [(log10(t + ZERO_CELSIUS), log10(log10(nu / CENTISTOKE + c))) for t, nu in ((40.0, oil.nu40), (100.0, oil.nu100))]
-    (x_40, y_40), (x_100, y_100) = points
-    C_1 = (y_100 - y_40) / (x_100 - x_40)
-    return y_40 - C_1 * x_40, C_1, c
+@formula("C_1", "slope of the viscosity line through the points at 40 and 100 °C", names={"nu_40": "ν_40", "nu_100": "ν_100"})
+def viscosity_slope(nu_100: SquareMetrePerSecond, nu_40: SquareMetrePerSecond, c: Number) -> Number:
+    return (log10(log10(nu_100 / CENTISTOKE + c)) - log10(log10(nu_40 / CENTISTOKE + c))) / (log10(373.15) - log10(313.15))
+
+
+@formula("C_2", "intercept of the viscosity line through the point at 40 °C", names={"nu_40": "ν_40"})
+def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> Number:
+    return log10(log10(nu_40 / CENTISTOKE + c)) - C_1 * log10(313.15)
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,9 @@ class Lubricant:
 
     def __init__(self, oil: Oil, law: str = "walther") -> None:
         self.oil = oil
-        self.C_2, self.C_1, self.c = walther_constants(oil, law)
+        self.c = ADDED[law]
+        self.C_1 = viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=self.c)
+        self.C_2 = viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
 
     def at(self, T: Celsius) -> State:
         nu = kinematic_viscosity(C_2=self.C_2, C_1=self.C_1, T=T, c=self.c)

@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 
 from ..lubricant import Lubricant, State
 from ..root import root
@@ -90,7 +91,7 @@ def _own(seat: Seat, duty: Duty, rise: float, warm: bool) -> Film:
     # a full groove parts the bearing into two lands, each with half the load
     lands, l = (2, (b.length - (inputs.groove_width or 0.0)) / 2) if inputs.supply == "groove" else (1, b.length)
     psi = f.relative_clearance(g=g, d=b.diameter)
-    p = f.specific_load(F=duty.load / lands, d=b.diameter, l=l)
+    p = f.specific_load(F=duty.load if lands == 1 else duty.load / lands, d=b.diameter, l=l)
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=f.angular_speed(n=duty.effective_speed))
     ratio = f.length_ratio(l=l, d=b.diameter)
@@ -193,13 +194,14 @@ def balanced(route: Route, seat: Seat, duty: Duty) -> Film:
     carried, with what was tried, or where the rise passes 200 K.
     """
 
+    @cache  # the ends of the bracket are asked for more than once
     def excess(rise: float) -> float:
         return route(seat, duty, rise).temperature_rise - rise
 
     with untraced():
         try:
             high = min(2 * excess(0.0) + 1e-6, HOTTEST)
-            rise = root(excess, 0.0, _reachable(excess, high))
+            rise = root(excess, 0.0, _reachable(excess, high), tolerance=1e-10)
         except ValueError as error:
             raise NoSolution(
                 f"no film carries {duty.load:.4g} N at {duty.speed * 60:.4g} rpm", str(error),

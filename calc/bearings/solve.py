@@ -103,11 +103,12 @@ def solve(
     """Front and rear bearing under the shaft's reactions, which turn with it at crank speed and grow with its square."""
     speed, bench = engine.rated_speed, engine.bench
     loads = shaft.reaction_front, shaft.reaction_rear
-    lubricant = Lubricant(oil, bearings.viscosity_law)
     slopes = bearings.slope or (0.0,)
     results: dict[str, BearingResult] = {}
     notes: list[str] = list(_notes(bearings))
     with trace() as lines:
+        with about("oil"):
+            lubricant = Lubricant(oil, bearings.viscosity_law)
         for place, bearing, load, slope in (("front", bearings.front, loads[0], slopes[0]), ("rear", bearings.rear, loads[1], slopes[-1])):
             with about(f"{place} bearing"):
                 if load <= 0:

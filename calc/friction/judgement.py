@@ -8,15 +8,23 @@ import numpy as np
 from ..sheet.check import Check, check
 from ..sheet.number import short
 from ..sheet.step import Curve, Erratum, Series
-from ..sheet.trace import untraced
 from .film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .inputs import FrictionInputs
-from .loss import THESIS, MeshLoss, solve_mesh
+from .loss import THESIS, MeshLoss, loss_factor, solve_mesh
+from .path import array, line_load
 from .result import FrictionResult, MeshResult
 
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
+
+# What the source prints as dynamic viscosity, mPa·s over °C.
+PRINTED_VISCOSITY = {
+    "friction thesis 10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797},
+    "friction thesis 0W30": {40.0: 27.18, 50.0: 20.10, 60.0: 16.14, 100.0: 4.29},
+    "friction thesis 10W40 synthetic": {40.0: 225.79, 50.0: 150.31, 60.0: 100.25, 100.0: 40.09},
+    "friction thesis MIL-L-23699E": {40.0: 22.56},
+}
 
 
 def by_regime(mesh: MeshResult) -> MeshLoss:
@@ -62,27 +70,48 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
 
 
 # --- where the source is wrong ---------------------------------------------------------------------------------------------
-def errata(friction: FrictionInputs, result: FrictionResult) -> tuple[Erratum, ...]:
-    return tuple(e for name, mesh in result.meshes.items() for e in _errata(f"friction.{name}", friction, mesh))
+def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
+    meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
+    name, mesh = next(iter(result.meshes.items()))
+    if not mesh.case.mesh.spur:
+        return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
+    loss_ratio = Erratum(
+        f"friction.{name}.efficiency", "Efficiency of the mesh", 1 - mesh.judged.efficiency, "", f"{THESIS}, eq. 1",
+        "The printed quotient is the share that is lost, not the efficiency.",
+    )  # fmt: skip
+    printed = PRINTED_VISCOSITY.get(oil.lubricant.oil.name, {}).get(oil.T_m)
+    if printed is None:
+        return (*meshes, loss_ratio)
+    viscosity = Erratum(
+        "friction.oil_viscosity", "Viscosity of the oil between the teeth", printed, "mPa·s", f"{THESIS}, table of oils",
+        "The printed value does not go with the kinematic viscosity and density printed beside it, nor with the oil's SAE grade.",
+    )  # fmt: skip
+    return (*meshes, loss_ratio, viscosity)
 
 
-def _errata(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
+def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
+    c, P = mesh.case, mesh.judged.load
     if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
         yield Erratum(
             f"{id}.film_min", "Thinnest film", mesh.source.film_min * 1e6, "µm", f"{THESIS}, section on film thickness",
             "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
             "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count.",
         )  # fmt: skip
-    with untraced():
-        elliptical = solve_mesh(mesh.case, mesh.judged.load, False, ELLIPTICAL)
+    if not c.mesh.spur:
+        return
+    elliptical = solve_mesh(c, P, False, ELLIPTICAL)
     yield Erratum(
         f"{id}.source.loss", "Power lost in the mesh, EHL film", elliptical.loss, "W", f"{THESIS}, eq. 26",
         "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56.",
     )  # fmt: skip
-    yield Erratum(
-        f"{id}.efficiency", "Efficiency of the mesh", 1 - mesh.judged.efficiency, "", f"{THESIS}, eq. 1",
-        "The printed quotient is the share that is lost, not the efficiency.",
-    )  # fmt: skip
+    if friction.load_sharing == "linear":
+        share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
+        w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
+        short_of_load = loss_factor(s=c.path.weight, w=array(share * w), V_s=c.motion.V_s, P=P)
+        yield Erratum(
+            f"{id}.loss_factor", "Loss factor", short_of_load, "", f"{THESIS}, load sharing",
+            "Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.",
+        )  # fmt: skip
 
 
 # --- notes -----------------------------------------------------------------------------------------------------------------
@@ -100,10 +129,12 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         found.append("The friction source's film is judged: EHL everywhere, no rolling loss.")
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
         found.append("The rolling loss of the rigid film supposes a full inlet: it is an upper bound.")
+    if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
+        found.append("Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together.")
     Lambda, base = short(oil.lubricant.limiting_shear), oil.lubricant.oil.base
     found.append(f"Limiting shear {Lambda} of the pressure ({base}) is an assumption, ±40 %; steel is taken to conduct 46 W/(m·K).")
     found.append("Churning of wheels that dip into oil and rolling bearings are not counted, unless given as other losses.")
-    found.append(f"Windage in {short(friction.mist_density)} kg/m³; the tests behind its formula ran in mist twenty times as dense as air.")
+    found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
     if friction.other_losses:
         found.append("Another loss is carried by the wheel with whose name its own begins, else by the last wheel, through all meshes.")
     return tuple(found)

@@ -18,15 +18,13 @@ from functools import cache
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
 from ..sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
 from .mesh import MeshGeometry, require, sound
-
-Array = NDArray[np.float64]
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
 HELICAL_POINTS = 2  # and of a helical one, whose pieces are shorter

@@ -63,13 +63,14 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str
 
 
 def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
-    """The same for a train whose first driver gets the power P; each wheel drives one mesh."""
+    """The same for a train whose first driver puts the power P into its mesh; each wheel drives one mesh."""
     wheel = next(iter(meshes.values())).driver.name
     loads: dict[str, Watt] = {}
     for name, mesh in meshes.items():
         if mesh.driver.name != wheel:
             branches = "the train branches, and the power of its first driver does not say how it divides"
             raise NoSolution(f"mesh {mesh.title}", branches, "give one chain of wheels")
-        loads[name] = require(f"mesh {mesh.title}: power", P - needed[wheel])
-        P, wheel = loads[name] - loss(name, loads[name]), mesh.driven.name
+        loads[name] = require(f"mesh {mesh.title}: power", P)
+        wheel = mesh.driven.name
+        P = loads[name] - loss(name, loads[name]) - needed[wheel]
     return loads

@@ -28,6 +28,7 @@ NEWTON_PER_METRE: NewtonPerMetre = 1.0
 GIGAPASCAL: Pascal = 1e9
 SLOWEST: MetrePerSecond = 1e-9  # keeps the logarithm finite at the pitch point
 LOWEST_LINE_LOAD: NewtonPerMetre = 150e3
+ROUGHEST: Metre = 2e-6
 
 XU = "Xu and Kahraman 2005, as generally published"
 
@@ -89,7 +90,10 @@ def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
     return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V))
 
 
-def of_xu_kahraman(c: Case, P: Watt) -> Regression:
+def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
+    """None for flanks so rough that its exponential of the roughness runs away."""
+    if c.sigma > ROUGHEST:
+        return None
     w, w_f = _load(c, P)
     p_H = hertz_pressure(w=w_f, E_r=c.motion.E_r, R=c.motion.R)
     f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=c.oil.eta_0, sigma=c.sigma)

@@ -7,7 +7,7 @@ from typing import Annotated
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import group, value
-from ..sheet.units import Kelvin, NewtonMetre, Number, RevPerSecond, Watt
+from ..sheet.units import Kelvin, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .loss import Case, MeshLoss
 from .regressions import Regression
 
@@ -42,7 +42,7 @@ class MeshResult:
     source: MeshLoss = group()
     by_regime: MeshLoss | None = group()
     schlenk: Regression = group()
-    xu_kahraman: Regression = group()
+    xu_kahraman: Regression | None = group()
     benedict_kelley: Regression = group()
     case: Case
 
@@ -58,6 +58,7 @@ class WheelResult:
 class FrictionResult:
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
+    oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
     windage_loss: Watt = value("Windage of all wheels", "W", "ΣP_W")

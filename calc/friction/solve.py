@@ -2,7 +2,7 @@
 """The friction of all meshes and the power balance of the train, closed.
 
 The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it takes in.
-A design without counter-shaft gives the power of the first driver instead, and the balance runs the other way.
+A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs the other way.
 """
 
 from collections.abc import Mapping
@@ -38,12 +38,13 @@ def closure(
     """The losses of a train whose meshes are listed along the flow of power, the crank's first.
 
     `shaft_power` is what the last wheel must deliver, the losses of the counter-shaft's bearings; None where there is no
-    counter-shaft and `power` is what the first driver gets.  `first_speed` is that of the first driver.
+    counter-shaft and `power` is what the first driver puts into its mesh.  `first_speed` is that of the first driver.
     """
     if not meshes:
         raise NoSolution("power balance of the train", "there is no mesh", "give at least one [[gears.meshes]]")
     if shaft_power is None and power is None:
-        raise NoSolution("power balance of the train", "neither the shaft's losses nor the first driver's power is known", "give gears.power_kW")
+        unknown = "neither the losses of a counter-shaft nor the power of the first driver is known"
+        raise NoSolution("power balance of the train", unknown, "give gears.power_kW")
     first, last = _ends(meshes)
     with trace() as lines:
         with about("oil"):
@@ -66,14 +67,15 @@ def closure(
             burnt = None if b_e is None else fuel(b_e=b_e, P=total)
     delivered = None if shaft_power is not None else solved[list(meshes)[-1]].power_out - needed[last]
     result = FrictionResult(
-        meshes=solved, wheels=wheels, bearing_loss=shaft_power, mesh_loss=mesh_sum, windage_loss=windage_sum, other_loss=other_sum,
-        total_loss=total, crank_power=crank_power, crank_torque=crank_torque, delivered_power=delivered, fuel=burnt,
+        meshes=solved, wheels=wheels, oil_viscosity=oil.eta_0, bearing_loss=shaft_power, mesh_loss=mesh_sum, windage_loss=windage_sum,
+        other_loss=other_sum, total_loss=total, crank_power=crank_power, crank_torque=crank_torque, delivered_power=delivered, fuel=burnt,
         residual=crank_power - total - (delivered or 0.0),
     )  # fmt: skip
-    return Outcome(
-        "friction", result=result, checks=judgement.checks(friction, result), lines=tuple(lines), curves=judgement.curves(result),
-        errata=judgement.errata(friction, result), notes=judgement.notes(friction, result, oil),
-    )  # fmt: skip
+    with untraced():
+        return Outcome(
+            "friction", result=result, checks=judgement.checks(friction, result), lines=tuple(lines), curves=judgement.curves(result),
+            errata=judgement.errata(friction, result, oil), notes=judgement.notes(friction, result, oil),
+        )  # fmt: skip
 
 
 def require_temperature(T: Celsius) -> Celsius:

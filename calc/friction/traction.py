@@ -15,6 +15,7 @@ from typing import Annotated
 
 import numpy as np
 
+from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import asinh, exp, largest, smallest, sqrt
@@ -34,7 +35,7 @@ from ..sheet.units import (
 from .contact import Motion
 from .erf import erf
 from .film import Film, Oil
-from .path import Array, array
+from .path import array
 
 KelvinMetrePerWatt = Annotated[float, "K·m/W"]
 SquareMetrePerSecond = Annotated[float, "m²/s"]

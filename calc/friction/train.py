@@ -11,7 +11,7 @@ from ..gears.result import TrainResult
 from ..lubricant import Lubricant
 from ..sheet.formula import formula
 from ..sheet.step import Outcome
-from ..sheet.trace import trace
+from ..sheet.trace import about, trace
 from ..sheet.units import Celsius, RevPerSecond, Watt
 from .inputs import FrictionInputs
 from .mesh import MeshGeometry, WheelGeometry
@@ -43,10 +43,12 @@ def solve(
     """Losses of all meshes and the closed power balance.  `bearings` None: a train alone, whose first driver's power is given."""
     shaft_power: Watt | None = None
     with trace() as lines:
+        with about("oil"):
+            lubricant = Lubricant(oil, viscosity_law)
         if bearings is not None:
             shaft_power = bearing_loss(*(b.friction_power for b in bearings.bearings.values()))
     outcome = closure(
-        friction, meshes_of(train, materials), Lubricant(oil, viscosity_law), oil_temperature, shaft_power, first_speed,
+        friction, meshes_of(train, materials), lubricant, oil_temperature, shaft_power, first_speed,
         power=gears.power if bearings is None else None,
     )  # fmt: skip
     return replace(outcome, lines=(*lines, *outcome.lines))

@@ -2,8 +2,8 @@
 """The figures of a gear train, made only when they are looked at."""
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series
 from . import formulas as f
 from .profile import Outline, outline, regions
@@ -73,7 +73,7 @@ def _tooth(system: ToothSystem, wheel: WheelResult) -> Curve:
 
 def _sliding(system: ToothSystem, key: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Curve:
     """ζ of both wheels along the path of contact, over its way from the pitch point."""
-    rho: NDArray[np.float64] = np.linspace(mesh.sap_curvature_driver, driver.tip_curvature, 121)
+    rho: Array = np.linspace(mesh.sap_curvature_driver, driver.tip_curvature, 121)
     T = mesh.line_of_action
     way = (rho - T * driver.teeth / (driver.teeth + driven.teeth)) * MM
     zeta_1 = f.specific_sliding(T, rho, driver.teeth, driven.teeth)  # type: ignore[arg-type]

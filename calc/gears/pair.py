@@ -63,9 +63,10 @@ def _start(wheel: WheelResult, mate: WheelResult, T: Metre) -> Metre:
     rho_A = f.start_of_active_profile(T, mate.tip_curvature, wheel.form_curvature)
     if rho_A > 0:
         return rho_A
+    largest = f.diameter_at(mate.base_diameter, T)
     raise NoSolution(
-        f"wheels {wheel.name} and {mate.name}: the tip of {mate.name} reaches {(mate.tip_curvature - T) * 1e3:.4g} mm past the point where the "
-        f"line of action touches the base circle of {wheel.name}",
-        advice=f"cut the tip of {mate.name} ({mate.tip_diameter * 1e3:.4f} mm) below {f.diameter_at(mate.base_diameter, T) * 1e3:.4f} mm by "
+        f"wheels {wheel.name} and {mate.name}: the tip of {mate.name} reaches {(mate.tip_curvature - T) * 1e3:.4g} mm past the point "
+        f"where the line of action touches the base circle of {wheel.name}",
+        advice=f"cut the tip of {mate.name} ({mate.tip_diameter * 1e3:.4f} mm) below {largest * 1e3:.4f} mm by "
         f"gears.wheels.{mate.name}.tip_shortening_mm, give {wheel.name} more profile shift, or set the wheels further apart",
     )

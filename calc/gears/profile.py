@@ -11,16 +11,15 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import inv
 from ..sheet.units import Metre
 from .result import ToothSystem, WheelResult
 
-Array = NDArray[np.float64]
-Outline = NDArray[np.complex128]
+Outline = ComplexArray
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from ..catalogue import Material
 from ..sheet.check import Check, check
+from ..sheet.errors import NoSolution
 from ..sheet.quantity import Described, group
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace
@@ -122,7 +123,10 @@ def _errata(train: TrainResult, T: NewtonMetre, rated: Mapping[str, MeshRating])
         sigma_H = sheet_contact(train.system, mesh, driver, driven, F_t)
         found.append(_erratum(f"{id}.contact_stress", "Contact stress", sigma_H, CONTACT_OF_SHEET + speed))
         for wheel, rho in ((driver, mesh.sap_curvature_driver), (driven, mesh.sap_curvature_driven)):
-            sigma_F = sheet_root(train.system, mesh, wheel, rho, F_t)
+            try:
+                sigma_F = sheet_root(train.system, mesh, wheel, rho, F_t)
+            except NoSolution:  # the sheet's load circle can miss the tooth where the right one does not: then it has no value
+                continue
             found.append(_erratum(f"{id}.root_stress_{wheel.name}", f"Root stress of {wheel.name}", sigma_F, ROOT_OF_SHEET + speed))
     return tuple(found)
 

@@ -111,7 +111,3 @@ class TrainResult:
     meshes: dict[str, MeshResult] = group(spread=True)
     phase_error: Radian = value("Free turn of the last wheel by backlash", "°", "Δφ")
     residual_couple: NewtonMetre | None = value("Couple left by the phase error", "N·m", "C_Δφ", default=None)
-
-
-def mesh_name(mesh: MeshResult) -> str:
-    return f"mesh {mesh.driver}–{mesh.driven}"

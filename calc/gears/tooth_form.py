@@ -57,7 +57,10 @@ def tooth_form(system: ToothSystem, wheel: WheelResult, eps_alpha: Number) -> To
 
 def lever(system: ToothSystem, wheel: WheelResult, cut: Section, d_en: Metre) -> tuple[Radian, Radian, Number]:
     """(α_en, γ_e, h_Fe/m_n) of a load on the circle d_en."""
-    alpha_en = s.load_pressure_angle(s.virtual_base_diameter(system.m_n, cut.z_n, system.alpha_n), d_en)
+    d_bn = s.virtual_base_diameter(system.m_n, cut.z_n, system.alpha_n)
+    if d_en <= d_bn:
+        raise NoSolution(_outside(wheel, "the load acts inside the base circle of the virtual wheel"), advice=ADVICE)
+    alpha_en = s.load_pressure_angle(d_bn, d_en)
     gamma_e = s.load_tooth_angle(wheel.profile_shift, system.alpha_n, cut.z_n, alpha_en)
     arm = s.lever_arm(gamma_e, alpha_en, d_en, system.m_n, cut.z_n, cut.theta, cut.G, system.rho_aP0)
     if arm <= 0:

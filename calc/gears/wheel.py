@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -43,7 +44,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         alpha_m = _mid_flank(bare, d_a, d_Ff)
         chord = m.virtual_teeth(wheel.teeth, system.beta)
         psi = m.half_tooth_angle(chord, x, alpha_n)
-        K = wheel.span_teeth or max(1, round(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n)))
+        K = wheel.span_teeth or _best_span(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n))
         W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
         ball = gears.ball_diameter or ideal
@@ -91,6 +92,11 @@ def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
 
 def _allowance(wheel: Wheel) -> tuple[Metre, Metre] | None:
     return None if wheel.span_allowance is None else (wheel.span_allowance[0], wheel.span_allowance[1])
+
+
+def _best_span(K: Number) -> int:
+    """The nearest whole number of teeth; of two that are equally near, the smaller, whatever the last digits say."""
+    return max(1, math.ceil(K - 0.5 - 1e-9))
 
 
 def _span(wheel: Wheel, K: int, W_K: Metre) -> Named:

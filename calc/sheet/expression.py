@@ -15,7 +15,7 @@ from functools import cache
 from typing import Any, get_type_hints
 
 from .formula import Formula
-from .number import SUBSCRIPTS, SUPERSCRIPTS, scalar, several
+from .number import SUBSCRIPTS, SUPERSCRIPTS, scalar, several, short
 from .trace import Line
 from .units import UNITS
 
@@ -24,6 +24,7 @@ GREEK = dict(
     xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
     Sigma="Σ", Gamma="Γ",
 )  # fmt: skip
+WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
 CALLS = {"sqrt": "sqrt", "total": "sum", "cis": "cis", "modulus": "abs", "abs": "abs", "largest": "max", "smallest": "min"}
 CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
@@ -78,13 +79,13 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
         case ast.Constant(value=complex() as v):
             return Expr("symbol", name="i") if v == 1j else Expr("number", name=f"{v.imag:g}i")
         case ast.Constant(value=v):
-            return Expr("number", name=scalar(v) if isinstance(v, (int, float)) else str(v))
+            return Expr("number", name=short(v, WRITTEN) if isinstance(v, (int, float)) else str(v))
         case ast.Name(id=name):
             if name in formula.parameters:
                 return Expr("symbol", name=formula.names.get(name, symbol(name)))
             constant = formula.function.__globals__.get(name)
             if isinstance(constant, (int, float)) and name != "pi":
-                return Expr("number", name=scalar(constant))
+                return Expr("number", name=short(constant, WRITTEN))
             return Expr("symbol", name=symbol(name))
         case ast.BinOp(left=a, op=op, right=b):
             return Expr(BINARY[type(op)], (sub(a), sub(b)))

@@ -37,6 +37,7 @@ def lubricant(name="10W-40 Q8 T905"):
 
 
 def oil(name, T):
+    """An oil as a mesh sees it, at the temperature of the teeth."""
     return oil_at(lubricant(name), T)
 
 
@@ -55,7 +56,8 @@ def spur_pair():
     a_w = m * sum(z) / 2 * math.cos(alpha) / math.cos(alpha_w)
     k = (a_w - m * sum(z) / 2) / m - X
     tips = [m * n / 2 + m * (1 + X / 2 + k) for n in z]
-    return MeshGeometry(wheel("pinion", z[0], m, alpha, tips[0], 30e-3, 219e9), wheel("gear", z[1], m, alpha, tips[1], 23e-3, 219e9), a_w, 0.0)
+    pinion, gear = wheel("pinion", z[0], m, alpha, tips[0], 30e-3, 219e9), wheel("gear", z[1], m, alpha, tips[1], 23e-3, 219e9)
+    return MeshGeometry(pinion, gear, a_w, 0.0)
 
 
 def fzg(b=14e-3, tips=(41.23e-3, 59.18e-3)):
@@ -87,9 +89,9 @@ def r753():
     return {mesh.name: mesh for mesh in meshes}
 
 
-def closed(shaft_power=SHAFT_POWER, speed=CRANK_SPEED, T=120.0, meshes=None, power=None, **said):
+def closed(shaft_power=SHAFT_POWER, speed=CRANK_SPEED, T=120.0, meshes=None, power=None, oil="10W-40 Q8 T905", **said):
     """The closed train of the R753IE4, unless other meshes are given."""
-    return closure(friction(**said), r753() if meshes is None else meshes, lubricant(), T, shaft_power, speed, power)
+    return closure(friction(**said), r753() if meshes is None else meshes, lubricant(oil), T, shaft_power, speed, power)
 
 
 def shown(outcome):

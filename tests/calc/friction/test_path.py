@@ -141,7 +141,8 @@ def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
     "mesh",
     [
         tips(spur_pair(), driver=1.15), tips(spur_pair(), driven=1.1), tips(spur_pair(), 0.97, 0.97), tips(spur_pair(), 1.03, 1.03),
-        replace(spur_pair(), centre_distance=120e-3), replace(spur_pair(), centre_distance=142e-3), wider(tips(r753()["idler_shaft"], 0.97, 0.97), 2e-3),
+        replace(spur_pair(), centre_distance=120e-3), replace(spur_pair(), centre_distance=142e-3),
+        wider(tips(r753()["idler_shaft"], 0.97, 0.97), 2e-3),
     ],
 )  # fmt: skip
 def test_teeth_that_do_not_mesh_are_refused(mesh):

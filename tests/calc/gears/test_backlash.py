@@ -71,9 +71,8 @@ def test_phase_error_is_the_sum_of_the_largest_plays():
 
 def test_a_tight_mesh_takes_nothing_from_the_phase_error():
     loose = train([wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0)], [mesh("a", "b")])
-    tight = train(
-        [wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0), wheel("c", 30, 0.0, allowance=(90, 80))], [mesh("a", "b"), mesh("b", "c")]
-    )
+    fat = wheel("c", 30, 0.0, allowance=(90, 80))
+    tight = train([wheel("a", 30, 0.0, allowance=(-20, -30)), wheel("b", 30, 0.0), fat], [mesh("a", "b"), mesh("b", "c")])
     assert solved(tight).phase_error == pytest.approx(solved(loose).phase_error)
 
 

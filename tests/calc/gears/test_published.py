@@ -77,7 +77,8 @@ def of_wheel(row):
         "x_min": lambda: w.undercut_limit, "x": lambda: w.profile_shift, "x m_n": lambda: 2 * w.profile_shift,
         "d_a": lambda: values[f"{name}.tip_diameter"], "d": lambda: values[f"{name}.pitch_diameter"],
         "d_w": lambda: values[f"central_idler.working_diameter_{side}"], "d_Nf": lambda: values[f"central_idler.sap_diameter_{side}"],
-        "d_Ff": lambda: values[f"{name}.form_diameter"], "TIF margin": lambda: (values[f"central_idler.sap_diameter_{side}"] - d_Ff * 1e3) / 2,
+        "d_Ff": lambda: values[f"{name}.form_diameter"],
+        "TIF margin": lambda: (values[f"central_idler.sap_diameter_{side}"] - d_Ff * 1e3) / 2,
         "d_f": lambda: values[f"{name}.root_diameter"], "c": lambda: values[f"central_idler.tip_clearance_{side}"],
         "d_b": lambda: values[f"{name}.base_diameter"], "s_at": lambda: values[f"{name}.tip_thickness"], "s_wt": lambda: thickness(d_w),
         "zeta_LPSTC": lambda: -values[f"central_idler.specific_sliding_lpstc_{side}"],
@@ -153,7 +154,8 @@ def quantities(example):
     a, b, pair, system = t.wheels["a"], t.wheels["b"], t.meshes["a_b"], t.system
     m_n, alpha_n, alpha_t, z = system.m_n, system.alpha_n, system.transverse_pressure_angle, a.teeth
     alpha_V = f.pressure_angle_at(a.base_diameter, a.pitch_diameter + 2 * a.profile_shift * m_n)
-    inv_phi = m.ball_involute(a.reference_thickness, a.pitch_diameter, alpha_t, a.ball_diameter, a.base_diameter, system.base_helix_angle, z)
+    s_t, beta_b = a.reference_thickness, system.base_helix_angle
+    inv_phi = m.ball_involute(s_t, a.pitch_diameter, alpha_t, a.ball_diameter, a.base_diameter, beta_b, z)
     z_v = m.virtual_teeth(z, system.beta)
     cut = section(system, a)
     form = tooth_form(system, a, 1.0)
@@ -162,14 +164,15 @@ def quantities(example):
         "inv_aw": inv_wt, "inv_awt": inv_wt, "aw": v["a_b.working_pressure_angle"], "awt": v["a_b.working_pressure_angle"],
         "a": v["a_b.centre_distance"], "y": (pair.centre_distance - (a.pitch_diameter + b.pitch_diameter) / 2) / m_n,
         "x1": a.profile_shift, "x_sum": a.profile_shift + b.profile_shift, "eps_alpha": pair.transverse_contact_ratio,
-        "dw1": v["a_b.working_diameter_driver"], "dw2": v["a_b.working_diameter_driven"], "h": (v["a.tip_diameter"] - v["a.root_diameter"]) / 2,
+        "dw1": v["a_b.working_diameter_driver"], "dw2": v["a_b.working_diameter_driven"],
+        "h": (v["a.tip_diameter"] - v["a.root_diameter"]) / 2,
         **{f"{key}{i}": v[f"{name}.{long}_diameter"] for i, name in ((1, "a"), (2, "b")) for key, long in (
             ("d", "pitch"), ("db", "base"), ("da", "tip"), ("d_a", "tip"), ("df", "root"))},
         "ha1": (v["a.tip_diameter"] - v["a.pitch_diameter"]) / 2, "ha2": (v["b.tip_diameter"] - v["b.pitch_diameter"]) / 2,
         "mt": v["transverse_module"], "d": v["a.pitch_diameter"], "db": v["a.base_diameter"], "at": v["transverse_pressure_angle"],
-        "bb": v["base_helix_angle"], "st": a.reference_thickness * 1e3, "sn": a.reference_thickness * 1e3 * math.cos(system.beta),
-        "s": a.reference_thickness * 1e3, "s_n": a.reference_thickness * 1e3 * math.cos(system.beta),
-        "k_th": m.span_teeth(z, alpha_V, system.base_helix_angle, alpha_t, a.profile_shift, alpha_n),
+        "bb": v["base_helix_angle"], "st": s_t * 1e3, "sn": s_t * 1e3 * math.cos(system.beta),
+        "s": s_t * 1e3, "s_n": s_t * 1e3 * math.cos(system.beta),
+        "k_th": m.span_teeth(z, alpha_V, beta_b, alpha_t, a.profile_shift, alpha_n),
         "W4": v.get("a.span_4"), "W5": v.get("a.span_5"), "inv_phi": inv_phi, "phi": math.degrees(f.angle_of_involute(inv_phi)),
         "M": v.get("a.over_balls"), "z_v": z_v, "psi": math.degrees(m.half_tooth_angle(z_v, a.profile_shift, alpha_n)),
         "s_c": v["a.chordal_thickness"], "h_c": v["a.chordal_height"], "YF": form.Y_F, "YS": form.Y_S, "sFn": cut.chord,

@@ -17,12 +17,14 @@ def reference(name):
 
 def wheel(name, teeth, x=None, *, cut=0.0, span=None, allowance=None, **more):
     allowance = None if allowance is None else tuple(e * 1e-6 for e in allowance)
-    return Wheel(name=name, teeth=teeth, profile_shift=x, tip_shortening=cut * 1e-3, span_teeth=span, span_allowance=allowance, **more)
+    said = dict(profile_shift=x, tip_shortening=cut * 1e-3, span_teeth=span, span_allowance=allowance)
+    return Wheel(name=name, teeth=teeth, **said, **more)
 
 
 def mesh(driver, driven, a=None, *, tolerance=None, contributors=None):
     return Mesh(
-        driver=driver, driven=driven, centre_distance=None if a is None else a * 1e-3, tolerance=None if tolerance is None else tolerance * 1e-6,
+        driver=driver, driven=driven, centre_distance=None if a is None else a * 1e-3,
+        tolerance=None if tolerance is None else tolerance * 1e-6,
         contributors=None if contributors is None else tuple(c * 1e-3 for c in contributors),
     )  # fmt: skip
 
@@ -37,8 +39,9 @@ def train(wheels, meshes, *, m_n=2.0, alpha_n=20.0, beta=21.916, b=15.0, tool=(1
 
 def pair_1(cut=0.2, allowances=((-2, -20), (-20, -30)), span=(5, 6), **said):
     """The source's first pair: the central idler drives the idler."""
-    wheels = wheel("central", 36, 0.014, span=span[0], allowance=allowances[0]), wheel("idler", 39, cut=cut, span=span[1], allowance=allowances[1])
-    return train(wheels, [mesh("central", "idler", 80.555, tolerance=55)], **said)
+    central = wheel("central", 36, 0.014, span=span[0], allowance=allowances[0])
+    idler = wheel("idler", 39, cut=cut, span=span[1], allowance=allowances[1])
+    return train([central, idler], [mesh("central", "idler", 80.555, tolerance=55)], **said)
 
 
 def r753(**said):

@@ -1,0 +1,258 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The power balance of the train: it closes, up and down, and refuses what has no meaning."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calc.friction import power
+from calc.friction.inputs import OtherLoss
+from calc.sheet.errors import NoSolution
+from calc.sheet.expression import line_text
+
+from .pairs import CRANK_SPEED, SHAFT_POWER, closed, r753, recorded, shown, spur_pair
+
+RECORDED = recorded("friction_r753.json")
+TRAIN = closed()
+VALUES = shown(TRAIN)
+
+
+def only(mesh):
+    return {mesh.name: mesh}
+
+
+# --- the balance ---------------------------------------------------------------------------------------------------------------
+def test_the_losses_are_the_power_at_the_crank():
+    parts = sum(VALUES[f"{part}_loss"] for part in ("bearing", "mesh", "windage", "other"))
+    assert parts == pytest.approx(VALUES["total_loss"], rel=1e-9)
+    assert VALUES["total_loss"] == pytest.approx(VALUES["crank_power"], rel=1e-9)
+    assert VALUES["crank_torque"] == pytest.approx(VALUES["crank_power"] / (2 * np.pi * CRANK_SPEED), rel=1e-9)
+
+
+def test_every_mesh_passes_on_what_the_next_takes_in():
+    names, wheels = list(r753()), [mesh.driven.name for mesh in r753().values()]
+    for name, wheel, following in zip(names, wheels, [*names[1:], None]):
+        takes = VALUES[f"{following}.power_in"] if following else SHAFT_POWER
+        assert VALUES[f"{name}.power_out"] == pytest.approx(takes + VALUES[f"{wheel}.windage"], rel=1e-12)
+        assert VALUES[f"{name}.power_in"] - VALUES[f"{name}.power_out"] == pytest.approx(VALUES[f"{name}.loss"], rel=1e-9)
+        assert VALUES[f"{name}.efficiency"] == pytest.approx(VALUES[f"{name}.power_out"] / VALUES[f"{name}.power_in"], rel=1e-9)
+
+
+def test_the_train_is_of_the_expected_size():
+    """Rolling 1.5, 1.6, 1.7 W and the source's sliding 4.9, 4.1, 5.4 W from the shaft up; 290 to 302 W, 1.07 to 1.11 N·m at the crank."""
+    for name, rolling, sliding in (("idler_shaft", 1.5, 4.9), ("central_idler", 1.6, 4.1), ("crank_central", 1.7, 5.4)):
+        assert VALUES[f"{name}.rolling_loss"] == pytest.approx(rolling, abs=0.06)
+        assert VALUES[f"{name}.source.loss"] == pytest.approx(sliding, abs=0.06)
+        assert VALUES[f"{name}.rigid_share"] == 100
+    assert 290 < VALUES["crank_power"] < 302
+    assert 1.07 < VALUES["crank_torque"] < 1.11
+
+
+@pytest.mark.parametrize("name", RECORDED["values"])
+def test_recorded(name):
+    assert VALUES[name] == pytest.approx(RECORDED["values"][name], rel=1e-9)
+
+
+@pytest.mark.parametrize("film", ["judged", "source"])
+def test_down_the_train_is_up_the_train(film):
+    up = closed(film=film)
+    into_first = next(iter(up.result.meshes.values())).power_in
+    down = shown(closed(shaft_power=None, power=into_first, film=film))
+    assert down["delivered_power"] == pytest.approx(SHAFT_POWER, rel=1e-9)
+    for name in r753():
+        assert down[f"{name}.loss"] == pytest.approx(shown(up)[f"{name}.loss"], rel=1e-8)
+    assert down["crank_power"] == pytest.approx(down["total_loss"] + down["delivered_power"], rel=1e-9)
+    assert "bearing_loss" not in down
+
+
+def test_a_mesh_alone():
+    pair = spur_pair()
+    found = closed(shaft_power=None, power=10000.0, speed=25.0, T=60.0, meshes=only(pair), film="source", oil="friction thesis 10W40")
+    values = shown(found)
+    assert values["pinion_gear.loss"] == pytest.approx(66.1994, abs=1e-3)
+    assert values["pinion_gear.power_in"] == 10000.0
+    assert values["crank_power"] == pytest.approx(10000.0 + values["pinion.windage"])
+    assert values["delivered_power"] == pytest.approx(values["crank_power"] - values["total_loss"])
+    assert values["gear.speed"] == pytest.approx(750.0)
+
+
+def test_a_jump_of_the_loss_does_not_stop_the_balance():
+    def jumping(name, P):
+        return 4.0 if P < 104.0 - 1e-3 else 3.99
+
+    P, P_in = power.settled("mesh", 100.0, jumping)
+    assert P_in == 100.0 + jumping("mesh", P)
+    assert abs(P_in - P) < 0.011
+
+
+def test_a_mesh_that_eats_more_than_it_gets_is_no_solution():
+    with pytest.raises(NoSolution, match="power balance of mesh a_b"):
+        power.settled("a_b", 100.0, lambda name, P: 1.2 * P)
+
+
+# --- what is carried where -----------------------------------------------------------------------------------------------------
+def test_other_losses_enter_at_the_wheel_that_they_name():
+    base = VALUES["crank_power"]
+    at_crank, at_idler, anywhere = (
+        shown(closed(other_losses=(OtherLoss(name=name, power=20.0),))) for name in ("crank seal", "idler bearing", "fuel pump")
+    )
+    assert at_crank["crank_power"] == pytest.approx(base + 20, rel=1e-9)
+    assert base + 20 < at_idler["crank_power"] < anywhere["crank_power"]
+    assert anywhere["shaft.other_loss"] == 20
+    for values in (at_crank, at_idler, anywhere):
+        assert values["other_loss"] == 20
+        assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
+
+
+def test_a_train_that_branches_closes_upwards_and_is_refused_downwards():
+    meshes = r753()
+    pump = replace(meshes["idler_shaft"].driven, name="pump")
+    branch = replace(meshes["idler_shaft"], driven=pump)
+    last = meshes.pop("idler_shaft")
+    branched = {**meshes, branch.name: branch, last.name: last}
+    values = shown(closed(meshes=branched, other_losses=(OtherLoss(name="pump", power=50.0),)))
+    assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
+    assert values["central_idler.power_out"] == pytest.approx(
+        values["idler_pump.power_in"] + values["idler_shaft.power_in"] + values["idler.windage"], rel=1e-12
+    )
+    with pytest.raises(NoSolution, match="branches"):
+        closed(shaft_power=None, power=300.0, meshes=branched)
+
+
+def test_the_film_that_is_chosen_is_judged():
+    source = shown(closed(film="source"))
+    for name in r753():
+        assert source[f"{name}.loss"] == source[f"{name}.source.loss"]
+        assert source[f"{name}.rolling_loss"] == 0
+        assert source[f"{name}.by_regime.loss"] > source[f"{name}.by_regime.sliding_loss"]
+    assert source["crank_power"] < VALUES["crank_power"]
+
+
+def test_reversing_a_mesh_swaps_approach_and_recess():
+    mesh = r753()["idler_shaft"]
+    turned = replace(mesh, driver=mesh.driven, driven=mesh.driver)
+    one = shown(closed(meshes=only(mesh), speed=1000 / 60))
+    two = shown(closed(meshes=only(turned), speed=1000 / 60 * 39 / 25))
+    for name in ("loss", "film_min", "pressure_max", "loss_factor"):
+        assert two[f"{turned.name}.{name}"] == pytest.approx(one[f"{mesh.name}.{name}"], rel=1e-4)
+
+
+def test_fuel_is_asked_for():
+    assert "fuel" not in VALUES
+    assert shown(closed(specific_fuel_consumption=220e-3 / 3.6e6))["fuel"] == pytest.approx(0.220 * VALUES["total_loss"])
+
+
+def test_no_shaft_loss_leaves_the_windage():
+    values = shown(closed(shaft_power=0.0))
+    assert 0 < values["crank_power"] < 1
+    assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
+
+
+# --- what is said about it ---------------------------------------------------------------------------------------------------
+def test_checks_warn_of_the_regime_and_of_rough_flanks():
+    verdicts = {c.id: c.verdict for c in TRAIN.checks}
+    assert verdicts["friction.train.balance"] == "pass"
+    for name in r753():
+        assert verdicts[f"friction.{name}.regime"] == "warn"
+        assert verdicts[f"friction.{name}.lambda"] == "warn"
+        assert verdicts[f"friction.{name}.deborah"] == "pass"
+    assert all(c.kind == "advice" for c in TRAIN.checks if c.id != "friction.train.balance")
+    assert all(c.advice and c.source for c in TRAIN.checks)
+
+
+def test_at_high_load_the_ehl_formula_holds():
+    found = closed(shaft_power=None, power=50000.0, speed=25.0, T=40.0, meshes=only(spur_pair()))
+    assert {c.id: c.verdict for c in found.checks}["friction.pinion_gear.regime"] == "pass"
+    assert "friction.pinion_gear.film_min" not in [e.about for e in found.errata]
+
+
+def test_the_errors_of_the_source_stand_beside():
+    errata = {e.about: e for e in TRAIN.errata}
+    film, loss = errata["friction.idler_shaft.film_min"], errata["friction.idler_shaft.source.loss"]
+    assert film.source_value < VALUES["idler_shaft.film_min"]
+    assert loss.source_value > VALUES["idler_shaft.source.loss"]
+    assert errata["friction.crank_central.efficiency"].source_value == pytest.approx(1 - VALUES["crank_central.efficiency"])
+
+
+def test_the_elliptical_exponent_doubles_the_loss_of_the_thesis():
+    found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), film="source", oil="friction thesis 10W40")
+    assert next(e.source_value for e in found.errata if e.about == "friction.oil_viscosity") == 128.58
+    theirs = next(e.source_value for e in found.errata if e.about.endswith("source.loss"))
+    assert 1.7 < theirs / shown(found)["pinion_gear.loss"] < 2.3
+
+
+def test_a_third_and_two_thirds_written_short_lose_load():
+    found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()))
+    theirs = next(e.source_value for e in found.errata if e.about.endswith("loss_factor"))
+    assert theirs == pytest.approx(0.089767, rel=2e-5)
+
+
+def test_lines_stand_once_and_can_be_read():
+    about = {line.about for line in TRAIN.lines}
+    assert {"oil", "mist", "wheel idler", "mesh idler–shaft", "mesh idler–shaft, source model", "train"} <= about
+    judged = [line.formula.__name__ for line in TRAIN.lines if line.about == "mesh idler–shaft"]
+    assert judged.count("sliding_loss") == judged.count("film_temperature") == judged.count("power_in") == 1
+    for line in TRAIN.lines:
+        assert all(line_text(line))
+
+
+def test_curves_run_along_the_path():
+    curves = {c.id: c for c in TRAIN.curves}
+    assert len(curves) == 4 * len(r753())
+    for curve in curves.values():
+        for series in curve.series:
+            assert np.isfinite(series.x).all() and np.isfinite(series.y).all()
+            assert (np.diff(series.x) >= 0).all()
+    assert curves["idler_shaft.film"].limits[0][1] == pytest.approx(0.8 * 2**0.5)
+
+
+# --- what has no meaning -------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0])
+@pytest.mark.parametrize("what", ["shaft_power", "speed", "T"])
+def test_numbers_without_meaning_are_refused(what, value):
+    with pytest.raises(NoSolution):
+        closed(**{what: value if what != "T" else value * 1e3})
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        {"flank_roughness": (0.0,)}, {"flank_roughness": (float("nan"),)}, {"solid_friction": -0.1}, {"solid_friction": float("nan")},
+        {"mist_density": 0.0}, {"bulk_temperature": float("nan")}, {"other_losses": (OtherLoss(name="pump", power=-5.0),)},
+        {"meshes": {}}, {"speed": 0.0}, {"shaft_power": None}, {"shaft_power": None, "power": 0.0},
+        {"shaft_power": None, "power": float("nan")},
+    ],
+)  # fmt: skip
+def test_inputs_without_meaning_are_refused(said):
+    with pytest.raises(NoSolution):
+        closed(**said)
+
+
+def test_a_mesh_that_nothing_drives_is_refused():
+    meshes = r753()
+    with pytest.raises(NoSolution, match="nothing drives central"):
+        closed(meshes={name: meshes[name] for name in ("idler_shaft", "central_idler")})
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    shaft_power=st.floats(1e-3, 1e5), speed=st.floats(0.5, 300.0), T=st.floats(0.0, 150.0), Ra=st.floats(0.05e-6, 5e-6),
+    film=st.sampled_from(["judged", "source"]),
+)  # fmt: skip
+def test_any_sensible_train_closes(shaft_power, speed, T, Ra, film):
+    values = shown(closed(shaft_power=shaft_power, speed=speed, T=T, flank_roughness=(Ra,), film=film))
+    assert values["total_loss"] == pytest.approx(values["crank_power"], rel=1e-9)
+    for name in r753():
+        assert 0 < values[f"{name}.efficiency"] < 1
+        assert values[f"{name}.film_min"] > 0
+
+
+if __name__ == "__main__":
+    import json
+
+    chosen = ("loss", "sliding_loss", "rolling_loss", "loss_factor", "friction_mean", "film_min", "temperature_max", "source.loss")
+    names = [f"{mesh}.{name}" for mesh in r753() for name in chosen] + ["mesh_loss", "windage_loss", "crank_power", "crank_torque"]
+    print(json.dumps({name: VALUES[name] for name in names}, indent=1))
