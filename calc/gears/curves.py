@@ -53,7 +53,7 @@ def _in_mesh(system: ToothSystem, key: str, mesh: MeshResult, driver: WheelResul
 
 def _path(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Outline:
     """From the driven wheel's tip to the driver's, on the common tangent of the base circles; the driver turns clockwise."""
-    ends = np.array([mesh.sap_curvature_driver, driver.tip_curvature])
+    ends = np.array([mesh.sap_curvature_driver, mesh.line_of_action - mesh.sap_curvature_driven])
     pitch_point = mesh.line_of_action * driver.teeth / (driver.teeth + driven.teeth)
     path: Outline = (ends - pitch_point) * np.exp(1j * mesh.working_pressure_angle)
     return path
@@ -73,8 +73,8 @@ def _tooth(system: ToothSystem, wheel: WheelResult) -> Curve:
 
 def _sliding(system: ToothSystem, key: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Curve:
     """ζ of both wheels along the path of contact, over its way from the pitch point."""
-    rho: Array = np.linspace(mesh.sap_curvature_driver, driver.tip_curvature, 121)
     T = mesh.line_of_action
+    rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, 121)
     way = (rho - T * driver.teeth / (driver.teeth + driven.teeth)) * MM
     zeta_1 = f.specific_sliding(T, rho, driver.teeth, driven.teeth)  # type: ignore[arg-type]
     zeta_2 = f.specific_sliding(T, T - rho, driven.teeth, driver.teeth)  # type: ignore[arg-type]
