@@ -38,7 +38,9 @@ def parser() -> argparse.ArgumentParser:
     add["new"].add_argument("--list", action="store_true", help="list the shipped engines")
 
     add["check"].add_argument("file")
-    add["check"].add_argument("--set", action="append", default=[], metavar=KEY_VALUE, dest="changes", help="change an input for this run; may be repeated")
+    add["check"].add_argument(
+        "--set", action="append", default=[], metavar=KEY_VALUE, dest="changes", help="change an input for this run; may be repeated"
+    )
     add["check"].add_argument("--step", help="print this step only")
     add["check"].add_argument("--json", action="store_true", help="print one JSON object")
 

@@ -41,7 +41,8 @@ def _print_step(outcome: Outcome) -> None:
 
 
 def check_line(check: Check) -> str:
-    return f"{sign(check.verdict):<7} {check.id:<42} {short(check.value):>9} {check.unit:<9} {check.limit_text():<22} {check.margin_text():>8}  {check.name}"
+    value = f"{short(check.value):>9} {check.unit:<9} {check.limit_text():<22} {check.margin_text():>8}"
+    return f"{sign(check.verdict):<7} {check.id:<42} {value}  {check.name}"
 
 
 def print_summary(results: Results, step: str | None = None) -> None:
@@ -55,7 +56,8 @@ def print_summary(results: Results, step: str | None = None) -> None:
         if found:
             print()
         for check in found:
-            print(f"{sign(verdict)}  {check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()} ({check.margin_text()}). {check.advice}")
+            needs = f"{short(check.value)} {check.unit}".rstrip() + f", needs {check.limit_text()} ({check.margin_text()})"
+            print(f"{sign(verdict)}  {check.name}: {needs}. {check.advice}".rstrip())
             if verdict == "fail":
                 print(f"        {check.id} · {check.source}")
 
@@ -71,17 +73,27 @@ def results_json(document: Document, results: Results, step: str | None = None) 
         "values": {v.id: {"value": _finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
         "checks": [
             {
-                "id": c.id, "kind": c.kind, "name": c.name, "value": _finite(c.value), "sense": c.sense,
-                "limit": list(c.limit) if isinstance(c.limit, tuple) else c.limit, "unit": c.unit, "margin": _finite(c.margin),
-                "verdict": c.verdict, "source": c.source, "advice": c.advice,
+                "id": c.id,
+                "kind": c.kind,
+                "name": c.name,
+                "value": _finite(c.value),
+                "sense": c.sense,
+                "limit": list(c.limit) if isinstance(c.limit, tuple) else c.limit,
+                "unit": c.unit,
+                "margin": _finite(c.margin),
+                "verdict": c.verdict,
+                "source": c.source,
+                "advice": c.advice,
             }
-            for o in shown for c in o.checks
-        ],  # fmt: skip
+            for o in shown
+            for c in o.checks
+        ],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {"about": e.about, "label": e.label, "source_value": _finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
-            for o in shown for e in o.errata
-        ],  # fmt: skip
+            for o in shown
+            for e in o.errata
+        ],
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "reasons": {o.key: o.reason for o in shown if o.reason},
     }

@@ -47,7 +47,9 @@ def read(path: Path | str) -> Document:
     try:
         raw = Path(path).read_bytes()
     except OSError as error:
-        raise BadInput(place, [InputError(0, "", "", f"cannot be read: {error.strerror or error}; give the path of a design file")]) from None
+        raise BadInput(
+            place, [InputError(0, "", "", f"cannot be read: {error.strerror or error}; give the path of a design file")]
+        ) from None
     if len(raw) > LARGEST_FILE:
         raise refuse(f"is {len(raw)} bytes long; a design file has at most {LARGEST_FILE}")
     return parse(raw, place)
@@ -203,7 +205,7 @@ class _Reader:
             return self.error(key, value, "must be an array of tables: [[" + key + "]]", "tables")
         made = tuple(self.inputs(about.table, item, f"{key}.{i}") for i, item in enumerate(value))  # type: ignore[arg-type]
         names = [item.get("name") for item in value]
-        addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)  # type: ignore[arg-type]
+        addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
         for i, name in enumerate(names):
             if isinstance(name, str):
                 if addressed and not NAME.match(name):
@@ -321,7 +323,15 @@ def _unknown(key: str, known: dict[str, Key]) -> str:
 
 
 def _written(value: Any) -> str:
-    text = f'"{value}"' if isinstance(value, str) else str(value).lower() if isinstance(value, bool) else "a table" if isinstance(value, dict) else str(value)
+    text = (
+        f'"{value}"'
+        if isinstance(value, str)
+        else str(value).lower()
+        if isinstance(value, bool)
+        else "a table"
+        if isinstance(value, dict)
+        else str(value)
+    )
     return text if len(text) <= 60 else text[:57] + "…"
 
 

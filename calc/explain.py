@@ -45,18 +45,20 @@ def chain(results: Results, value_id: str) -> list[Link]:
             return next((key for key, column in columns if np.array_equal(argument, column)), None)
         return inputs.get(id(argument))
 
-    return [Link(lines[n], tuple(key for a in lines[n].arguments.values() if id(a) not in made and (key := origin(a)))) for n in sorted(wanted)]
+    return [
+        Link(lines[n], tuple(key for a in lines[n].arguments.values() if id(a) not in made and (key := origin(a)))) for n in sorted(wanted)
+    ]
 
 
 def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, ...]]]:
     """Each number of an array of tables as a column: `countershaft.masses.*.mass_kg`."""
-    for key in keys(type(inputs)).values():
+    for key in keys(_class(inputs)).values():
         content = getattr(inputs, key.attribute)
         here = f"{prefix}{key.key}"
         if is_dataclass(content):
             yield from _columns(content, f"{here}.")
         elif key.about.kind == "tables" and content:
-            for part in keys(type(content[0])).values():
+            for part in keys(_class(content[0])).values():
                 if part.about.kind == "number":
                     yield f"{here}.*.{part.key}", tuple(getattr(item, part.attribute) for item in content)
 
@@ -75,7 +77,7 @@ def _named(design: Design) -> Iterator[tuple[int, str]]:
 
 def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:
     """The identity of every number of the design and its key."""
-    by_attribute = {key.attribute: key.key for key in keys(type(inputs)).values()}
+    by_attribute = {key.attribute: key.key for key in keys(_class(inputs)).values()}
     for f in fields(inputs):
         content = getattr(inputs, f.name)
         key = f"{prefix}.{by_attribute.get(f.name, f.name)}" if prefix else by_attribute.get(f.name, f.name)
@@ -88,3 +90,7 @@ def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:
             yield id(content), key
             if isinstance(content, tuple):
                 yield from ((id(item), key) for item in content)
+
+
+def _class(inputs: Any) -> Any:
+    return type(inputs)

@@ -42,7 +42,9 @@ PRESSURE_VISCOSITY = {
 LIMITING_SHEAR = {"mineral": 0.047, "PAO": 0.035, "PAG": 0.025, "ester": 0.037, "MIL-L-7808": 0.037, "MIL-L-23699": 0.037}
 
 
-@formula("ν", "Walther/Ubbelohde, lg lg(ν + c) = C_2 + C_1·lg T from two points; c = 0.6 (Finotti 2013, 5.5.2), 0.7 (ASTM D341)", unit="mm²/s")
+@formula(
+    "ν", "Walther/Ubbelohde, lg lg(ν + c) = C_2 + C_1·lg T from two points; c = 0.6 (Finotti 2013, 5.5.2), 0.7 (ASTM D341)", unit="mm²/s"
+)
 def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
     return (10 ** (10 ** (C_2 + C_1 * log10((T + ZERO_CELSIUS) / ONE_KELVIN))) - c) * CENTISTOKE
 
@@ -62,7 +64,10 @@ def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> Pasca
     return nu * rho
 
 
-@formula("α", "AGMA 925-A03, as generally published: α = k·η^s, with the dynamic viscosity in mPa·s (the gear friction thesis writes the kinematic one)")
+@formula(
+    "α",
+    "AGMA 925-A03, as generally published: α = k·η^s, η dynamic (the gear friction thesis writes the kinematic one)",
+)
 def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
     return k * (mu / MILLIPASCAL_SECOND) ** s
 

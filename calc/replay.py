@@ -31,7 +31,9 @@ class Compared:
 
     @property
     def text(self) -> str:
-        return f"{'✓' if self.agrees else '✗'} {self.about}: {self.found}, expected {self.expected}" + (f"   [{self.source}]" if self.source else "")
+        return f"{'✓' if self.agrees else '✗'} {self.about}: {self.found}, expected {self.expected}" + (
+            f"   [{self.source}]" if self.source else ""
+        )
 
 
 @dataclass(frozen=True)
@@ -75,7 +77,9 @@ def load(path: Path | str) -> Script:
     if isinstance(given, str):
         start = read(path.parent / given)
     elif isinstance(given, dict):
-        start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.sha256)
+        start = Document(
+            given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.sha256
+        )
     else:
         error("design", "is missing; needs the path of a design file, or a whole [design] table")
     if errors:
@@ -150,5 +154,3 @@ def compare(results: Results, row: dict[str, Any]) -> Compared:
         return Compared(name, text, "no such value", False, kind, source)
     agrees = value.unit == unit and math.isfinite(value.shown) and abs(value.shown - expected) <= tolerance * (1 + 1e-9)
     return Compared(name, text, f"{short(value.shown, 6)} {value.unit}".rstrip(), agrees, kind, source)
-
-

@@ -6,7 +6,7 @@ loss, and only then is the torque known that loads the gears.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import pi
 from typing import Any
 
@@ -16,6 +16,7 @@ from .design import STEPS, Design
 from .engine import solve as engine
 from .friction import train as friction
 from .gears import solve as gears
+from .gears.curves import curves
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
 from .sheet.errors import NoSolution
@@ -66,7 +67,7 @@ class _Parts:
             except NoSolution as none:
                 said = Outcome(key, "no_solution", reason=str(none))
         self.now[name] = (arguments, said)
-        return said  # type: ignore[no-any-return]
+        return said
 
 
 def _same(known: tuple[Any, ...], arguments: tuple[Any, ...]) -> bool:
@@ -103,6 +104,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
         g = gears.merge(g, rated) if rated.state == "solved" else rated
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
+    if g.state == "solved":
+        g = replace(g, curves=curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
 

@@ -37,7 +37,13 @@ NAMES = """engine.reciprocating_mass engine.rotating_mass engine.lambda imbalanc
 imbalance.mistiming_per_degree countershaft.couple countershaft.couple_phase countershaft.residual_order_1_couple
 countershaft.reaction_front countershaft.reaction_rear friction.bearing_loss friction.mesh_loss friction.windage_loss
 friction.total_loss friction.crank_torque gears.phase_error gears.residual_couple""".split()
-NAMES += [f"imbalance.order_{n}.{kind}_{sense}{tail}" for n in (1, 2, 4, 6) for kind in ("force", "couple") for sense in ("forward", "backward") for tail in ("", "_phase")]
+NAMES += [
+    f"imbalance.order_{n}.{kind}_{sense}{tail}"
+    for n in (1, 2, 4, 6)
+    for kind in ("force", "couple")
+    for sense in ("forward", "backward")
+    for tail in ("", "_phase")
+]
 NAMES += [f"imbalance.order_{n}.{kind}_peak_{way}" for n in (1, 2) for kind in ("force", "couple") for way in ("vertical", "horizontal")]
 NAMES += [f"bearings.{b}.{name}" for b in ("front", "rear") for name in """specific_load heat_index clearance_hot clearance_cold film film_edge
 film_double_load speed_of_thinnest_film temperature_rise friction_power oil_flow""".split()]  # fmt: skip
@@ -51,7 +57,11 @@ MESHES = ("crank_central", "central_idler", "idler_shaft")
 NAMES += [f"gears.{m}.{name}" for m in MESHES for name in """transverse_contact_ratio overlap_ratio working_pressure_angle working_helix_angle
 backlash_min backlash_max working_diameter_driver working_diameter_driven sap_diameter_driver sap_diameter_driven specific_sliding_driver
 specific_sliding_driven contact_stress""".split()]  # fmt: skip
-NAMES += [f"friction.{m}.{name}" for m in MESHES for name in ("loss", "efficiency", "loss_factor", "film_min", "friction_mean", "source.loss", "source.film_min")]
+NAMES += [
+    f"friction.{m}.{name}"
+    for m in MESHES
+    for name in ("loss", "efficiency", "loss_factor", "film_min", "friction_mean", "source.loss", "source.film_min")
+]
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -80,7 +90,12 @@ def test_verdicts_follow_from_value_limit_and_kind(checked):
         if low is not None:
             inside = low <= c["value"] <= high
         else:
-            inside = {">=": c["value"] >= c["limit"], ">": c["value"] > c["limit"], "<=": c["value"] <= c["limit"], "<": c["value"] < c["limit"]}[c["sense"]]
+            inside = {
+                ">=": c["value"] >= c["limit"],
+                ">": c["value"] > c["limit"],
+                "<=": c["value"] <= c["limit"],
+                "<": c["value"] < c["limit"],
+            }[c["sense"]]
         if not inside:
             assert c["verdict"] == ("fail" if c["kind"] == "limit" else "warn"), c
             assert c["margin"] <= 0
@@ -195,7 +210,9 @@ def test_set_leaves_the_file_alone_when_the_design_would_be_wrong(tmp_path):
     assert path.read_bytes() == GAMMA.read_bytes() and len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.parametrize("name", ["imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress"])
+@pytest.mark.parametrize(
+    "name", ["imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress"]
+)
 def test_explain_goes_back_to_the_inputs(name):
     done = run("explain", GAMMA, name)
     assert done.returncode == 0, done.stderr

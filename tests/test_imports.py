@@ -19,7 +19,10 @@ def loaded(code: str) -> set[str]:
     return {name.split(".")[0] for name in json.loads(done.stdout)}
 
 
-@pytest.mark.parametrize("arguments", [["check", str(GAMMA)], ["check", str(GAMMA), "--json"], ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))]])
+@pytest.mark.parametrize(
+    "arguments",
+    [["check", str(GAMMA)], ["check", str(GAMMA), "--json"], ["replay", *map(str, sorted((ROOT / "tests" / "replays").glob("*.toml")))]],
+)
 def test_headless_commands_load_numpy_and_no_more(arguments):
     found = loaded(f"from assistant.cli import main; main({arguments!r})")
     assert "numpy" in found
@@ -42,7 +45,13 @@ def test_inputs_can_be_read_without_numpy():
 def test_imports_go_one_way(package, forbidden):
     for path in (ROOT / package).rglob("*.py"):
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            names = [a.name for a in node.names] if isinstance(node, ast.Import) else [node.module or ""] if isinstance(node, ast.ImportFrom) and not node.level else []
+            names = (
+                [a.name for a in node.names]
+                if isinstance(node, ast.Import)
+                else [node.module or ""]
+                if isinstance(node, ast.ImportFrom) and not node.level
+                else []
+            )
             assert not {n.split(".")[0] for n in names} & forbidden, path
 
 

@@ -16,7 +16,9 @@ def run(asked: Namespace) -> int:
             print(f"{name:<14} {about}")
         return 0
     if asked.engine not in shipped:
-        raise BadInput("--engine", [InputError(0, "", asked.engine, "is not shipped; `contralbero new --list` lists " + ", ".join(shipped))])
+        raise BadInput(
+            "--engine", [InputError(0, "", asked.engine, "is not shipped; `contralbero new --list` lists " + ", ".join(shipped))]
+        )
     if asked.file is None:
         raise BadInput("contralbero new", [InputError(0, "", "", "needs the name of the file to write, like my_engine.toml")])
     path = Path(asked.file)

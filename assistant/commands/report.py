@@ -20,7 +20,9 @@ def run(asked: Namespace) -> int:
     try:
         write(document, results, source.read_bytes(), target, depth=asked.depth)
     except OSError as error:
-        raise BadInput(str(target), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place with -o")]) from None
+        raise BadInput(
+            str(target), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place with -o")]
+        ) from None
     print_summary(results)
     print(f"\n{target}")
     return 0

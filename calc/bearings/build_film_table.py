@@ -10,8 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ..sheet.arrays import Array
 from .film_table import QUANTITIES, TABLE, short_bearing_load
-from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, Array, solve_film
+from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, solve_film
 
 ECCENTRICITIES = 30
 LENGTH_RATIOS = 24

@@ -32,75 +32,209 @@ def checks(
     where = f", {place}"
     slope = slopes[0 if place == "front" else -1]
     yield check(
-        f"{at}.film_edge", "Film at the edge" + where, r.film_edge, ">=", r.kreisle_film, "µm", "Kreisle: Rt of both surfaces, Rt = k·Ra",
+        f"{at}.film_edge",
+        "Film at the edge" + where,
+        r.film_edge,
+        ">=",
+        r.kreisle_film,
+        "µm",
+        "Kreisle: Rt of both surfaces, Rt = k·Ra",
         "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil.",
-    )  # fmt: skip
+    )
     yield check(
-        f"{at}.film_double_load", "Film at twice the load" + where, r.film_double_load, ">=", r.trumpler_film, "µm", TRUMPLER + ": n_d ≥ 2 on the running load",
+        f"{at}.film_double_load",
+        "Film at twice the load" + where,
+        r.film_double_load,
+        ">=",
+        r.trumpler_film,
+        "µm",
+        TRUMPLER + ": n_d ≥ 2 on the running load",
         "Lengthen the bearing (a few millimetres are enough), or lower the clearance.",
-    )  # fmt: skip
+    )
     yield check(
-        f"{at}.temperature", "Outlet temperature" + where, r.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
-        "limit of the design (engine manual)", "More oil (larger hole, more pressure, more clearance) or cooler oil.",
-    )  # fmt: skip
+        f"{at}.temperature",
+        "Outlet temperature" + where,
+        r.outlet_temperature,
+        "<=",
+        inputs.outlet_temperature_limit,
+        "°C",
+        "limit of the design (engine manual)",
+        "More oil (larger hole, more pressure, more clearance) or cooler oil.",
+    )
     yield check(
-        f"{at}.temperature_trumpler", "Outlet temperature by Trumpler" + where, r.outlet_temperature, "<=", 121.0, "°C", TRUMPLER,
-        "Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C.", kind="advice",
-    )  # fmt: skip
-    yield check(f"{at}.specific_load", "Specific load" + where, r.specific_load, "<=", 5e6, "MPa", FINOTTI, "Lengthen the bearing or take a larger journal.")
-    yield check(
-        f"{at}.specific_load_usual", "Specific load, usual" + where, r.specific_load, "<=", 2e6, "MPa", FINOTTI,
-        "Lengthen the bearing or take a larger journal.", kind="advice",
-    )  # fmt: skip
-    yield check(f"{at}.heat_index", "Heat index" + where, r.heat_index, "<=", 500_000 * 1000 / 60, "N·rpm/mm", "Finotti 2013, Table 3.1", "Lengthen the bearing.")
-    yield check(
-        f"{at}.heat_index_usual", "Heat index, forced oil and cooling" + where, r.heat_index, "<=", 240_000 * 1000 / 60, "N·rpm/mm",
-        "Finotti 2013, Table 3.1", "Lengthen the bearing.", kind="advice",
-    )  # fmt: skip
-    yield check(
-        f"{at}.clearance_cold", f"Clearance at {inputs.lowest_temperature:g} °C" + where, r.clearance_cold, ">", 0.0, "µm",
-        "seizure of a journal that shrinks less than its seat", "The journal seizes when cold: more clearance, or a housing that expands like the journal.",
-    )  # fmt: skip
-    yield check(f"{at}.length_ratio", "Length ratio l/d" + where, r.length_ratio, "in", (0.2, 1.0), "", FINOTTI, "Change length or diameter.")
-    yield check(
-        f"{at}.length_ratio_usual", "Length ratio l/d, usual" + where, r.length_ratio, "in", (0.25, 0.75), "", "Finotti 2013, 5.5.2", "Change length or diameter.",
+        f"{at}.temperature_trumpler",
+        "Outlet temperature by Trumpler" + where,
+        r.outlet_temperature,
+        "<=",
+        121.0,
+        "°C",
+        TRUMPLER,
+        "Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C.",
         kind="advice",
-    )  # fmt: skip
+    )
+    yield check(
+        f"{at}.specific_load",
+        "Specific load" + where,
+        r.specific_load,
+        "<=",
+        5e6,
+        "MPa",
+        FINOTTI,
+        "Lengthen the bearing or take a larger journal.",
+    )
+    yield check(
+        f"{at}.specific_load_usual",
+        "Specific load, usual" + where,
+        r.specific_load,
+        "<=",
+        2e6,
+        "MPa",
+        FINOTTI,
+        "Lengthen the bearing or take a larger journal.",
+        kind="advice",
+    )
+    yield check(
+        f"{at}.heat_index",
+        "Heat index" + where,
+        r.heat_index,
+        "<=",
+        500_000 * 1000 / 60,
+        "N·rpm/mm",
+        "Finotti 2013, Table 3.1",
+        "Lengthen the bearing.",
+    )
+    yield check(
+        f"{at}.heat_index_usual",
+        "Heat index, forced oil and cooling" + where,
+        r.heat_index,
+        "<=",
+        240_000 * 1000 / 60,
+        "N·rpm/mm",
+        "Finotti 2013, Table 3.1",
+        "Lengthen the bearing.",
+        kind="advice",
+    )
+    yield check(
+        f"{at}.clearance_cold",
+        f"Clearance at {inputs.lowest_temperature:g} °C" + where,
+        r.clearance_cold,
+        ">",
+        0.0,
+        "µm",
+        "seizure of a journal that shrinks less than its seat",
+        "The journal seizes when cold: more clearance, or a housing that expands like the journal.",
+    )
+    yield check(
+        f"{at}.length_ratio", "Length ratio l/d" + where, r.length_ratio, "in", (0.2, 1.0), "", FINOTTI, "Change length or diameter."
+    )
+    yield check(
+        f"{at}.length_ratio_usual",
+        "Length ratio l/d, usual" + where,
+        r.length_ratio,
+        "in",
+        (0.25, 0.75),
+        "",
+        "Finotti 2013, 5.5.2",
+        "Change length or diameter.",
+        kind="advice",
+    )
     least = f.least_speed.function(3.0 if r.surface_speed < 3 else min(r.surface_speed, 10.0), r.transition_speed)
     yield check(
-        f"{at}.transition", "Speed above mixed friction" + where, speed, ">=", least, "rpm", f.least_speed.source,
+        f"{at}.transition",
+        "Speed above mixed friction" + where,
+        speed,
+        ">=",
+        least,
+        "rpm",
+        f.least_speed.source,
         "A thicker or cooler oil, or a lower specific load.",
-    )  # fmt: skip
+    )
     yield check(
-        f"{at}.mckee", "McKee number, cP·rpm/psi" + where, r.mckee_number, ">=", 150.0, "", "McKee & McKee 1932; 30 is the transition",
-        "A thicker or cooler oil, or a lower specific load, for a stable film.", kind="advice",
-    )  # fmt: skip
+        f"{at}.mckee",
+        "McKee number, cP·rpm/psi" + where,
+        r.mckee_number,
+        ">=",
+        150.0,
+        "",
+        "McKee & McKee 1932; 30 is the transition",
+        "A thicker or cooler oil, or a lower specific load, for a stable film.",
+        kind="advice",
+    )
     yield check(
-        f"{at}.routes_spread", "Spread of the routes" + where, r.routes_spread, "<=", 0.10, "%", "rule of this program, on the clearance as given",
-        "The source's methods leave their range here; the own solution of Reynolds' equation judges.", kind="advice",
-    )  # fmt: skip
+        f"{at}.routes_spread",
+        "Spread of the routes" + where,
+        r.routes_spread,
+        "<=",
+        0.10,
+        "%",
+        "rule of this program, on the clearance as given",
+        "The source's methods leave their range here; the own solution of Reynolds' equation judges.",
+        kind="advice",
+    )
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
         yield check(
-            f"{at}.film_edge_usual", "Film at the edge against h_lim" + where, r.film_edge, ">=", h_lim, "µm", "in the manner of ISO 7902-3, as generally published",
-            "Lengthen the bearing or lower the clearance.", kind="advice",
-        )  # fmt: skip
+            f"{at}.film_edge_usual",
+            "Film at the edge against h_lim" + where,
+            r.film_edge,
+            ">=",
+            h_lim,
+            "µm",
+            "in the manner of ISO 7902-3, as generally published",
+            "Lengthen the bearing or lower the clearance.",
+            kind="advice",
+        )
     yield check(
-        f"{at}.misalignment", "Slope over the length" + where, slope * bearing.length, "<=", 0.3 * r.film, "µm", "rule of this program: 0.3·h₀",
-        "Stiffen the shaft between its bearings.", kind="advice",
-    )  # fmt: skip
-    yield check(
-        f"{at}.clearance_usual", "Relative clearance" + where, r.clearance / bearing.diameter, "<=", 1e-3, "‰", APPLICATION,
-        "Less clearance, as long as the cold clearance stays.", kind="advice",
-    )  # fmt: skip
-    yield check(
-        f"{at}.length_ratio_application", "Length ratio of the application" + where, r.length_ratio, "in", (0.8, 1.5), "", APPLICATION,
-        "A longer bearing on a smaller diameter.", kind="advice",
-    )  # fmt: skip
-    yield check(
-        f"{at}.friction_regime", "Coefficient of friction" + where, r.friction_coefficient, "in", (0.002, 0.012), "", "Finotti 2013, 5.6: full film",
-        "Outside the usual range of a full film: look at film and clearance.", kind="advice",
-    )  # fmt: skip
-    yield check(
-        f"{at}.viscosity_range", "Oil viscosity" + where, r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s", "range of the viscosity law", "Another oil grade or temperature.",
+        f"{at}.misalignment",
+        "Slope over the length" + where,
+        slope * bearing.length,
+        "<=",
+        0.3 * r.film,
+        "µm",
+        "rule of this program: 0.3·h₀",
+        "Stiffen the shaft between its bearings.",
         kind="advice",
-    )  # fmt: skip
+    )
+    yield check(
+        f"{at}.clearance_usual",
+        "Relative clearance" + where,
+        r.clearance / bearing.diameter,
+        "<=",
+        1e-3,
+        "‰",
+        APPLICATION,
+        "Less clearance, as long as the cold clearance stays.",
+        kind="advice",
+    )
+    yield check(
+        f"{at}.length_ratio_application",
+        "Length ratio of the application" + where,
+        r.length_ratio,
+        "in",
+        (0.8, 1.5),
+        "",
+        APPLICATION,
+        "A longer bearing on a smaller diameter.",
+        kind="advice",
+    )
+    yield check(
+        f"{at}.friction_regime",
+        "Coefficient of friction" + where,
+        r.friction_coefficient,
+        "in",
+        (0.002, 0.012),
+        "",
+        "Finotti 2013, 5.6: full film",
+        "Outside the usual range of a full film: look at film and clearance.",
+        kind="advice",
+    )
+    yield check(
+        f"{at}.viscosity_range",
+        "Oil viscosity" + where,
+        r.hot.oil.nu,
+        "in",
+        (2e-6, 0.1),
+        "mm²/s",
+        "range of the viscosity law",
+        "Another oil grade or temperature.",
+        kind="advice",
+    )

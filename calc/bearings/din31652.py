@@ -71,8 +71,8 @@ def friction_coefficient(psi: Number, Y: Number) -> Number:
 
 def friction(psi: Number, So: Number, b: Number) -> tuple[Number, Number]:
     """Y and f by the polynomial; its coefficients depend on l/d alone and are not traced one by one."""
-    parts = [c.function(b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H)]
-    Y = friction_exponent(*parts, s=log_sommerfeld(So))
+    C, E, F, G, H = (c.function(b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H))
+    Y = friction_exponent(C, E, F, G, H, s=log_sommerfeld(So))
     return Y, friction_coefficient(psi=psi, Y=Y)
 
 

@@ -152,7 +152,11 @@ def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
     return TRANSITION * p / (mu * d)
 
 
-@formula("n_min", "Finotti 2013, 5.6: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given", unit="rpm")
+@formula(
+    "n_min",
+    "Finotti 2013, 5.6: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given",
+    unit="rpm",
+)
 def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
     return k * n_T
 

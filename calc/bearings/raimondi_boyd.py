@@ -56,7 +56,10 @@ def _cubic(x: Array, y: Array, at: float) -> float:
     k = min(max(int(np.searchsorted(x, at)) - 1, 0), h.size - 1)
     t = (at - x[k]) / h[k]
     value = (
-        (1 + 2 * t) * (1 - t) ** 2 * y[k] + t * (1 - t) ** 2 * h[k] * slopes[k] + t**2 * (3 - 2 * t) * y[k + 1] - t**2 * (1 - t) * h[k] * slopes[k + 1]
+        (1 + 2 * t) * (1 - t) ** 2 * y[k]
+        + t * (1 - t) ** 2 * h[k] * slopes[k]
+        + t**2 * (3 - 2 * t) * y[k + 1]
+        - t**2 * (1 - t) * h[k] * slopes[k + 1]
     )
     return float(value)
 

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Both bearings: judged by the program's own solution on the warm clearance, beside the source's two methods."""
 
-from dataclasses import dataclass
-
 from ..catalogue import Material, Oil
 from ..countershaft.solve import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..lubricant import Lubricant
 from ..sheet.errors import NoSolution
-from ..sheet.quantity import group, value
+from ..sheet.quantity import group, result, value
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import (
@@ -23,7 +21,7 @@ from ..sheet.units import (
     Radian,
     RevPerSecond,
     Watt,
-)  # fmt: skip
+)
 from . import formulas as f
 from .checks import checks
 from .din31652 import film_heavily_loaded
@@ -33,7 +31,7 @@ from .routes import Duty, Film, Route, Seat, balanced, din31652, own_cold, own_w
 from .sweep import Sweep, sweep
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class RouteResult:
     """What one route finds, in thermal balance."""
 
@@ -50,13 +48,19 @@ class RouteResult:
 
 def _route(film: Film) -> RouteResult:
     return RouteResult(
-        film=film.film, eccentricity=film.eccentricity, sommerfeld=film.sommerfeld, friction_variable=film.friction_variable,
-        friction_coefficient=film.friction_coefficient, friction_power=film.friction_power, temperature_rise=film.temperature_rise,
-        oil_flow=film.oil_flow, attitude_angle=film.attitude,
-    )  # fmt: skip
+        film=film.film,
+        eccentricity=film.eccentricity,
+        sommerfeld=film.sommerfeld,
+        friction_variable=film.friction_variable,
+        friction_coefficient=film.friction_coefficient,
+        friction_power=film.friction_power,
+        temperature_rise=film.temperature_rise,
+        oil_flow=film.oil_flow,
+        attitude_angle=film.attitude,
+    )
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class BearingResult:
     film: Metre = value("Smallest film", "µm", "h_0")
     film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
@@ -92,14 +96,14 @@ class BearingResult:
     sweep: Sweep
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class BearingsResult:
     bearings: dict[str, BearingResult] = group(spread=True)
 
 
 def solve(
     bearings: BearingsInputs, shaft: CountershaftResult, engine: EngineInputs, oil: Oil, journal: Material, housing: Material
-) -> Outcome:  # fmt: skip
+) -> Outcome:
     """Front and rear bearing under the shaft's reactions, which turn with it at crank speed and grow with its square."""
     speed, bench = engine.rated_speed, engine.bench
     loads = shaft.reaction_front, shaft.reaction_rear
@@ -112,21 +116,37 @@ def solve(
         for place, bearing, load, slope in (("front", bearings.front, loads[0], slopes[0]), ("rear", bearings.rear, loads[1], slopes[-1])):
             with about(f"{place} bearing"):
                 if load <= 0:
-                    raise NoSolution(f"the {place} bearing carries no load", "", "give the counter-shaft eccentric masses that balance a couple")
+                    raise NoSolution(
+                        f"the {place} bearing carries no load", "", "give the counter-shaft eccentric masses that balance a couple"
+                    )
                 results[place] = _bearing(place, bearings, bearing, load, slope, speed, bench, lubricant, journal, housing, notes)
     found = tuple(c for place, r in results.items() for c in checks(place, bearings, getattr(bearings, place), r, slopes, speed))
     errata = tuple(e for place, r in results.items() for e in _errata(place, r))
     curves = tuple(r.sweep.curve(place, r.kreisle_film) for place, r in results.items())
     return Outcome(
-        "bearings", result=BearingsResult(bearings=results), checks=found, lines=tuple(lines), curves=curves, errata=errata,
+        "bearings",
+        result=BearingsResult(bearings=results),
+        checks=found,
+        lines=tuple(lines),
+        curves=curves,
+        errata=errata,
         notes=tuple(dict.fromkeys(notes)),
-    )  # fmt: skip
+    )
 
 
 def _bearing(
-    place: str, inputs: BearingsInputs, bearing: BearingInputs, load: float, slope: float, speed: float, bench: tuple[BenchPoint, ...],
-    lubricant: Lubricant, journal: Material, housing: Material, notes: list[str],
-) -> BearingResult:  # fmt: skip
+    place: str,
+    inputs: BearingsInputs,
+    bearing: BearingInputs,
+    load: float,
+    slope: float,
+    speed: float,
+    bench: tuple[BenchPoint, ...],
+    lubricant: Lubricant,
+    journal: Material,
+    housing: Material,
+    notes: list[str],
+) -> BearingResult:
     d, l = bearing.diameter, bearing.length
     u = f.surface_speed(d=d, n=speed)
     g = bearing.clearance if bearing.clearance is not None else f.clearance_by_factor(K=bearing.clearance_factor, d=d, u=u)
@@ -157,15 +177,39 @@ def _bearing(
     spread = max((abs(h / own.film - 1) for h in others), default=0.0)
     swept = sweep(seat, load, speed, bench, duty)
     return BearingResult(
-        film=hot.film, film_edge=edge, film_double_load=doubled.film, speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=swept.thinnest_film, eccentricity=hot.eccentricity, attitude_angle=hot.attitude or 0.0, sommerfeld=hot.sommerfeld,
-        friction_coefficient=hot.friction_coefficient, friction_power=hot.friction_power, oil_flow=hot.oil_flow,
-        temperature_rise=hot.temperature_rise, outlet_temperature=outlet, film_pressure_max=hot.largest_pressure or 0.0, clearance=g,
-        clearance_hot=hot.clearance, clearance_cold=cold, relative_clearance=hot.relative_clearance, specific_load=p, heat_index=W,
-        surface_speed=u, length_ratio=f.length_ratio(l=l, d=d), transition_speed=n_T, mckee_number=mckee, kreisle_film=kreisle,
-        trumpler_film=trumpler, routes_spread=spread, reynolds=_route(own), raimondi_boyd=_route(charts) if charts else None,
-        din31652=_route(din) if din else None, hot=hot, sweep=swept,
-    )  # fmt: skip
+        film=hot.film,
+        film_edge=edge,
+        film_double_load=doubled.film,
+        speed_of_thinnest_film=swept.thinnest_speed,
+        thinnest_film=swept.thinnest_film,
+        eccentricity=hot.eccentricity,
+        attitude_angle=hot.attitude or 0.0,
+        sommerfeld=hot.sommerfeld,
+        friction_coefficient=hot.friction_coefficient,
+        friction_power=hot.friction_power,
+        oil_flow=hot.oil_flow,
+        temperature_rise=hot.temperature_rise,
+        outlet_temperature=outlet,
+        film_pressure_max=hot.largest_pressure or 0.0,
+        clearance=g,
+        clearance_hot=hot.clearance,
+        clearance_cold=cold,
+        relative_clearance=hot.relative_clearance,
+        specific_load=p,
+        heat_index=W,
+        surface_speed=u,
+        length_ratio=f.length_ratio(l=l, d=d),
+        transition_speed=n_T,
+        mckee_number=mckee,
+        kreisle_film=kreisle,
+        trumpler_film=trumpler,
+        routes_spread=spread,
+        reynolds=_route(own),
+        raimondi_boyd=_route(charts) if charts else None,
+        din31652=_route(din) if din else None,
+        hot=hot,
+        sweep=swept,
+    )
 
 
 def _beside(route: Route, seat: Seat, duty: Duty, place: str, name: str, notes: list[str]) -> Film | None:
@@ -197,18 +241,26 @@ def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
     theirs = r.raimondi_boyd.film if r.raimondi_boyd else r.reynolds.film
     found.append(
         Erratum(
-            f"bearings.{place}.film", f"Smallest film, {place}", theirs * 1e6, "µm", "Finotti 2013, 5.5 (his method, clearance as if always the same)",
+            f"bearings.{place}.film",
+            f"Smallest film, {place}",
+            theirs * 1e6,
+            "µm",
+            "Finotti 2013, 5.5 (clearance as if always the same)",
             f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes {r.clearance_hot * 1e6:.1f} µm when warm "
             f"and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
         )
-    )  # fmt: skip
+    )
     if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
         with untraced():
             wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.length_ratio)
         found.append(
             Erratum(
-                f"bearings.{place}.din31652.film", f"Film by DIN 31652, {place}", wrong * 1e6, "µm", "Finotti 2013, Table 5.4",
+                f"bearings.{place}.din31652.film",
+                f"Film by DIN 31652, {place}",
+                wrong * 1e6,
+                "µm",
+                "Finotti 2013, Table 5.4",
                 f"So = {r.din31652.sommerfeld:.3f} is below 1, but the thesis keeps the formula for So > 1, with which its iteration began.",
             )
-        )  # fmt: skip
+        )
     return tuple(found)

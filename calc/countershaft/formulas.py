@@ -59,11 +59,17 @@ def residual_backward(C_b: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> PhasorN
     return C_b + C_S
 
 
-@formula("C_1,res", "largest first-order couple over a turn: the forward and the backward vector in line", names={"C_f": "C_1⁺", "C_b": "C_1⁻,res"})
+@formula(
+    "C_1,res",
+    "largest first-order couple over a turn: the forward and the backward vector in line",
+    names={"C_f": "C_1⁺", "C_b": "C_1⁻,res"},
+)
 def residual_couple(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_f) + modulus(C_b)
 
 
-@formula("F_1,res", "largest first-order force over a turn: the forward and the backward vector in line", names={"F_f": "F_1⁺", "F_b": "F_1⁻"})
+@formula(
+    "F_1,res", "largest first-order force over a turn: the forward and the backward vector in line", names={"F_f": "F_1⁺", "F_b": "F_1⁻"}
+)
 def residual_force(F_f: PhasorNewton, F_b: PhasorNewton, F_S: PhasorNewton) -> Newton:
     return modulus(F_f) + modulus(F_b + F_S)

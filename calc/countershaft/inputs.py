@@ -22,9 +22,17 @@ class EccentricMass:
 class CountershaftInputs:
     mode: str = choice("Mode", "given", default="given", help="given: the eccentric masses below are checked.")
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    speed_ratio: float = quantity("Speed ratio to the crank", default=-1.0, low=-1, high=-1, symbol="i", help="−1: crank speed, opposite sense.")
+    speed_ratio: float = quantity(
+        "Speed ratio to the crank", default=-1.0, low=-1, high=-1, symbol="i", help="−1: crank speed, opposite sense."
+    )
     bearing_positions: tuple[float, ...] = series(
-        "Bearing positions", "mm", count=(2, 2), low=-5000, high=5000, symbol="z", help="Middle of the front and of the rear journal, from mid-shaft."
+        "Bearing positions",
+        "mm",
+        count=(2, 2),
+        low=-5000,
+        high=5000,
+        symbol="z",
+        help="Middle of the front and of the rear journal, from mid-shaft.",
     )
     masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass)
 

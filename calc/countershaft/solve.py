@@ -2,13 +2,13 @@
 """The counter-shaft as given: its couple, what it leaves of the imbalance, what its supports carry."""
 
 import math
-from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.check import check
-from ..sheet.quantity import value
+from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Outcome, Series
 from ..sheet.trace import trace
 from ..sheet.units import Kilogram, KilogramMetre, Newton, NewtonMetre, Radian, RadPerSecond
@@ -18,7 +18,7 @@ from .inputs import CountershaftInputs
 LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class CountershaftResult:
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
@@ -31,9 +31,14 @@ class CountershaftResult:
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
 
 
+def _column(shaft: CountershaftInputs, name: str) -> Any:
+    """One number of every eccentric mass, as an array."""
+    return np.array([getattr(part, name) for part in shaft.masses])
+
+
 def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond) -> Outcome:
     """Check a shaft of given masses against the couple that the engine asks for.  `omega` is the crank's rated angular speed."""
-    m, e, gamma, z = (np.array([getattr(part, name) for part in shaft.masses]) for name in ("mass", "radius", "angle", "z"))
+    m, e, gamma, z = (_column(shaft, name) for name in ("mass", "radius", "angle", "z"))
     z_f, z_r = shaft.bearing_positions
     F_forward, F_backward, C_forward, C_backward = imbalance.orders["order_1"].vectors
     with trace() as lines:
@@ -49,25 +54,42 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         R_f = f.reaction_front(F_S=F_S, R_r=R_r)
         rear, front = f.reaction(R=R_r), f.reaction(R=R_f)
     result = CountershaftResult(
-        couple=couple, couple_phase=phase, residual_order_1_couple=residual, residual_order_1_force=residual_force,
-        static_unbalance=force / omega**2, force=force, reaction_front=front, reaction_rear=rear, eccentric_mass=float(m.sum()),
-    )  # fmt: skip
+        couple=couple,
+        couple_phase=phase,
+        residual_order_1_couple=residual,
+        residual_order_1_force=residual_force,
+        static_unbalance=force / omega**2,
+        force=force,
+        reaction_front=front,
+        reaction_rear=rear,
+        eccentric_mass=float(m.sum()),
+    )
     needed = imbalance.required_couple
     checks = (
         check(
-            "countershaft.residual", "First-order couple left over", residual, "<=", LEFT_OVER * max(needed, abs(C_forward)), "N·m",
+            "countershaft.residual",
+            "First-order couple left over",
+            residual,
+            "<=",
+            LEFT_OVER * max(needed, abs(C_forward)),
+            "N·m",
             "rule of this program: 5 % of the couple to be balanced",
-            f"Aim at {needed:.1f} N·m at {math.degrees(imbalance.required_couple_phase):.1f}°: the couple grows with mass, radius and arm of the eccentric masses.",
+            f"Aim at {needed:.1f} N·m at {math.degrees(imbalance.required_couple_phase):.1f}°: "
+            "the couple grows with mass, radius and arm of the eccentric masses.",
         ),
-    )  # fmt: skip
+    )
     theta = np.radians(np.arange(0, 361, 3.0))
     forward, backward = np.exp(1j * theta), np.exp(-1j * theta)
     before = C_forward * forward + C_backward * backward
     after = C_forward * forward + left * backward
     curve = Curve(
-        "residual", "First-order couple before and after the counter-shaft", "horizontal, N·m", "vertical, N·m",
-        (Series("before", before.imag, before.real), Series("after", after.imag, after.real)), equal=True,
-    )  # fmt: skip
+        "residual",
+        "First-order couple before and after the counter-shaft",
+        "horizontal, N·m",
+        "vertical, N·m",
+        (Series("before", before.imag, before.real), Series("after", after.imag, after.real)),
+        equal=True,
+    )
     notes = (
         "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter.",
         "The reactions turn with the shaft; its weight and the gear force stand still and are not added here.",

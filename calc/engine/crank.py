@@ -3,6 +3,7 @@
 
 import math
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -53,6 +54,6 @@ def crank(engine: EngineInputs, tdc_angle: float) -> Crank:
     return Crank(phi, z, psi, float(psi[0]) + tdc_angle, tuple(chosen))
 
 
-def _banks(layout: str, n: int) -> Array:
+def _banks(layout: str, n: int) -> Any:
     """Cylinders alternate between the banks, 0 first; an inline engine has bank 0 only."""
-    return np.zeros(n) if layout == "inline" else np.arange(n) % 2
+    return np.zeros(n) if layout == "inline" else np.arange(n) % 2.0

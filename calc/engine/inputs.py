@@ -27,28 +27,68 @@ class EngineInputs:
     bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="D")
     crank_radius: float = quantity("Crank radius", "mm", above=0, high=1000, symbol="r", help="Half the stroke.")
     rod_length: float = quantity(
-        "Rod length", "mm", above=0, high=4000, symbol="L", help="Between centres. λ = r/L is usually 0.20 to 0.33; a longer rod lowers the second order."
+        "Rod length",
+        "mm",
+        above=0,
+        high=4000,
+        symbol="L",
+        help="Between centres. λ = r/L is usually 0.20 to 0.33; a longer rod lowers the second order.",
     )
-    cylinder_pitch: float = quantity("Cylinder pitch", "mm", above=0, high=2000, symbol="a", help="Distance of neighbouring cylinders; every couple is proportional to it.")
+    cylinder_pitch: float = quantity(
+        "Cylinder pitch",
+        "mm",
+        above=0,
+        high=2000,
+        symbol="a",
+        help="Distance of neighbouring cylinders; every couple is proportional to it.",
+    )
     cylinder_offset: float = quantity(
-        "Cylinder offset", "mm", default=0.0, low=-500, high=500, symbol="d", help="Cylinder axis to crank axis; positive moves TDC to later crank angles."
+        "Cylinder offset",
+        "mm",
+        default=0.0,
+        low=-500,
+        high=500,
+        symbol="d",
+        help="Cylinder axis to crank axis; positive moves TDC to later crank angles.",
     )
-    bank_angle: float = quantity("Bank angle", "°", optional=True, low=0, high=180, symbol="V", help="Between the banks of a vee engine; a boxer has 180°.")
+    bank_angle: float = quantity(
+        "Bank angle", "°", optional=True, low=0, high=180, symbol="V", help="Between the banks of a vee engine; a boxer has 180°."
+    )
     firing_order: tuple[int, ...] | None = integers(
         "Firing order", optional=True, low=1, help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it."
     )
     crank_angles: tuple[float, ...] | None = series(
-        "Crank angles", "°", optional=True, low=-720, high=720, symbol="phi", help="One per cylinder, of the pin it runs on; positive leads cylinder 1."
+        "Crank angles",
+        "°",
+        optional=True,
+        low=-720,
+        high=720,
+        symbol="phi",
+        help="One per cylinder, of the pin it runs on; positive leads cylinder 1.",
     )
-    axial_positions: tuple[float, ...] | None = series("Axial positions", "mm", optional=True, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel.")
-    bank_of_cylinder: tuple[int, ...] | None = integers("Bank of each cylinder", optional=True, low=0, high=1, help="0 or 1; bank 0 stands at −V/2.")
+    axial_positions: tuple[float, ...] | None = series(
+        "Axial positions", "mm", optional=True, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel."
+    )
+    bank_of_cylinder: tuple[int, ...] | None = integers(
+        "Bank of each cylinder", optional=True, low=0, high=1, help="0 or 1; bank 0 stands at −V/2."
+    )
     piston_mass: float = quantity("Piston mass", "g", above=0, high=1e5, symbol="M_P", help="With rings, pin and circlips.")
     rod_mass: float = quantity("Rod mass", "g", low=0, high=1e5, symbol="M_B", help="With bush and screws, without big-end shells.")
     rod_cg_to_big_end: float = quantity(
-        "Rod CG to big end", "mm", optional=True, low=0, high=4000, symbol="X_2", help="Left out: one third of the rod reciprocates, two thirds rotate."
+        "Rod CG to big end",
+        "mm",
+        optional=True,
+        low=0,
+        high=4000,
+        symbol="X_2",
+        help="Left out: one third of the rod reciprocates, two thirds rotate.",
     )
-    crankpin_bearing_mass: float = quantity("Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", help="They rotate with the pin.")
-    rated_speed: float = quantity("Rated speed", "rpm", above=0, high=30000, symbol="n", help="The speed at which forces and bearings are judged.")
+    crankpin_bearing_mass: float = quantity(
+        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", help="They rotate with the pin."
+    )
+    rated_speed: float = quantity(
+        "Rated speed", "rpm", above=0, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
+    )
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
 
     def problems(self) -> Iterable[tuple[str, str]]:

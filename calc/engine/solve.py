@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The engine: masses, kinematics and the harmonics of the piston's acceleration."""
 
-from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array
 from ..sheet.check import check
 from ..sheet.formula import formula
-from ..sheet.quantity import value
+from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Outcome, Series
 from ..sheet.trace import trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond
@@ -20,7 +19,7 @@ ORDERS = range(1, 9)
 POINTS = 720
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class EngineResult:
     reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
     rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
@@ -40,7 +39,11 @@ class EngineResult:
     two_term: tuple[complex, ...]
 
 
-@formula("c_n", "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)", shows="c_1 … c_8 from 720 points of a/(ω²·r)")
+@formula(
+    "c_n",
+    "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)",
+    shows="c_1 … c_8 from 720 points of a/(ω²·r)",
+)
 def harmonics(a: Number) -> Number:
     """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
     spectrum = np.fft.rfft(a)[1 : len(ORDERS) + 1] * 2 / np.size(a)
@@ -49,7 +52,7 @@ def harmonics(a: Number) -> Number:
     return spectrum  # type: ignore[return-value]
 
 
-def _peak(y: Array) -> tuple[float, float]:
+def _peak(y: Any) -> tuple[float, float]:
     """The largest of equally spaced points over a turn and its angle, refined by a parabola through three points."""
     k = int(np.argmax(y))
     a, b, c = y[k - 1], y[k], y[(k + 1) % y.size]
@@ -73,7 +76,7 @@ def solve(engine: EngineInputs) -> Outcome:
         stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
         volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
         mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
-        alpha = np.arange(POINTS) * (2 * np.pi / POINTS)
+        alpha: Any = np.arange(POINTS) * (2 * np.pi / POINTS)
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         speed = f.relative_speed(alpha=alpha, beta=beta)
         exact = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
@@ -82,7 +85,7 @@ def solve(engine: EngineInputs) -> Outcome:
         fastest = f.piston_speed(v_rel=_peak(speed)[0], omega=omega, r=engine.crank_radius)
         a_max = f.acceleration(a_rel=highest, omega=omega, r=engine.crank_radius)
         a_min = f.acceleration(a_rel=-lowest, omega=omega, r=engine.crank_radius)
-        spectrum = harmonics(exact)
+        spectrum: Any = harmonics(exact)
     with untraced():
         two_term = f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta)
     result = EngineResult(

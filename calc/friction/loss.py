@@ -8,7 +8,7 @@ import numpy as np
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, total
-from ..sheet.quantity import value
+from ..sheet.quantity import result, value
 from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, Radian, RevPerSecond, Watt, WattPerMetre
 from .contact import Motion, half_width, hertz_pressure, mean_pressure, motion
 from .film import EXPONENT, Oil, film
@@ -106,7 +106,7 @@ class Local:
     T_f: Celsius
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class MeshLoss:
     """The loss of one mesh by one model of the film."""
 

@@ -8,11 +8,9 @@ Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 A train that only drives a counter-shaft carries far less than any of the three was fitted to.
 """
 
-from dataclasses import dataclass
-
 from ..sheet.formula import formula
 from ..sheet.functions import exp, largest, log10, smallest
-from ..sheet.quantity import value
+from ..sheet.quantity import result, value
 from ..sheet.units import Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
 from .contact import hertz_pressure
 from .loss import Case, loss_factor, mean_friction, sliding_loss
@@ -76,7 +74,7 @@ def loss_of_mean_friction(P: Watt, mu_m: Number, H_V: Number) -> Watt:
     return P * mu_m * H_V
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class Regression:
     loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
     friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")

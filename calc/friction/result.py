@@ -1,12 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction step publishes, and the sums that close its balance."""
 
-from dataclasses import dataclass
 from typing import Annotated
 
 from ..sheet.formula import formula
 from ..sheet.functions import pi
-from ..sheet.quantity import group, value
+from ..sheet.quantity import group, result, value
 from ..sheet.units import Kelvin, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .loss import Case, MeshLoss
 from .regressions import Regression
@@ -30,7 +29,7 @@ def fuel(b_e: KilogramPerJoule, P: Watt) -> KilogramPerSecond:
     return b_e * P
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class MeshResult:
     """One mesh: what is judged, and beside it the source's model and three regressions, all at the same power."""
 
@@ -47,14 +46,14 @@ class MeshResult:
     case: Case
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class WheelResult:
     speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")
     windage: Watt = value("Windage of the wheel", "W", "P_W")
     other_loss: Watt = value("Other losses carried by the wheel", "W", "P_X")
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class FrictionResult:
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)

@@ -34,10 +34,25 @@ class Wheel:
 class Mesh:
     driver: str = text("Driver")
     driven: str = text("Driven")
-    centre_distance: float = quantity("Centre distance", "mm", optional=True, above=0, high=5000, symbol="a_w", help="Left out: without backlash, from the profile shifts.")
-    tolerance: float = quantity("Tolerance of the centre distance (±)", "µm", optional=True, low=0, high=5000, symbol="T_a", help="Half the field.")
+    centre_distance: float = quantity(
+        "Centre distance",
+        "mm",
+        optional=True,
+        above=0,
+        high=5000,
+        symbol="a_w",
+        help="Left out: without backlash, from the profile shifts.",
+    )
+    tolerance: float = quantity(
+        "Tolerance of the centre distance (±)", "µm", optional=True, low=0, high=5000, symbol="T_a", help="Half the field."
+    )
     contributors: tuple[float, ...] | None = series(
-        "Contributors to the tolerance", "mm", optional=True, low=0, high=10, help="Fields of the parts between the centres; half their root of squares is the tolerance."
+        "Contributors to the tolerance",
+        "mm",
+        optional=True,
+        low=0,
+        high=10,
+        help="Fields of the parts between the centres; half their root of squares is the tolerance.",
     )
 
     def problems(self) -> Iterable[tuple[str, str]]:
@@ -53,12 +68,22 @@ class GearsInputs:
     pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20))
     helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0)
     face_width: float = quantity("Face width", "mm", above=0, high=2000, symbol="b")
-    tool_addendum: float = quantity("Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, help="In modules; makes the root.")
-    tool_tip_radius: float = quantity("Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, help="In modules; makes the fillet.")
-    ball_diameter: float = quantity("Measuring ball", "mm", optional=True, above=0, high=200, symbol="D_M", help="Left out: the ideal ball of each wheel.")
+    tool_addendum: float = quantity(
+        "Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, help="In modules; makes the root."
+    )
+    tool_tip_radius: float = quantity(
+        "Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, help="In modules; makes the fillet."
+    )
+    ball_diameter: float = quantity(
+        "Measuring ball", "mm", optional=True, above=0, high=200, symbol="D_M", help="Left out: the ideal ball of each wheel."
+    )
     iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, help="2006 or 2019.")
-    speed: float = quantity("Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n", help="Left out: the crank's rated speed.")
-    power: float = quantity("Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Left out: from the closed power balance.")
+    speed: float = quantity(
+        "Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n", help="Left out: the crank's rated speed."
+    )
+    power: float = quantity(
+        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Left out: from the closed power balance."
+    )
     wheels: tuple[Wheel, ...] = tables("Wheels", Wheel)
     meshes: tuple[Mesh, ...] = tables("Meshes", Mesh)
 

@@ -2,18 +2,16 @@
 """Nominal stresses of every mesh of a train, once its torque is known."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from ..catalogue import Material
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
-from ..sheet.quantity import Described, group
+from ..sheet.quantity import Described, Stated, group, result
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import UNITS, Newton, NewtonMetre, Number, Pascal
 from . import stress as s
 from .inputs import GearsInputs
-from .named import named
 from .result import MeshRating, MeshResult, ToothSystem, TrainResult, WheelResult
 from .source_sheet import sheet_contact, sheet_root
 from .tooth_form import tooth_form
@@ -28,7 +26,7 @@ ROOT_OF_SHEET = (
 )
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class RatingResult:
     meshes: dict[str, MeshRating] = group(spread=True)
 
@@ -50,13 +48,15 @@ def rating(
             with about(f"mesh {mesh.driver}–{mesh.driven}"):
                 F_t = s.tangential_force(torques[key], driver.pitch_diameter)
                 sigma_H = _contact(train.system, mesh, driver, driven, F_t, materials)
-            roots: dict[str, tuple[Described, float | None]] = {}
+            roots: dict[str, Stated] = {}
             for wheel in (driver, driven):
                 with about(f"root of {wheel.name} in mesh {mesh.driver}–{mesh.driven}"):
                     sigma_F, q_s = _root(train.system, mesh, wheel, F_t, gears.iso_6336_edition)
-                roots[f"root_stress_{wheel.name}"] = (Described(f"Nominal root stress of {wheel.name}, K = 1", "MPa", "σ_F0"), sigma_F)
+                roots[f"root_stress_{wheel.name}"] = Stated(
+                    Described(f"Nominal root stress of {wheel.name}, K = 1", "MPa", "σ_F0"), sigma_F
+                )
                 found.append(_range_check(f"gears.{key}.notch_{wheel.name}", wheel, q_s))
-            rated[key] = MeshRating(tangential_force=F_t, contact_stress=sigma_H, root_stress=named(roots), torque=torques[key])
+            rated[key] = MeshRating(tangential_force=F_t, contact_stress=sigma_H, root_stress=roots, torque=torques[key])
     edition = gears.iso_6336_edition
     note = f"Stresses by ISO 6336:{edition}, method B, nominal: every influence factor K is 1, nothing is said yet about safety."
     errata = _errata(train, torques[next(iter(train.meshes))], rated)

@@ -1,14 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What solving the gear train gives: the tooth system, its wheels, its meshes."""
 
-from dataclasses import dataclass
-
-from ..sheet.quantity import group, value
+from ..sheet.quantity import Stated, group, result, value
 from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond
-from .named import Named
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class ToothSystem:
     """What all wheels of a train have in common; tool addendum and tip radius in modules."""
 
@@ -23,7 +20,7 @@ class ToothSystem:
     rho_aP0: Number
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class WheelResult:
     """One wheel.  Values ending in _min and _max belong to the two ends of the allowance of the span."""
 
@@ -42,7 +39,7 @@ class WheelResult:
     tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
     speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
     span_teeth: Number = value("Teeth spanned", "", "K")
-    span: Named = group(spread=True)
+    span: dict[str, Stated] = group(spread=True)
     ideal_ball: Metre = value("Ball that touches in the middle of the flank", "mm", "D_y")
     ball_diameter: Metre = value("Measuring ball", "mm", "D_M")
     over_balls: Metre | None = value("Size over balls", "mm", "M", default=None)
@@ -61,17 +58,17 @@ class WheelResult:
     form_curvature: Metre  # ρ_F
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class MeshRating:
     """Nominal stresses of one mesh: no influence factors, K = 1."""
 
     tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t")
     contact_stress: Pascal = value("Nominal contact stress, K = 1", "MPa", "σ_H0")
-    root_stress: Named = group(spread=True)  # root_stress_WHEEL
+    root_stress: dict[str, Stated] = group(spread=True)  # root_stress_WHEEL
     torque: NewtonMetre  # at the driver
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class MeshResult:
     centre_distance: Metre = value("Centre distance", "mm", "a_w")
     working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt")
@@ -104,7 +101,7 @@ class MeshResult:
     play_angle: Radian  # free turn of the driven wheel at the largest backlash
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class TrainResult:
     system: ToothSystem = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)

@@ -27,9 +27,7 @@ def torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
 
 
 @formula("σ_H,F", f"{SHEET} (wrong: E, β for β_b, and √cos β of the withdrawn edition)", unit="MPa")
-def contact_stress(
-    beta: Radian, alpha_wt: Radian, alpha_t: Radian, Z_eps: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
-) -> Pascal:
+def contact_stress(beta: Radian, alpha_wt: Radian, alpha_t: Radian, Z_eps: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number) -> Pascal:
     return (
         sqrt(0.175 * E_OF_SHEET) * sqrt(2 * cos(beta) * cos(alpha_wt) / (cos(alpha_t) ** 2 * sin(alpha_wt)))
         * Z_eps * sqrt(cos(beta)) * sqrt(F_t / (d_1 * b) * (u + 1) / u)

@@ -50,9 +50,7 @@ def helix_factor_contact(beta: Radian) -> Number:
 
 
 @formula("σ_H0", f"{CONTACT}: nominal contact stress at the pitch point", unit="MPa", names={"E_c": "E'"})
-def contact_stress(
-    Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number
-) -> Pascal:
+def contact_stress(Z_H: Number, E_c: Pascal, Z_eps: Number, Z_beta: Number, F_t: Newton, d_1: Metre, b: Metre, u: Number) -> Pascal:
     return Z_H * sqrt(E_c) * Z_eps * Z_beta * sqrt(F_t / (d_1 * b) * (u + 1) / u)
 
 
@@ -130,9 +128,7 @@ def load_tooth_angle(x: Number, alpha_n: Radian, z_n: Number, alpha_en: Radian) 
 
 
 @formula("h*_Fe", f"{ROOT}: lever arm of the load; α_Fen = α_en − γ_e")
-def lever_arm(
-    gamma_e: Radian, alpha_en: Radian, d_en: Metre, m_n: Metre, z_n: Number, theta: Radian, G: Number, rho_aP0: Number
-) -> Number:
+def lever_arm(gamma_e: Radian, alpha_en: Radian, d_en: Metre, m_n: Metre, z_n: Number, theta: Radian, G: Number, rho_aP0: Number) -> Number:
     return ((cos(gamma_e) - sin(gamma_e) * tan(alpha_en - gamma_e)) * d_en / m_n - z_n * cos(pi / 3 - theta) - G / cos(theta) + rho_aP0) / 2
 
 
@@ -153,7 +149,7 @@ def slenderness(s: Number, h: Number) -> Number:
 
 @formula("Y_S", f"{ROOT}: stress correction factor; holds for q_s from 1 to 8")
 def stress_correction(L: Number, q_s: Number) -> Number:
-    return (1.2 + 0.13 * L) * q_s ** (1 / (1.21 + 2.3 / L))  # type: ignore[no-any-return]
+    return (1.2 + 0.13 * L) * q_s ** (1 / (1.21 + 2.3 / L))
 
 
 # --- tooth root: the stress ------------------------------------------------------------------------------------------------------

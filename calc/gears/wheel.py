@@ -6,13 +6,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..sheet.errors import NoSolution
-from ..sheet.quantity import Described
+from ..sheet.quantity import Described, Stated
 from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
 from . import measures as m
 from .inputs import GearsInputs, Wheel
-from .named import Named, named
 from .profile import Cut, form_diameter_of_undercut
 from .result import ToothSystem, WheelResult
 
@@ -99,13 +98,13 @@ def _best_span(K: Number) -> int:
     return max(1, math.ceil(K - 0.5 - 1e-9))
 
 
-def _span(wheel: Wheel, K: int, W_K: Metre) -> Named:
+def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:
     upper, lower = _allowance(wheel) or (None, None)
     sizes = {"": ("", W_K)}
     if lower is not None and upper is not None:
         sizes["_min"] = (", smallest", m.span_with_allowance(W_K, lower))
         sizes["_max"] = (", largest", m.span_with_allowance(W_K, upper))
-    return named({f"span_{K}{end}": (Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()})
+    return {f"span_{K}{end}": Stated(Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()}
 
 
 def _over_balls(bare: _Bare, s_t: Metre, ball: Metre) -> Metre | None:

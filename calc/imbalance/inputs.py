@@ -14,5 +14,9 @@ class ImbalanceInputs:
         "that is left turns backwards only, and one counter-shaft can take it.",
     )  # fmt: skip
     kinematics: str = choice(
-        "Kinematics", "exact", "two_term", default="exact", help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks."
+        "Kinematics",
+        "exact",
+        "two_term",
+        default="exact",
+        help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
     )

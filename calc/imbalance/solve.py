@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of orders 1 to 8, what the crank takes of them, and what the counter-shaft must supply."""
 
-from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from ..engine.inputs import EngineInputs
 from ..engine.solve import ORDERS, EngineResult
 from ..sheet.check import Check, check
 from ..sheet.functions import argument
-from ..sheet.quantity import group, value
+from ..sheet.quantity import group, result, value
 from ..sheet.step import Curve, Erratum, Outcome, Series
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Radian
@@ -17,7 +17,7 @@ from . import formulas as f
 from .inputs import ImbalanceInputs
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class Order:
     """One order: the vectors turning with and against the crank at n times its speed, after the crank's own counterweights."""
 
@@ -37,7 +37,7 @@ class Order:
     two_term: "Order | None" = group(default=None)
 
 
-@dataclass(frozen=True, kw_only=True)
+@result
 class ImbalanceResult:
     orders: dict[str, Order] = group(spread=True)
     required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
@@ -47,9 +47,11 @@ class ImbalanceResult:
     required: complex  # the vector
 
 
-def _order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
-    crank = e.crank
-    common = dict(omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
+def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
+    crank: Any = e.crank  # arrays enter the formulas here
+    common: dict[str, Any] = dict(
+        omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
+    )
     F_f = f.force_forward(c_n=c_n, n=float(n), psi=crank.psi, **common)
     F_b = f.force_backward(c_n=c_n, n=float(n), psi=crank.psi, **common)
     C_f = f.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
@@ -60,12 +62,20 @@ def _order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInput
         F_f = _clean(f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common)), dust)
         C_f = _clean(f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common)), dust * engine.cylinder_pitch)
     return Order(
-        force_forward=abs(F_f), force_forward_phase=argument(F_f), force_backward=abs(F_b), force_backward_phase=argument(F_b),
-        force_peak_vertical=f.force_peak_vertical(F_f, F_b), force_peak_horizontal=f.force_peak_horizontal(F_f, F_b),
-        couple_forward=abs(C_f), couple_forward_phase=argument(C_f), couple_backward=abs(C_b), couple_backward_phase=argument(C_b),
-        couple_peak_vertical=f.couple_peak_vertical(C_f, C_b), couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
+        force_forward=abs(F_f),
+        force_forward_phase=argument(F_f),
+        force_backward=abs(F_b),
+        force_backward_phase=argument(F_b),
+        force_peak_vertical=f.force_peak_vertical(F_f, F_b),
+        force_peak_horizontal=f.force_peak_horizontal(F_f, F_b),
+        couple_forward=abs(C_f),
+        couple_forward_phase=argument(C_f),
+        couple_backward=abs(C_b),
+        couple_backward_phase=argument(C_b),
+        couple_peak_vertical=f.couple_peak_vertical(C_f, C_b),
+        couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
         vectors=(F_f, F_b, C_f, C_b),
-    )  # fmt: skip
+    )
 
 
 def _clean(vector: complex, dust: float) -> complex:
@@ -88,23 +98,34 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> 
                 solved = _order(n, c_n, imbalance, engine, e) if c_n else None
             if solved is None:
                 continue
-            orders[f"order_{n}"] = Order(**{k: getattr(solved, k) for k in Order.__dataclass_fields__ if k != "two_term"}, two_term=two_term)
+            orders[f"order_{n}"] = Order(
+                **{k: getattr(solved, k) for k in Order.__dataclass_fields__ if k != "two_term"}, two_term=two_term
+            )
         with about("counter-shaft"):
             required = f.required_couple(orders["order_1"].vectors[3])
             length = f.length_of_couple(required)
             phase = f.direction_of_couple(required)
             product = f.unbalance_product(C_S=length, omega=e.angular_speed)
     result = ImbalanceResult(
-        orders=orders, required_couple=length, required_couple_phase=phase, required_unbalance_product=product,
-        mistiming_per_degree=2 * length * np.sin(np.radians(0.5)).item(), required=required,
-    )  # fmt: skip
+        orders=orders,
+        required_couple=length,
+        required_couple_phase=phase,
+        required_unbalance_product=product,
+        mistiming_per_degree=2 * length * np.sin(np.radians(0.5)).item(),
+        required=required,
+    )
     return Outcome(
-        "imbalance", result=result, checks=_checks(result), lines=tuple(lines), curves=_curves(result),
-        errata=_errata(imbalance, result), notes=(
+        "imbalance",
+        result=result,
+        checks=_checks(result),
+        lines=tuple(lines),
+        curves=_curves(result),
+        errata=_errata(imbalance, result),
+        notes=(
             "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only.",
             "The torque reaction about the crank axis can not be balanced by masses and is not part of this step.",
         ),
-    )  # fmt: skip
+    )
 
 
 def _checks(result: ImbalanceResult) -> tuple[Check, ...]:
@@ -114,24 +135,45 @@ def _checks(result: ImbalanceResult) -> tuple[Check, ...]:
     if result.required_couple:
         found.append(
             check(
-                "imbalance.order_1.forward", "First-order couple turning forward", first.couple_forward, "<=", 0.05 * result.required_couple, "N·m", own,
-                "The backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5).", kind="advice",
+                "imbalance.order_1.forward",
+                "First-order couple turning forward",
+                first.couple_forward,
+                "<=",
+                0.05 * result.required_couple,
+                "N·m",
+                own,
+                "The backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5).",
+                kind="advice",
             )
-        )  # fmt: skip
+        )
         if second := result.orders.get("order_2"):
             found.append(
                 check(
-                    "imbalance.order_2.couple", "Second-order couple left", second.couple_peak_vertical, "<=", 0.5 * result.required_couple, "N·m", own,
-                    "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it.", kind="advice",
+                    "imbalance.order_2.couple",
+                    "Second-order couple left",
+                    second.couple_peak_vertical,
+                    "<=",
+                    0.5 * result.required_couple,
+                    "N·m",
+                    own,
+                    "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it.",
+                    kind="advice",
                 )
-            )  # fmt: skip
+            )
     else:
         found.append(
             check(
-                "imbalance.order_1.backward_force", "First-order force turning backward", first.force_backward, "<=", 0.0, "N", own,
-                "One shaft at −ω with this force, in the plane of the engine's middle, takes it.", kind="advice",
+                "imbalance.order_1.backward_force",
+                "First-order force turning backward",
+                first.force_backward,
+                "<=",
+                0.0,
+                "N",
+                own,
+                "One shaft at −ω with this force, in the plane of the engine's middle, takes it.",
+                kind="advice",
             )
-        )  # fmt: skip
+        )
     return tuple(found)
 
 
@@ -142,11 +184,15 @@ def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratu
     theirs = f.second_order_couple_of_finotti(kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical)
     return (
         Erratum(
-            "imbalance.order_2.couple_peak_vertical", "Second-order couple", float(theirs), "N·m", "Finotti 2013, 2.5.3.4",
+            "imbalance.order_2.couple_peak_vertical",
+            "Second-order couple",
+            float(theirs),
+            "N·m",
+            "Finotti 2013, 2.5.3.4",
             "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
             "untouched: the whole reciprocating mass acts.",
         ),
-    )  # fmt: skip
+    )
 
 
 def _curves(result: ImbalanceResult) -> tuple[Curve, ...]:
@@ -163,7 +209,26 @@ def _curves(result: ImbalanceResult) -> tuple[Curve, ...]:
     degrees = np.degrees(theta)
     turn = "crank angle from TDC of cylinder 1, °"
     return (
-        Curve("couples", "Couples of all orders over one turn", turn, "C, N·m", (Series("vertical", degrees, total_C.real), Series("horizontal", degrees, total_C.imag))),
-        Curve("forces", "Forces of all orders over one turn", turn, "F, N", (Series("vertical", degrees, total_F.real), Series("horizontal", degrees, total_F.imag))),
-        Curve("locus", "Locus of the first-order couple", "horizontal, N·m", "vertical, N·m", (Series("before the shaft", locus.imag, locus.real),), equal=True),
+        Curve(
+            "couples",
+            "Couples of all orders over one turn",
+            turn,
+            "C, N·m",
+            (Series("vertical", degrees, total_C.real), Series("horizontal", degrees, total_C.imag)),
+        ),
+        Curve(
+            "forces",
+            "Forces of all orders over one turn",
+            turn,
+            "F, N",
+            (Series("vertical", degrees, total_F.real), Series("horizontal", degrees, total_F.imag)),
+        ),
+        Curve(
+            "locus",
+            "Locus of the first-order couple",
+            "horizontal, N·m",
+            "vertical, N·m",
+            (Series("before the shaft", locus.imag, locus.real),),
+            equal=True,
+        ),
     )

@@ -69,7 +69,15 @@ class Check:
 
 
 def check(
-    id: str, name: str, value: float, sense: str, limit: float | tuple[float, float], unit: str, source: str, advice: str = "", *,
+    id: str,
+    name: str,
+    value: float,
+    sense: str,
+    limit: float | tuple[float, float],
+    unit: str,
+    source: str,
+    advice: str = "",
+    *,
     kind: str = "limit",
 ) -> Check:
     """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else."""

@@ -6,7 +6,7 @@ They are typed float → float so that formulas stay readable to the type checke
 
 import math
 from collections.abc import Callable
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -41,7 +41,7 @@ def inv(angle: float) -> float:
 
 def cis(angle: float) -> complex:
     """The unit phasor e^{iα}."""
-    return complex(math.cos(angle), math.sin(angle)) if type(angle) is float else np.exp(1j * np.asarray(angle))
+    return complex(math.cos(angle), math.sin(angle)) if type(angle) is float else cast(complex, np.exp(1j * np.asarray(angle)))
 
 
 def conj(z: complex) -> complex:

@@ -8,9 +8,11 @@ file, `--set`, the form, the report and the JSON all read this one description.
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
-from typing import Any
+from typing import Any, TypeVar, dataclass_transform
 
 from .units import UNITS, Unit
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,7 +120,7 @@ class Key:
 
 
 @cache
-def keys(inputs: type) -> dict[str, Key]:
+def keys(inputs: Any) -> dict[str, Key]:
     """The keys of an Inputs class in their order: file key → Key."""
     found = {}
     for f in fields(inputs):
@@ -135,6 +137,14 @@ class Described:
     label: str
     unit: str
     symbol: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Stated:
+    """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number, in SI."""
+
+    about: Described
+    number: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -159,18 +169,30 @@ def group(*, spread: bool = False, default: Any = MISSING) -> Any:
     return field(default=default, kw_only=True, metadata={"group": spread})
 
 
+@dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
+def result(cls: type[T]) -> type[T]:
+    """A class of results: frozen, made by keywords, told apart by identity, since results hold arrays."""
+    return dataclass(frozen=True, kw_only=True, eq=False, repr=False)(cls)
+
+
 def published(result: Any, prefix: str) -> Iterator[Published]:
     """All values of a result with their addresses, in the order in which they are declared."""
     if isinstance(result, dict):
         for name, part in result.items():
             yield from published(part, f"{prefix}.{name}")
         return
+    if isinstance(result, Stated):
+        yield _published(prefix, result.about, result.number)
+        return
     for f in fields(result):
         content = getattr(result, f.name)
         if content is None:
             continue
         if (about := f.metadata.get("value")) is not None:
-            number = float(content)
-            yield Published(f"{prefix}.{f.name.rstrip('_')}", UNITS[about.unit].shown(number), about.unit, about.label, about.symbol, content)
+            yield _published(f"{prefix}.{f.name.rstrip('_')}", about, content)
         elif (spread := f.metadata.get("group")) is not None:
             yield from published(content, prefix if spread else f"{prefix}.{f.name}")
+
+
+def _published(id: str, about: Described, inside: Any) -> Published:
+    return Published(id, UNITS[about.unit].shown(float(inside)), about.unit, about.label, about.symbol, inside)

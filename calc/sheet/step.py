@@ -67,7 +67,6 @@ class Outcome:
     notes: tuple[str, ...] = ()  # assumptions, and what the program chose
     reason: str = ""
 
-
     @property
     def verdict(self) -> str:
         return worst([c.verdict for c in self.checks]) if self.state == "solved" else self.state

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 class Line:
     """One evaluation of a formula.  Screen, paper and JSON render this object and nothing else."""
 
-    formula: "Formula"
+    formula: "Formula[..., Any]"
     arguments: Mapping[str, Any]
     value: Any
     about: str = ""  # whose calculation this is: "front bearing", "mesh 36–39"
@@ -56,6 +56,6 @@ def about(subject: str) -> Iterator[None]:
         _subject.reset(token)
 
 
-def record(formula: "Formula", arguments: Mapping[str, Any], value: Any) -> None:
+def record(formula: "Formula[..., Any]", arguments: Mapping[str, Any], value: Any) -> None:
     if (lines := recorder.get()) is not None:
         lines.append(Line(formula, arguments, value, _subject.get()))

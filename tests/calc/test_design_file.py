@@ -94,7 +94,11 @@ def test_one_mistake_is_named_with_its_line(old, new, line, words):
 
 
 def test_every_error_at_once_in_the_order_of_the_lines():
-    text = TEXT.replace("bore_mm = 94.0", "bore_mm = -1").replace("teeth = 39", "teeth = 1.5").replace("supply_pressure_bar = 4.0", "supply_presure_bar = 4.0")
+    text = (
+        TEXT.replace("bore_mm = 94.0", "bore_mm = -1")
+        .replace("teeth = 39", "teeth = 1.5")
+        .replace("supply_pressure_bar = 4.0", "supply_presure_bar = 4.0")
+    )
     text = text.replace('oil = "10W-40 Q8 T905"', 'oil = "water"').replace("firing_order = [1, 3, 2]", "firing_order = [1, 3]")
     found = errors(text)
     assert len(found) == 6  # the misspelt key is unknown and the right one missing; names and cross-checks are not put off
@@ -168,7 +172,7 @@ def test_values_are_addressed_by_name_or_index(gamma):
     ("bearings", "is a table"), ("engine.bore_mm.x", "has no parts"), ("nonsense", "is not known"), ("", "is not known"),
 ])  # fmt: skip
 def test_a_wrong_address_is_named(gamma, key, words):
-    with pytest.raises(BadInput, match=".*") as bad:
+    with pytest.raises(BadInput) as bad:
         gamma.with_value(key, 1)
     assert words in str(bad.value)
 
@@ -177,7 +181,9 @@ def test_an_edit_changes_one_key_and_leaves_the_document_as_it_was(gamma):
     other = gamma.with_value("bearings.front.length_mm", 34.0)
     assert design(other).bearings.front.length == 0.034
     assert design(gamma).bearings.front.length == 0.0275
-    assert gamma.with_value("bearings.front.clearance_factor", None).data["bearings"]["front"].keys() == gamma.data["bearings"]["front"].keys() - {"clearance_factor"}
+    assert gamma.with_value("bearings.front.clearance_factor", None).data["bearings"]["front"].keys() == gamma.data["bearings"][
+        "front"
+    ].keys() - {"clearance_factor"}
 
 
 @pytest.mark.parametrize("text, key, value", [

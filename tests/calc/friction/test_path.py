@@ -24,17 +24,13 @@ def wider(mesh, b):
 
 def tips(mesh, driver=1.0, driven=1.0):
     one, two = mesh.driver, mesh.driven
-    return replace(
-        mesh, driver=replace(one, tip_radius=one.tip_radius * driver), driven=replace(two, tip_radius=two.tip_radius * driven)
-    )
+    return replace(mesh, driver=replace(one, tip_radius=one.tip_radius * driver), driven=replace(two, tip_radius=two.tip_radius * driven))
 
 
 # --- published -------------------------------------------------------------------------------------------------------------
 def test_loss_factor_of_the_fzg_gears():
     known, p = VECTORS["fzg_c"], path(fzg())
-    H_V = ohlendorf_loss_factor(
-        u=1.5, z_1=16, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2
-    )
+    H_V = ohlendorf_loss_factor(u=1.5, z_1=16, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2)
     assert H_V == pytest.approx(known["ohlendorf_loss_factor"], abs=known["tolerance"])
 
 
@@ -87,9 +83,7 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
     share = np.where((p.x < p.C_B) | (p.x > p.C_D), 0.5, 1.0)
     F_bt = transverse_force(P=1000.0, omega_1=c.motion.omega_1, r_b1=mesh.driver.base_radius)
     H_VL = loss_factor(s=p.weight, w=share * F_bt / mesh.face_width, V_s=c.motion.V_s, P=1000.0)
-    H_V = ohlendorf_loss_factor(
-        u=2.0, z_1=38, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2
-    )
+    H_V = ohlendorf_loss_factor(u=2.0, z_1=38, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2)
     assert H_VL == pytest.approx(H_V, rel=1e-12)
     assert H_V == pytest.approx(0.098764, abs=1e-6)
 
@@ -129,9 +123,7 @@ def test_positions_of_a_spur_pair_are_fine_enough(sharing, tolerance):
 @pytest.mark.parametrize("b", [6e-3, 15e-3, 40e-3])
 def test_strips_of_a_helical_pair_are_fine_enough(b, by_regime):
     mesh, o = wider(r753()["crank_central"], b), oil(OIL, 120.0)
-    coarse, fine = (
-        solve_mesh(case(friction(), mesh, o, 43.3, **more), 290.0, by_regime) for more in ({}, {"points": 6, "strips": 121})
-    )
+    coarse, fine = (solve_mesh(case(friction(), mesh, o, 43.3, **more), 290.0, by_regime) for more in ({}, {"points": 6, "strips": 121}))
     assert coarse.loss == pytest.approx(fine.loss, rel=2e-4)
     assert coarse.film_min == pytest.approx(fine.film_min, rel=5e-3)
 

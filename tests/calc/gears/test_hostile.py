@@ -87,7 +87,7 @@ wheels = st.builds(
 
 @given(
     wheels, st.integers(5, 120), st.none() | st.floats(-3, 3), st.none() | st.floats(0.9, 1.2), st.none() | st.floats(0, 5000),
-    st.floats(0, 35), st.floats(10, 35), st.floats(0.5, 2), st.floats(0, 0.5), st.none() | st.floats(0.1, 20),
+    st.floats(0, 35), st.floats(10, 35), st.floats(0.5, 2), st.floats(0, 0.5, allow_subnormal=False), st.none() | st.floats(0.1, 20),
 )  # fmt: skip
 @settings(max_examples=150, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 def test_anything_gives_numbers_or_a_word(a, z, x, share, tolerance, beta, alpha_n, addendum, radius, ball):

@@ -95,7 +95,11 @@ angle = st.floats(0, 2 * math.pi)
 
 @settings(max_examples=40, deadline=None)
 @given(
-    phi=st.lists(angle, min_size=1, max_size=8), data=st.data(), offset=st.floats(-0.006, 0.006), kappa=st.floats(0, 1), bank=st.floats(0.1, 3.0)
+    phi=st.lists(angle, min_size=1, max_size=8),
+    data=st.data(),
+    offset=st.floats(-0.006, 0.006),
+    kappa=st.floats(0, 1),
+    bank=st.floats(0.1, 3.0),
 )
 def test_phasors_equal_the_time_domain(phi, data, offset, kappa, bank):
     """Any fan of cylinders with offset: the sum of the orders is the sum of the cylinders' forces at every crank angle."""
