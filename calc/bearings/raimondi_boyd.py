@@ -7,12 +7,12 @@ The published rows stand in tables/raimondi_boyd.toml.  The cubic is exact at l/
 
 import math
 import tomllib
+from bisect import bisect
+from dataclasses import dataclass
 from functools import cache
-
-import numpy as np
+from itertools import pairwise
 
 from ..catalogue import TABLES
-from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.units import Number
 
@@ -23,45 +23,54 @@ class OutsideCharts(ValueError):
     """The point lies outside the published charts."""
 
 
+@dataclass(frozen=True)
+class _Line:
+    """One quantity of one chart over ln S, with the slopes of a monotone cubic (Fritsch & Carlson 1980, harmonic means)."""
+
+    x: list[float]
+    y: list[float]
+    slopes: list[float]
+
+    def at(self, x: float) -> float:
+        k = min(max(bisect(self.x, x) - 1, 0), len(self.x) - 2)
+        h = self.x[k + 1] - self.x[k]
+        t = (x - self.x[k]) / h
+        left = (1 + 2 * t) * (1 - t) ** 2 * self.y[k] + t * (1 - t) ** 2 * h * self.slopes[k]
+        return left + t**2 * (3 - 2 * t) * self.y[k + 1] - t**2 * (1 - t) * h * self.slopes[k + 1]
+
+
+def _line(x: list[float], y: list[float]) -> _Line:
+    h = [b - a for a, b in pairwise(x)]
+    rise = [(b - a) / w for (a, b), w in zip(pairwise(y), h)]
+    inner = [
+        ((2 * h2 + h1) + (h2 + 2 * h1)) / ((2 * h2 + h1) / r1 + (h2 + 2 * h1) / r2)
+        for (h1, h2), (r1, r2) in zip(pairwise(h), pairwise(rise))
+    ]
+    return _Line(x, y, [rise[0], *inner, rise[-1]])
+
+
 @cache
-def _charts() -> dict[float, tuple[Array, Array, Array]]:
-    """Per l/d: ln S, ε and ln f*, by falling ε (rising S)."""
+def _charts() -> dict[float, tuple[_Line, _Line]]:
+    """Per l/d: ε and ln f* over ln S."""
     rows = tomllib.loads((TABLES / "raimondi_boyd.toml").read_text(encoding="utf-8"))["row"]
     charts = {}
     for ratio in sorted({float(r["length_ratio"]) for r in rows}):
         mine = sorted((r for r in rows if float(r["length_ratio"]) == ratio), key=lambda r: r["S"])
-        charts[ratio] = (
-            np.log([r["S"] for r in mine]), np.array([r["eccentricity"] for r in mine]), np.log([r["friction_variable"] for r in mine]),
-        )  # fmt: skip
+        ln_S = [math.log(r["S"]) for r in mine]
+        charts[ratio] = _line(ln_S, [r["eccentricity"] for r in mine]), _line(ln_S, [math.log(r["friction_variable"]) for r in mine])
     return charts
 
 
-def _read(chart: tuple[Array, Array, Array], S: float) -> tuple[float, float]:
+def _read(chart: tuple[_Line, _Line], S: float) -> tuple[float, float]:
     """h₀/c and f* of one chart at S.  Above the last point, ε falls and f* rises in proportion to 1/S and S, as they do for ε → 0."""
-    ln_S, eps, ln_f = chart
+    eps, ln_f = chart
     x = math.log(S)
-    if x < ln_S[0]:
-        raise OutsideCharts(f"S = {S:.4g} is below the charts ({math.exp(ln_S[0]):.4g})")
-    if x > ln_S[-1]:
-        beyond = math.exp(x - ln_S[-1])
-        return 1 - float(eps[-1]) / beyond, math.exp(ln_f[-1]) * beyond
-    return 1 - _cubic(ln_S, eps, x), math.exp(_cubic(ln_S, ln_f, x))
-
-
-def _cubic(x: Array, y: Array, at: float) -> float:
-    """Monotone cubic interpolation (Fritsch & Carlson 1980, harmonic slopes)."""
-    h, delta = np.diff(x), np.diff(y) / np.diff(x)
-    w1, w2 = 2 * h[1:] + h[:-1], h[1:] + 2 * h[:-1]
-    slopes = np.concatenate([delta[:1], (w1 + w2) / (w1 / delta[:-1] + w2 / delta[1:]), delta[-1:]])
-    k = min(max(int(np.searchsorted(x, at)) - 1, 0), h.size - 1)
-    t = (at - x[k]) / h[k]
-    value = (
-        (1 + 2 * t) * (1 - t) ** 2 * y[k]
-        + t * (1 - t) ** 2 * h[k] * slopes[k]
-        + t**2 * (3 - 2 * t) * y[k + 1]
-        - t**2 * (1 - t) * h[k] * slopes[k + 1]
-    )
-    return float(value)
+    if x < eps.x[0]:
+        raise OutsideCharts(f"S = {S:.4g} is below the charts ({math.exp(eps.x[0]):.4g})")
+    if x > eps.x[-1]:
+        beyond = math.exp(x - eps.x[-1])
+        return 1 - eps.y[-1] / beyond, math.exp(ln_f.y[-1]) * beyond
+    return 1 - eps.at(x), math.exp(ln_f.at(x))
 
 
 def chart_readings(S: float) -> dict[float, tuple[float, float]]:

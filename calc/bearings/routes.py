@@ -187,7 +187,7 @@ def din31652(seat: Seat, duty: Duty, rise: float, film: Callable[..., float] = d
     return Film(g, psi, So, eps, h_0, mu_f, f_v, power, Q, made, T, oil)
 
 
-def balanced(route: Route, seat: Seat, duty: Duty) -> Film:
+def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> Film:
     """The film whose heat leaves with the oil: the rise that a route makes is the rise it was given.  Only this state is traced.
 
     The difference falls with the assumed rise, so that a bracket finds the one answer.  Raises NoSolution where the load can not be
@@ -201,7 +201,7 @@ def balanced(route: Route, seat: Seat, duty: Duty) -> Film:
     with untraced():
         try:
             high = min(2 * excess(0.0) + 1e-6, HOTTEST)
-            rise = root(excess, 0.0, _reachable(excess, high), tolerance=1e-10)
+            rise = root(excess, 0.0, _reachable(excess, high), tolerance=tolerance)
         except ValueError as error:
             raise NoSolution(
                 f"no film carries {duty.load:.4g} N at {duty.speed * 60:.4g} rpm", str(error),

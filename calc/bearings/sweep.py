@@ -46,7 +46,7 @@ def sweep(seat: Seat, load: float, rated: float, bench: tuple[BenchPoint, ...], 
                 duty, load=load * (speed / rated) ** 2, speed=speed, effective_speed=duty.effective_speed * speed / rated,
                 supply_temperature=temperature, supply_pressure=pressure,
             )  # fmt: skip
-            found.append((speed, balanced(own_warm, seat, at).film))
+            found.append((speed, balanced(own_warm, seat, at, tolerance=1e-7).film))
     governing = [row for row in found if row[0] <= rated * (1 + 1e-9)] or found
     speed, film = min(governing, key=lambda row: row[1])
     return Sweep(tuple(s for s, _ in found), tuple(h for _, h in found), speed, film)

@@ -53,8 +53,12 @@ def modulus(z: complex) -> float:
 
 
 def argument(z: complex) -> float:
-    """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length."""
-    return math.atan2(z.imag, z.real) if abs(z) else 0.0
+    """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length.
+
+    Parts below 1e-12 of the length are dust of the last digits: 180° and not −180°, 0° and not 4e-15°.
+    """
+    dust = 1e-12 * abs(z)
+    return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
 def total(x: Any) -> Any:

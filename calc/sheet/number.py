@@ -31,7 +31,7 @@ def short(number: float, digits: int = DIGITS) -> str:
 
 def phasor(z: complex) -> str:
     """A vector in the transverse plane: its length and its angle."""
-    return f"{short(abs(z))}∠{short(math.degrees(math.atan2(z.imag, z.real)))}°" if abs(z) else "0"
+    return f"{short(abs(z))}∠{short(round(math.degrees(math.atan2(z.imag, z.real)), 9) + 0.0)}°" if abs(z) else "0"
 
 
 def scalar(x: Any) -> str:
