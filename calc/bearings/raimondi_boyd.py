@@ -42,10 +42,8 @@ class _Line:
 def _line(x: list[float], y: list[float]) -> _Line:
     h = [b - a for a, b in pairwise(x)]
     rise = [(b - a) / w for (a, b), w in zip(pairwise(y), h)]
-    inner = [
-        ((2 * h2 + h1) + (h2 + 2 * h1)) / ((2 * h2 + h1) / r1 + (h2 + 2 * h1) / r2)
-        for (h1, h2), (r1, r2) in zip(pairwise(h), pairwise(rise))
-    ]
+    between = zip(pairwise(h), pairwise(rise))
+    inner = [3 * (h1 + h2) / ((2 * h2 + h1) / r1 + (h2 + 2 * h1) / r2) for (h1, h2), (r1, r2) in between]
     return _Line(x, y, [rise[0], *inner, rise[-1]])
 
 

@@ -246,8 +246,8 @@ def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
             theirs * 1e6,
             "µm",
             "Finotti 2013, 5.5 (clearance as if always the same)",
-            f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes {r.clearance_hot * 1e6:.1f} µm when warm "
-            f"and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
+            f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes "
+            f"{r.clearance_hot * 1e6:.1f} µm when warm and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
         )
     )
     if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
@@ -260,7 +260,7 @@ def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
                 wrong * 1e6,
                 "µm",
                 "Finotti 2013, Table 5.4",
-                f"So = {r.din31652.sommerfeld:.3f} is below 1, but the thesis keeps the formula for So > 1, with which its iteration began.",
+                f"So = {r.din31652.sommerfeld:.3f} is below 1, but the thesis keeps the formula for So > 1 of its first pass.",
             )
         )
     return tuple(found)
