@@ -3,16 +3,15 @@
 
 import tomllib
 from collections.abc import Iterable
-from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from .sheet.quantity import choice, keys, quantity, text
+from .sheet.quantity import choice, inputs, keys, quantity, text
 
 TABLES = Path(__file__).parent / "tables"
 
 
-@dataclass(frozen=True)
+@inputs
 class Oil:
     """A lubricant by two viscosities and its density; the values by which it acts in a gear mesh follow from its base."""
 
@@ -29,7 +28,7 @@ class Oil:
             yield "nu100_mm2_s", "must be below the viscosity at 40 °C"
 
 
-@dataclass(frozen=True)
+@inputs
 class Material:
     """A solid by what shaft, bearing and gear need of it."""
 

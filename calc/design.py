@@ -2,7 +2,6 @@
 """A design: the six Inputs in order.  A seventh step is one new folder, two adjacent lines here and its call in solve.py."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
@@ -12,7 +11,7 @@ from .engine.inputs import EngineInputs
 from .friction.inputs import FrictionInputs
 from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
-from .sheet.quantity import integer, table, tables, text
+from .sheet.quantity import inputs, integer, table, tables, text
 from .sheet.step import Step
 
 SCHEMA = 1
@@ -27,7 +26,7 @@ STEPS = (
 )
 
 
-@dataclass(frozen=True)
+@inputs
 class Design:
     """Everything that a design file says, checked and in SI."""
 

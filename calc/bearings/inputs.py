@@ -2,12 +2,11 @@
 """The two plain bearings, their oil and its supply."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from ..sheet.quantity import choice, quantity, series, table, text
+from ..sheet.quantity import choice, inputs, quantity, series, table, text
 
 
-@dataclass(frozen=True)
+@inputs
 class BearingInputs:
     """One journal in its seat."""
 
@@ -45,8 +44,10 @@ class BearingInputs:
             yield "clearance_um", "must stay below a tenth of the diameter"
 
 
-@dataclass(frozen=True)
+@inputs
 class BearingsInputs:
+    """Oil, supply and temperatures of both bearings, and the bearings."""
+
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
     supply_temperature: float = quantity(
         "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, help="In the gallery before the bearing."

@@ -62,6 +62,8 @@ def _route(film: Film) -> RouteResult:
 
 @result
 class BearingResult:
+    """One bearing as judged, and beside it the routes on the clearance as given."""
+
     film: Metre = value("Smallest film", "µm", "h_0")
     film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
     film_double_load: Metre = value("Film at twice the load", "µm", "h_2F")
@@ -98,6 +100,8 @@ class BearingResult:
 
 @result
 class BearingsResult:
+    """Front and rear bearing."""
+
     bearings: dict[str, BearingResult] = group(spread=True)
 
 

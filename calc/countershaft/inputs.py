@@ -2,13 +2,14 @@
 """The counter-rotating shaft: its eccentric masses and its supports."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from ..sheet.quantity import choice, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, quantity, series, tables, text
 
 
-@dataclass(frozen=True)
+@inputs
 class EccentricMass:
+    """One eccentric mass of the shaft."""
+
     name: str = text("Name")
     mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
     radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e")
@@ -18,8 +19,10 @@ class EccentricMass:
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-shaft, + towards the flywheel.")
 
 
-@dataclass(frozen=True)
+@inputs
 class CountershaftInputs:
+    """The shaft: its masses and where it is carried."""
+
     mode: str = choice("Mode", "given", default="given", help="given: the eccentric masses below are checked.")
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
     speed_ratio: float = quantity(

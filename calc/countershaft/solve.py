@@ -20,6 +20,8 @@ LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
 
 @result
 class CountershaftResult:
+    """What the shaft supplies, leaves over and puts on its supports."""
+
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
     residual_order_1_couple: NewtonMetre = value("First-order couple left over", "N·m", "C_1,res")

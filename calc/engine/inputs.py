@@ -2,14 +2,13 @@
 """What an engine is described by."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from ..sheet.quantity import choice, integer, integers, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, integer, integers, quantity, series, tables, text
 
 USUAL_ORDERS = {1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4)}
 
 
-@dataclass(frozen=True)
+@inputs
 class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
@@ -18,8 +17,10 @@ class BenchPoint:
     oil_pressure: float = quantity("Oil pressure", "bar", low=0, high=100, symbol="p_s")
 
 
-@dataclass(frozen=True)
+@inputs
 class EngineInputs:
+    """Crank train, masses and rated speed."""
+
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice("Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.")
     cylinders: int = integer("Cylinders", low=1, high=16, symbol="N", help="Counted from the timing side.")

@@ -21,6 +21,8 @@ POINTS = 720
 
 @result
 class EngineResult:
+    """Masses, kinematics and harmonics of an engine."""
+
     reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
     rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
     lambda_: Number = value("Crank ratio", "", "λ")

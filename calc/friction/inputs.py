@@ -1,19 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction of the meshes needs beyond the gears themselves."""
 
-from dataclasses import dataclass
-
-from ..sheet.quantity import choice, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, quantity, series, tables, text
 
 
-@dataclass(frozen=True)
+@inputs
 class OtherLoss:
+    """A loss that the train carries besides those computed: idler bearings, seals."""
+
     name: str = text("Name")
     power: float = quantity("Power", "W", low=0, high=1e6, symbol="P")
 
 
-@dataclass(frozen=True)
+@inputs
 class FrictionInputs:
+    """Oil, flanks and load sharing of the meshes."""
+
     oil: str | None = text("Oil", optional=True, help="Left out: that of the bearings.")
     oil_temperature: float = quantity(
         "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5,

@@ -48,6 +48,8 @@ class MeshResult:
 
 @result
 class WheelResult:
+    """One wheel."""
+
     speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")
     windage: Watt = value("Windage of the wheel", "W", "P_W")
     other_loss: Watt = value("Other losses carried by the wheel", "W", "P_X")
@@ -55,6 +57,8 @@ class WheelResult:
 
 @result
 class FrictionResult:
+    """All meshes, all wheels and the closed balance."""
+
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")

@@ -3,13 +3,14 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
 
-from ..sheet.quantity import integer, quantity, series, tables, text
+from ..sheet.quantity import inputs, integer, quantity, series, tables, text
 
 
-@dataclass(frozen=True)
+@inputs
 class Wheel:
+    """One wheel of the train."""
+
     name: str = text("Name")
     teeth: int = integer("Teeth", low=5, high=1000, symbol="z")
     profile_shift: float = quantity(
@@ -30,8 +31,10 @@ class Wheel:
             yield "span_allowance_um", "is [upper, lower]: the first must not be below the second"
 
 
-@dataclass(frozen=True)
+@inputs
 class Mesh:
+    """Two wheels in mesh."""
+
     driver: str = text("Driver")
     driven: str = text("Driven")
     centre_distance: float = quantity(
@@ -62,8 +65,10 @@ class Mesh:
             yield "driven", "a wheel can not drive itself"
 
 
-@dataclass(frozen=True)
+@inputs
 class GearsInputs:
+    """The reference profile, the wheels and the meshes along the flow of power."""
+
     normal_module: float = quantity("Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25)
     pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20))
     helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0)

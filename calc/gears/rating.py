@@ -28,6 +28,8 @@ ROOT_OF_SHEET = (
 
 @result
 class RatingResult:
+    """The nominal stresses of every mesh."""
+
     meshes: dict[str, MeshRating] = group(spread=True)
 
 

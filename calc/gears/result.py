@@ -70,6 +70,8 @@ class MeshRating:
 
 @result
 class MeshResult:
+    """One mesh."""
+
     centre_distance: Metre = value("Centre distance", "mm", "a_w")
     working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt")
     working_helix_angle: Radian = value("Helix angle at the working circle", "°", "β_w")
@@ -103,6 +105,8 @@ class MeshResult:
 
 @result
 class TrainResult:
+    """The whole train."""
+
     system: ToothSystem = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     meshes: dict[str, MeshResult] = group(spread=True)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the crank is balanced, and with which kinematics the imbalance is judged."""
 
-from dataclasses import dataclass
-
-from ..sheet.quantity import choice, quantity
+from ..sheet.quantity import choice, inputs, quantity
 
 
-@dataclass(frozen=True)
+@inputs
 class ImbalanceInputs:
+    """What the crank takes of the reciprocating masses, and the kinematics that are judged."""
+
     crank_balance_fraction: float = quantity(
         "Share balanced on the crank", default=0.5, low=-1, high=2, usual=(0, 1), symbol="kappa", step=0.05,
         help="The crank's counterweights carry all rotating mass plus this share of the reciprocating mass. At ½ the first order "

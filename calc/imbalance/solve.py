@@ -39,6 +39,8 @@ class Order:
 
 @result
 class ImbalanceResult:
+    """All orders, and what the counter-shaft must supply."""
+
     orders: dict[str, Order] = group(spread=True)
     required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
     required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
