@@ -4,7 +4,6 @@
 Every edit, from the command line, a replay or the form, makes a new Document and is checked by this same one path.
 """
 
-import hashlib
 import math
 import re
 import tomllib
@@ -24,12 +23,19 @@ Table = dict[str, Any]
 
 @dataclass(frozen=True)
 class Document:
-    """The tables of a design file in the units of their keys, where each key stands, and what the bytes hash to."""
+    """The tables of a design file in the units of their keys, where each key stands, and the bytes."""
 
     data: Table
     place: str = "design"
     lines: dict[str, int] = field(default_factory=dict)
-    sha256: str = ""
+    raw: bytes = b""  # of the file as it was read
+
+    @property
+    def sha256(self) -> str:
+        """What the bytes of the file hash to; empty for a design that was never in a file."""
+        import hashlib
+
+        return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
 
     def with_value(self, key: str, value: Any) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`)."""
@@ -75,7 +81,7 @@ def parse(raw: bytes, place: str) -> Document:
         raise refuse(f"is not TOML: {re.sub(r' *[(]at .*[)]', '', str(error))}", line) from None
     except (RecursionError, ValueError) as error:
         raise refuse("is not a design: " + ("nested too deeply" if isinstance(error, RecursionError) else str(error))) from None
-    return Document(data, place, key_lines(text), hashlib.sha256(raw).hexdigest())
+    return Document(data, place, key_lines(text), raw)
 
 
 HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(?:#.*)?\Z")

@@ -77,9 +77,7 @@ def load(path: Path | str) -> Script:
     if isinstance(given, str):
         start = read(path.parent / given)
     elif isinstance(given, dict):
-        start = Document(
-            given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.sha256
-        )
+        start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.raw)
     else:
         error("design", "is missing; needs the path of a design file, or a whole [design] table")
     if errors:

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ..sheet.check import Check, check
+from ..sheet.number import short
 from . import formulas as f
 from .inputs import BearingInputs, BearingsInputs
 
@@ -116,7 +117,7 @@ def checks(
     )
     yield check(
         f"{at}.clearance_cold",
-        f"Clearance at {inputs.lowest_temperature:g} °C" + where,
+        f"Clearance at {short(inputs.lowest_temperature)} °C" + where,
         r.clearance_cold,
         ">",
         0.0,

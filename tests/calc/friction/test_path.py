@@ -9,7 +9,7 @@ import pytest
 
 from calc.friction.contact import hertz_pressure, motion
 from calc.friction.loss import case, loss_factor, ohlendorf_loss_factor, solve_mesh
-from calc.friction.path import at_pitch_point, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
+from calc.friction.path import _legendre, at_pitch_point, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
 from calc.sheet.errors import NoSolution
 
 from .pairs import friction, fzg, oil, r753, reference, spur_pair
@@ -148,3 +148,11 @@ def test_a_wheel_without_meaning_is_refused_by_its_field(field, value):
     mesh = spur_pair()
     with pytest.raises(NoSolution, match=field):
         path(replace(mesh, driver=replace(mesh.driver, **{field: value})))
+
+
+@pytest.mark.parametrize("points", [2, 11, 40])
+def test_our_nodes_are_those_of_gauss_and_legendre(points):
+    nodes, weights = _legendre(points)
+    theirs = np.polynomial.legendre.leggauss(points)
+    assert nodes == pytest.approx(theirs[0], abs=1e-14)
+    assert weights == pytest.approx(theirs[1], abs=1e-14)

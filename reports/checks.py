@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks and errata as tables: value, limit, margin, verdict; the worst first where they are summed up."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+from calc.sheet.check import Check
+from calc.sheet.number import short as number
+from calc.sheet.step import Erratum
+
+from .context import Context, part, severity
+from .flow import Block
+from .letters import BOLD
+from .prose import CELL, NOTE, Style
+from .tables import Cell, Column, Row, table
+from .words import STATE_COLOURS, verdict
+
+VERDICT = 42.0
+
+
+def sign_cell(context: Context, state: str) -> Cell:
+    return Cell(verdict(context.words, state), Style(CELL.size, CELL.leading, BOLD, STATE_COLOURS[state]))
+
+
+def _knows(name: str, whose: str) -> bool:
+    """Whether a name says already what it belongs to."""
+    letters = re.sub(r"\W", "", name.lower())
+    return all(word in letters for word in re.findall(r"\w+", whose.lower()))
+
+
+def shown_value(check: Check) -> str:
+    return f"{number(check.value)} {check.unit}".rstrip()
+
+
+def name_of(context: Context, check: Check) -> str:
+    """The check's name with the part that it judges."""
+    whose = part(check.id)
+    advice = f" ({context.words['advice']})" if check.kind == "advice" else ""
+    return f"{check.name}{'' if _knows(check.name, whose) else f', {whose}'}{advice}"
+
+
+def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
+    """The checks of a step in their order, each with its source."""
+    rows = []
+    for check in checks:
+        under = f"[{check.source}]" if check.source else ""
+        rows.append(_check_row(context, check, f"{under} {check.id}" if context.audit else under))
+    return _check_table(context, rows, gap=2.0)
+
+
+def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
+    """What failed or warns, the worst first.  Checks with the same advice stand together, and it under the last of them."""
+    together: dict[tuple[str, str], list[Check]] = {}
+    for check in sorted((c for c in checks if c.verdict != "pass"), key=severity):
+        together.setdefault((check.verdict, check.advice), []).append(check)
+    rows = []
+    for (_, advice), some in together.items():
+        rows += [_check_row(context, check, advice if check is some[-1] else "") for check in some]
+    return _check_table(context, rows, gap=4.0)
+
+
+def _check_row(context: Context, check: Check, under: str) -> Row:
+    name = Cell(name_of(context, check), under=(under, NOTE))
+    return sign_cell(context, check.verdict), name, shown_value(check), check.limit_text(), check.margin_text()
+
+
+def _check_table(context: Context, rows: list[Row], gap: float) -> list[Block]:
+    w = context.words
+    columns = (
+        Column(w["verdict"], width=VERDICT), Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
+    )  # fmt: skip
+    return table(columns, rows, gap=gap) if rows else []
+
+
+def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = False) -> list[Block]:
+    """Where a source is wrong: its value beside ours, and why; `short`: the reason once for all that have it, in its first sentence."""
+    w = context.words
+    together: dict[str, list[Erratum]] = {}
+    for n, erratum in enumerate(errata):
+        together.setdefault(erratum.why.partition(". ")[0].rstrip(".") if short else str(n), []).append(erratum)
+    rows: list[Row] = []
+    for why, some in together.items():
+        for e in some:
+            under = "" if short and e is not some[-1] else f"{why}. [{e.source}]" if short else f"{e.why} [{e.source}] {e.about}"
+            rows.append(_erratum_row(context, e, under))
+    columns = (
+        Column(w["quantity"]), Column(w["source_value"], "r"), Column(w["our_value"], "r"), Column(w["deviation"], "r", width=50.0)
+    )  # fmt: skip
+    return table(columns, rows) if rows else []
+
+
+def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
+    ours = context.values.get(e.about)
+    mine, deviation = "–", "–"
+    if ours is not None:
+        mine = f"{number(ours.shown)} {ours.unit}".rstrip()
+        if ours.unit == e.unit and ours.shown:
+            deviation = f"{(e.source_value / ours.shown - 1) * 100:+.1f} %".replace("-", "−")
+    whose = part(e.about)
+    label = e.label if _knows(e.label, whose) else f"{e.label}, {whose}"
+    return Cell(label, under=(under, NOTE)), f"{number(e.source_value)} {e.unit}".rstrip(), mine, deviation

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The contents, with links and page numbers, and the list of sources at the end."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from .boxes import FAINT, text
+from .context import Context
+from .flow import WIDTH, Block, heading, paragraph
+from .prose import BODY, NOTE, SECTION, one_line, run
+from .tables import Cell, Column, Row, table
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+# A publication: names and a year, or a standard with its number.
+PUBLICATION = re.compile(
+    r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
+    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|JIS|SAE|UNI)(?:/(?:TR|TS))?[ -](?:ISO |EN )?[A-Z]?\d[\d-]*(?::\d{4})?"
+)
+
+
+@dataclass(slots=True)
+class Entry:
+    """A section and its parts, each a title with the anchor that it leads to."""
+
+    title: str
+    anchor: str
+    parts: list[tuple[str, str]]
+
+
+def contents_blocks(context: Context, entries: list[Entry]) -> list[Block]:
+    """One row a section: its title, its parts with their pages, its own page.  Everything is a link."""
+    made = heading(context.words["contents"], SECTION, gap=12.0, after=1.0)
+    rows = [_row(entry) for entry in entries]
+    made += [Block(b.height, b.draw, b.gap, keep=i < len(rows) - 1) for i, b in enumerate(rows)]
+    return made
+
+
+def _row(entry: Entry) -> Block:
+    tall = 12.6
+    title = one_line(entry.title, BODY, 98.0)
+    names = [(run(name, NOTE), anchor) for name, anchor in entry.parts]
+
+    def draw(pen: Pen, y: float) -> None:
+        base = y - 0.78 * BODY.leading
+        page = text(str(pen.numbers.get(entry.anchor, "")), BODY.size)
+        pen.put(title, 0.0, base)
+        pen.put(page, WIDTH - page.width, base)
+        x = 104.0
+        for name, anchor in names:
+            number = text(str(pen.numbers.get(anchor, "")), NOTE.size, colour=NOTE.colour)
+            pen.put(name, x, base)
+            pen.put(number, x + name.width + 3.0, base)
+            pen.link(x, base - 2.0, name.width + number.width + 4.0, 9.0, anchor, entry.title)
+            x += max(62.0, name.width + number.width + 14.0)
+        pen.rule(0.0, y - tall + 0.6, WIDTH, 0.4, FAINT)
+        pen.link(0.0, base - 2.5, 100.0, 10.5, entry.anchor, entry.title)
+        pen.link(WIDTH - 24.0, base - 2.5, 24.0, 10.5, entry.anchor, entry.title)
+
+    return Block(tall, draw)
+
+
+def source_blocks(context: Context) -> list[Block]:
+    """Everything that was cited, by publication, with the steps that use it."""
+    w = context.words
+    published: dict[str, tuple[dict[str, None], dict[str, None]]] = {}
+    own: dict[str, list[str]] = {}
+    for source, steps in context.sources.items():
+        if found := PUBLICATION.search(source):
+            clauses, users = published.setdefault(found[0], ({}, {}))
+            clause = source[found.end() :].lstrip(" ,:;") if found.start() == 0 else source
+            clauses |= {clause: None} if clause else {}
+            users |= dict.fromkeys(steps)
+        else:
+            own.setdefault(", ".join(steps), []).append(source)
+    made = paragraph(w["sources_note"], NOTE, gap=1.0)
+    columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
+    rows: list[Row] = [
+        (Cell(name, under=("; ".join(clauses), NOTE)), Cell(", ".join(users), NOTE)) for name, (clauses, users) in sorted(published.items())
+    ]
+    made += table(columns, rows, gap=3.0) if rows else []
+    if own:
+        made += heading(w["own"], SECTION, gap=9.0, after=0.0)
+        columns = (Column(w["used_in"], width=110.0), Column(w["source"]))
+        made += table(columns, [(steps, Cell("; ".join(sources), NOTE)) for steps, sources in own.items()], gap=2.0)
+    return made
+

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The flow of blocks down the pages: what stays together, where a page ends, what is repeated at its top."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from .boxes import BLACK, FAINT, Box, Colour
+from .prose import BODY, Style
+from .prose import lines as text_lines
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+PAGE = (595.276, 841.890)  # A4 in points
+LEFT, RIGHT, TOP, BOTTOM = 57.0, 51.0, 66.0, 56.0
+WIDTH = PAGE[0] - LEFT - RIGHT
+HEIGHT = PAGE[1] - TOP - BOTTOM
+
+
+@dataclass(frozen=True, slots=True)
+class Block:
+    """Something that is not torn apart.  `draw(pen, y)` gets the height of its upper edge; x = 0 is the left margin.
+
+    `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first where this
+    block begins a page.  `need`: begins a page unless so much of the page is left.  `anchor`: links and the outline lead here.
+    """
+
+    height: float
+    draw: Callable[[Pen, float], None]
+    gap: float = 0.0
+    keep: bool = False
+    repeat: Block | None = None
+    need: float = 0.0
+    anchor: str = ""
+    outline: tuple[int, str] | None = None  # level and title
+
+
+@dataclass(slots=True)
+class Page:
+    blocks: list[tuple[float, Block]] = field(default_factory=list)  # distance from the upper margin
+    filled: float = 0.0
+
+
+def paginate(blocks: Iterable[Block], height: float = HEIGHT) -> list[Page]:
+    """Blocks on pages.  A chain of blocks that stay together moves to the next page whole, unless no page can hold it."""
+    pages = [Page()]
+    for chain in _chains(list(blocks), height):
+        page = pages[-1]
+        whole = sum(b.height + b.gap for b in chain)
+        left = height - page.filled
+        if page.blocks and (whole > left + 1e-6 or (chain[0].need and chain[0].need > left)):
+            page = Page()
+            pages.append(page)
+            if (again := chain[0].repeat) is not None:
+                page.blocks.append((0.0, again))
+                page.filled = again.height
+        for block in chain:
+            page.filled += block.gap if page.blocks else 0.0
+            page.blocks.append((page.filled, block))
+            page.filled += block.height
+    return pages
+
+
+def _chains(blocks: list[Block], height: float) -> Iterable[list[Block]]:
+    chain: list[Block] = []
+    filled = 0.0
+    for block in blocks:
+        if chain and filled + block.gap + block.height > 0.9 * height:  # no page would hold it together
+            yield chain
+            chain, filled = [], 0.0
+        chain.append(block)
+        filled += block.gap + block.height
+        if not block.keep:
+            yield chain
+            chain, filled = [], 0.0
+    if chain:
+        yield chain
+
+
+# --- simple blocks ------------------------------------------------------------------------------------------------------------
+def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False) -> Block:
+    """Lines of text as one block."""
+
+    def draw(pen: Pen, y: float) -> None:
+        for i, line in enumerate(lines):
+            pen.put(line, x, y - (i + 0.78) * leading)
+
+    return Block(leading * len(lines), draw, gap, keep)
+
+
+def paragraph(
+    words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0
+) -> list[Block]:
+    """A paragraph, line by line, so that it may run over a page; its first and last two lines stay together."""
+    set_lines = text_lines(words, style, WIDTH - x, most)
+    n = len(set_lines)
+    return [
+        lines_block([line], style.leading, x=x, gap=gap if i == 0 else 0.0, keep=keep if i == n - 1 else i == 0 or i == n - 2)
+        for i, line in enumerate(set_lines)
+    ]
+
+
+def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float = 10.0, gap: float = 1.5) -> list[Block]:
+    """A paragraph with a sign hanging in front of it."""
+    blocks = paragraph(words, style, x=indent, gap=gap)
+    mark = text_lines(sign, style, indent)[0]
+    first = blocks[0]
+
+    def draw(pen: Pen, y: float) -> None:
+        pen.put(mark, 0.0, y - 0.78 * style.leading)
+        first.draw(pen, y)
+
+    return [replace(first, draw=draw), *blocks[1:]]
+
+
+def heading(
+    words: str, style: Style, *, gap: float, after: float = 2.0, anchor: str = "", outline: int | None = None, title: str = "",
+    need: float = 0.0, ruled: bool = False,
+) -> list[Block]:  # fmt: skip
+    """A heading stays with what follows; it may carry an entry of the outline."""
+    made = text_lines(words, style, WIDTH, 4)
+    entry = (outline, title or words) if outline is not None else None
+
+    def draw(pen: Pen, y: float) -> None:
+        for i, line in enumerate(made):
+            pen.put(line, 0.0, y - (i + 0.78) * style.leading)
+        if ruled:
+            pen.rule(0.0, y - style.leading * len(made) - 1.5, WIDTH, 0.7, BLACK)
+
+    return [Block(style.leading * len(made) + after + (2.0 if ruled else 0.0), draw, gap, True, None, need, anchor, entry)]
+
+
+def ruler(gap: float = 4.0, colour: Colour = FAINT) -> Block:
+    return Block(0.5, lambda pen, y: pen.rule(0.0, y, WIDTH, 0.5, colour), gap)

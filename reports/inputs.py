@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The inputs of a step as tables: single quantities in rows, like parts (front and rear, wheels) in columns beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass, replace
+from typing import Any
+
+from calc.sheet.expression import symbol as greek
+from calc.sheet.number import SUPERSCRIPTS
+from calc.sheet.quantity import Key, Quantity, keys
+from calc.sheet.step import Step
+from calc.sheet.units import UNITS
+
+from .context import Context
+from .flow import Block, paragraph
+from .prose import CELL, NOTE
+from .tables import Cell, Column, Row, named_table, table
+from .typeset import symbol
+
+ACROSS = 5  # parts beside each other
+FLAT = 5  # a list of parts with at most so many quantities stands one part a row
+
+
+def exact(value: Any, *, rounded: bool = False) -> str:
+    """A number as the file gives it, with a true minus and powers of ten; `rounded`: without the last digits of a conversion."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, (list, tuple)):
+        return "; ".join(exact(v, rounded=rounded) for v in value)
+    if not isinstance(value, (int, float)):
+        return str(value)
+    mantissa, _, power = (f"{value:.12g}" if rounded else repr(value)).partition("e")
+    written = mantissa.replace("-", "−")
+    return f"{written}·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else written
+
+
+@dataclass(frozen=True, slots=True)
+class _Given:
+    """What a document says to one key, or what the program takes instead."""
+
+    text: str = ""
+    default: bool = False
+    left_out: bool = False
+
+
+def _given(key: Key, data: dict[str, Any]) -> _Given:
+    if (value := data.get(key.key)) is not None:
+        return _Given(exact(value))
+    default = key.field.default
+    if default is None or default is MISSING or default == ():
+        return _Given(left_out=True)
+    if isinstance(default, float):
+        default = UNITS[key.about.unit].shown(default)
+    return _Given(exact(default, rounded=True), default=True)
+
+
+def _symbol(about: Quantity) -> Cell:
+    return Cell(box=symbol(greek(about.symbol), CELL.size)) if about.symbol else Cell()
+
+
+def _column(about: Quantity) -> Column:
+    """A column headed by label and unit; numbers to the right."""
+    unit = f", {about.unit}" if about.unit else ""
+    return Column(f"{about.label}{unit}", "r" if about.kind in ("number", "integer") else "l")
+
+
+def _left_out(key: Key) -> str:
+    """The label of a key that is left out, with what the help says about that."""
+    said = key.about.help.partition("Left out: ")[2].rstrip(".")
+    label = key.about.label[:1].lower() + key.about.label[1:]
+    return f"{label} ({said})" if said else label
+
+
+class _Tables:
+    """Collects the tables of one step."""
+
+    def __init__(self, context: Context) -> None:
+        self.words = context.words
+        self.blocks: list[Block] = []
+        self.left_out: list[str] = []
+        self.default = False
+
+    def plain(self, title: str, cls: type, data: dict[str, Any], prefix: str) -> None:
+        """One table of inputs, and after it those inside it."""
+        rows: list[Row] = []
+        inner: list[Key] = []
+        for key in keys(cls).values():
+            if key.about.kind in ("table", "tables"):
+                inner.append(key)
+                continue
+            given = _given(key, data)
+            if given.left_out:
+                self.left_out.append(_left_out(key))
+                continue
+            rows.append((
+                key.about.label, _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", NOTE),
+            ))  # fmt: skip
+        if rows:
+            w = self.words
+            columns = (
+                Column(w["quantity"], width=138.0), Column(w["symbol"], width=42.0), Column(w["value"], "r", width=104.0),
+                Column(w["unit"], width=40.0), Column(w["key"]),
+            )  # fmt: skip
+            self.blocks += named_table(title, columns, rows)
+        self.inside(inner, data, prefix)
+
+    def inside(self, inner: list[Key], data: dict[str, Any], prefix: str) -> None:
+        """Tables in a table: neighbours of one class stand beside each other."""
+        n = 0
+        while n < len(inner):
+            key = inner[n]
+            content = data.get(key.key)
+            if key.about.kind == "tables":
+                named = [(str(p.get("name", i + 1)), p) for i, p in enumerate(content or [])]
+                self.parts(key.about.label, key.about.table, named, f"{prefix}.{key.key}")
+                n += 1
+                continue
+            like = [k for k in inner[n:] if k.about.table is key.about.table and k.about.kind == "table"]
+            n += len(like)
+            asked = [k for k in like if data.get(k.key) is not None]
+            if len(asked) > 1 and _flat(key.about.table):
+                self.parts("", key.about.table, [(k.about.label, data[k.key]) for k in asked], prefix)
+            else:
+                for k in asked:
+                    self.plain(k.about.label, k.about.table, data[k.key], f"{prefix}.{k.key}")  # type: ignore[arg-type]
+
+    def parts(self, title: str, cls: type | None, parts: list[tuple[str, dict[str, Any]]], prefix: str) -> None:
+        """Like parts: as rows where they say little each, else as columns."""
+        if not parts or cls is None:
+            return
+        if not _flat(cls):
+            for name, data in parts:
+                self.plain(f"{title}: {name}" if title else name, cls, data, prefix)
+            return
+        shown: list[tuple[Key, list[_Given]]] = []
+        for key in keys(cls).values():
+            given = [_given(key, data) for _, data in parts]
+            if key.key == "name":
+                continue
+            if all(g.left_out for g in given):
+                self.left_out.append(_left_out(key))
+            else:
+                shown.append((key, given))
+        if not shown:
+            return
+        if len(shown) <= FLAT and (len(parts) > ACROSS or len(shown) <= 3):
+            self.rows(title, [name for name, _ in parts], shown)
+        else:
+            self.columns(title, [name for name, _ in parts], shown)
+
+    def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]]) -> None:
+        head = [Column(""), *(_column(k.about) for k, _ in shown)]
+        rows: list[Row] = [(name, *(self.value(given[i]) for _, given in shown)) for i, name in enumerate(names)]
+        self.blocks += named_table(title, head, rows)
+
+    def columns(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]]) -> None:
+        w = self.words
+        for start in range(0, len(names), ACROSS):
+            some = names[start : start + ACROSS]
+            wide = 104.0 if len(some) < 3 else None
+            columns = (Column(name, "r", width=wide) for name in some)
+            head = (Column(w["quantity"]), Column(w["symbol"], width=42.0), *columns, Column(w["unit"], width=30.0))
+            rows: list[Row] = [
+                (k.about.label, _symbol(k.about), *(self.value(g) for g in given[start : start + ACROSS]), k.about.unit)
+                for k, given in shown
+            ]
+            name = title if not start else w["two"].format(name=title)
+            self.blocks += named_table(name if title else "", head, rows)
+
+    def value(self, given: _Given) -> Cell:
+        if given.left_out:
+            return Cell("–")
+        self.default |= given.default
+        return Cell(f"{given.text} *" if given.default else given.text)
+
+
+def _flat(cls: type | None) -> bool:
+    return cls is not None and all(k.about.kind not in ("table", "tables") for k in keys(cls).values())
+
+
+def input_blocks(context: Context, step: Step) -> list[Block]:
+    """The inputs of one step, with what the program takes where the file says nothing."""
+    data = context.document.data.get(step.key)
+    if not isinstance(data, dict):
+        return []
+    made = _Tables(context)
+    made.plain("", step.inputs, data, step.key)
+    w = context.words
+    if made.default:
+        made.blocks += paragraph(w["defaults"], NOTE, gap=3.0)
+    if made.left_out:
+        made.blocks += paragraph(w["left_out"].format(names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
+    return made.blocks
+
+
+# --- oils and materials -----------------------------------------------------------------------------------------------------
+def used_materials(context: Context) -> tuple[list[Any], list[Any]]:
+    """The oils and materials that the design names, in the order of their first naming."""
+    design = context.design
+    named: dict[str, str] = {}
+
+    def look(here: Any, key: str) -> None:
+        if isinstance(here, dict):
+            for k, value in here.items():
+                look(value, k)
+        elif isinstance(here, (list, tuple)):
+            for value in here:
+                look(value, key)
+        elif isinstance(here, str) and (key == "oil" or key.endswith("material")):
+            named.setdefault(here, key)
+
+    for _, step, _ in context.steps():
+        look(context.document.data.get(step.key), "")
+        for key in keys(step.inputs).values():  # a default counts as named
+            if context.document.data.get(step.key) is not None and isinstance(key.field.default, str):
+                look(key.field.default, key.key)
+    oils, materials = design.oils, design.materials
+    return (
+        [oils[n] for n, key in named.items() if key == "oil" and n in oils],
+        [materials[n] for n, key in named.items() if key != "oil" and n in materials],
+    )
+
+
+def material_blocks(context: Context) -> list[Block]:
+    oils, materials = used_materials(context)
+    return [*_catalogue(context, "oil", oils), *_catalogue(context, "material", materials)]
+
+
+def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Block]:
+    if not entries:
+        return []
+    numbers = [k for k in keys(entries[0].__class__).values() if k.key not in ("name", "source")]
+    head = [Column(context.words[kind])]
+    for key in numbers:
+        head.append(replace(_column(key.about), width=52.0))
+    rows: list[Row] = []
+    for entry in entries:
+        cells: list[str | Cell] = [Cell(entry.name, under=(entry.source, NOTE))]
+        for key in numbers:
+            value = getattr(entry, key.attribute)
+            cells.append(exact(UNITS[key.about.unit].shown(value), rounded=True) if isinstance(value, float) else str(value))
+        rows.append(cells)
+    return table(head, rows, gap=6.0)

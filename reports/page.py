@@ -1,0 +1,153 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pages: marks collected by a pen, then written to the canvas: rules and lines first, then figures, then all text in reading order."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfgen.canvas import Canvas
+
+from .boxes import BLACK, FAINT, GREY, Box, Colour, Mark
+from .flow import LEFT, PAGE, TOP, WIDTH, Page
+from .prose import NOTE, one_line
+
+
+class Pen:
+    """Collects what one page holds.  x = 0 is the left margin, y is the height on the page."""
+
+    def __init__(self, canvas: Canvas, numbers: Mapping[str, int], strings: dict[tuple[str, str], list[tuple[str, str]]]) -> None:
+        self.canvas = canvas
+        self.strings = strings  # texts as their fonts encode them
+        self.numbers = numbers  # anchor → page number
+        self.text: list[tuple[float, float, Mark]] = []
+        self.figures: list[Callable[[], None]] = []
+        self.code: list[str] = []
+        self.colour: Colour | None = None
+
+    def put(self, box: Box, x: float, y: float) -> None:
+        """Place a box with its base line at this height."""
+        x += LEFT
+        for mark in box.marks:
+            match mark[0]:
+                case "rule":
+                    self._fill(x + mark[1], y + mark[2], mark[3], mark[4], mark[5])
+                case "path":
+                    self._line([(x + px, y + py) for px, py in mark[1]], mark[2], mark[3])
+                case "link":
+                    self.link(x - LEFT + mark[1], y + mark[2], mark[3], mark[4], mark[5], mark[6])
+                case _:
+                    self.text.append((x + mark[1], y + mark[2], mark))
+
+    def turn(self, box: Box, x: float, y: float) -> None:
+        """Place the text of a box turned a quarter to the left, reading upwards from here."""
+        for mark in box.marks:
+            if mark[0] == "text":
+                self.text.append((LEFT + x - mark[2], y + mark[1], ("turned", *mark[1:])))
+
+    def rule(self, x: float, y: float, width: float, thick: float, colour: Colour = BLACK) -> None:
+        """A horizontal rule whose upper edge lies at y."""
+        self._fill(LEFT + x, y - thick, width, thick, colour)
+
+    def panel(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
+        """A filled rectangle; y is its lower edge."""
+        self._fill(LEFT + x, y, width, height, colour)
+
+    def link(self, x: float, y: float, width: float, height: float, anchor: str, words: str) -> None:
+        left = LEFT + x
+        self.canvas.linkRect(words, anchor, (round(left, 2), round(y, 2), round(left + width, 2), round(y + height, 2)), relative=0)
+
+    def figure(self, draw: Callable[[], None]) -> None:
+        self.figures.append(draw)
+
+    def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
+        self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
+
+    def _line(self, points: list[tuple[float, float]], thick: float, colour: Colour) -> None:
+        (x, y), *rest = points
+        to = " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
+        self.code.append(f"{_rgb(colour)} RG {thick:.2f} w {x:.2f} {y:.2f} m {to} S")
+
+    def write(self) -> None:
+        """Put everything on the canvas."""
+        if self.code:
+            self.canvas._code.append("q 1 j 1 J\n" + "\n".join(self.code) + "\nQ")
+        for draw in self.figures:
+            draw()
+        self.canvas._code.append("\n".join(self._text()))
+
+    def _text(self) -> list[str]:
+        """The operators of all text; one text object, so that marked passages may span lines."""
+        made = ["BT"]
+        font: tuple[str, float] | None = None
+        colour: Colour | None = None
+        hidden = False
+        for x, y, mark in self.text:
+            if mark[0] in ("begin", "end"):
+                made.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{_utf16(mark[3])}>>> BDC")
+                continue
+            _, _, _, words, face, size, paint, stretch, unseen = mark
+            if paint != colour:
+                made.append(f"{_rgb(paint)} rg")
+                colour = paint
+            if unseen != hidden:
+                made.append(f"{3 if unseen else 0} Tr")
+                hidden = unseen
+            turned = "0 1 -1 0" if mark[0] == "turned" else f"1 0 0 {stretch:.3f}"
+            made.append(f"{turned} {x:.2f} {y:.2f} Tm")
+            for name, string in self._encoded(face, words):
+                if (name, size) != font:
+                    made.append(f"{name} {size:.3f} Tf")
+                    font = (name, size)
+                made.append(f"({string}) Tj")
+        return [*made, "ET"]
+
+    def _encoded(self, face: str, words: str) -> list[tuple[str, str]]:
+        """A text in the embedded parts of its font: (font name on the page, string of codes)."""
+        if (known := self.strings.get((face, words))) is None:
+            font, document = pdfmetrics.getFont(face), self.canvas._doc
+            parts = font.splitString(words, document)
+            known = [(font.getSubsetInternalName(part, document), self.canvas._escape(codes)) for part, codes in parts]
+            self.strings[face, words] = known
+        return known
+
+
+def _rgb(colour: Colour) -> str:
+    return " ".join(f"{c:.3f}" for c in colour)
+
+
+def _utf16(words: str) -> str:
+    return ("\ufeff" + words).encode("utf-16-be").hex().upper()
+
+
+def paint(canvas: Canvas, pages: list[Page], head: tuple[str, str], foot: tuple[str, str], counted: str) -> None:
+    """All pages with running head, foot and outline.  `counted` holds {page} and {pages}."""
+    numbers = {block.anchor: n for n, page in enumerate(pages, 1) for _, block in page.blocks if block.anchor}
+    upper = PAGE[1] - TOP
+    strings: dict[tuple[str, str], list[tuple[str, str]]] = {}
+    for n, page in enumerate(pages, 1):
+        pen = Pen(canvas, numbers, strings)
+        _running(pen, n, len(pages), head, foot, counted)
+        for at, block in page.blocks:
+            if block.anchor:
+                canvas.bookmarkHorizontalAbsolute(block.anchor, round(upper - at + 8.0, 2), left=0)
+            if block.outline is not None:
+                canvas.addOutlineEntry(block.outline[1], block.anchor, block.outline[0], closed=block.outline[0] > 0)
+            block.draw(pen, upper - at)
+        pen.write()
+        canvas.showPage()
+
+
+def _running(pen: Pen, number: int, count: int, head: tuple[str, str], foot: tuple[str, str], counted: str) -> None:
+    pages = one_line(counted.format(page=number, pages=count), NOTE, 100.0)
+    upper, lower = PAGE[1] - 36.0, 30.0
+    right = one_line(head[1], NOTE, 0.35 * WIDTH)
+    pen.put(one_line(head[0], NOTE, WIDTH - right.width - 12.0), 0.0, upper)
+    pen.put(right, WIDTH - right.width, upper)
+    pen.rule(0.0, upper - 5.0, WIDTH, 0.5, GREY)
+    pen.rule(0.0, lower + 11.0, WIDTH, 0.4, FAINT)
+    left = one_line(foot[0], NOTE, 0.55 * WIDTH)
+    pen.put(left, 0.0, lower)
+    pen.put(one_line(foot[1], NOTE, 0.25 * WIDTH), left.width + 14.0, lower)
+    pen.put(pages, WIDTH - pages.width, lower)
+

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Running text: styles, and words broken into lines; a symbol written C_1 or T_in is set with its index."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+
+from .boxes import BLACK, GREY, Box, Colour, row, text
+from .letters import BOLD, UPRIGHT, clean
+from .letters import width as text_width
+from .typeset import symbol
+
+
+@dataclass(frozen=True, slots=True)
+class Style:
+    size: float
+    leading: float
+    face: str = UPRIGHT
+    colour: Colour = BLACK
+
+
+TITLE = Style(17.0, 21.0, BOLD)
+HEADING = Style(13.0, 17.0, BOLD)
+SECTION = Style(9.4, 13.0, BOLD)
+GROUP = Style(8.0, 11.0, BOLD, (0.22, 0.22, 0.22))
+BODY = Style(8.0, 11.2)
+CELL = Style(7.4, 9.8)
+STRONG = Style(7.4, 9.8, BOLD)
+HEADER = Style(6.6, 8.6, BOLD, (0.25, 0.25, 0.25))
+NOTE = Style(6.6, 8.8, UPRIGHT, GREY)
+SOURCE = Style(6.2, 8.0, UPRIGHT, GREY)
+
+# A symbol in running text: one or two letters, an index of at most five; `bore_mm` and `z_mm` are keys, not symbols.
+INLINE = re.compile(r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?![\w.]\w)")
+SOFT = re.compile(r"(?<=[/\-–·;,_.])")
+
+
+@lru_cache(maxsize=5000)
+def run(words: str, style: Style) -> Box:
+    """A piece of text on one line."""
+    if "_" not in words:
+        return text(words, style.size, style.face, style.colour)
+    parts = [p for p in INLINE.split(words) if p]
+    if len(parts) == 1 and not INLINE.fullmatch(parts[0]):
+        return text(words, style.size, style.face, style.colour)
+    return row(
+        [symbol(p, style.size, style.colour) if INLINE.fullmatch(p) else text(p, style.size, style.face, style.colour) for p in parts]
+    )
+
+
+def lines(words: str, style: Style, width: float, most: int = 0) -> list[Box]:
+    """Text broken into lines of at most this width; `most`: more lines than that end with an ellipsis."""
+    return [run(line, style) for line in broken(clean(words), style, width, most)]
+
+
+@lru_cache(maxsize=5000)
+def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, ...]:
+    """The text of each line.  A word wider than the line is broken after a mark in it, or anywhere."""
+    limit = width + 1e-6
+
+    def wide(part: str) -> float:
+        return text_width(part, style.size, style.face)
+
+    if wide(words) <= limit:
+        return (words.strip(),)
+    made: list[str] = []
+    line, x = "", 0.0
+    for part, blank in _tokens(words, style, limit):
+        gap = " " if blank and line else ""
+        if line and x + wide(gap) + wide(part) > limit:
+            made.append(line)
+            line, x, gap = "", 0.0, ""
+            if most and len(made) > most:
+                break
+        line, x = line + gap + part, x + wide(gap) + wide(part)
+    made += [line] if line else []
+    if most and len(made) > most:
+        last = made[most - 1]
+        while last and wide(last + " …") > limit:
+            last = last[:-1]
+        made = [*made[: most - 1], last.rstrip() + " …"]
+    return tuple(made) or ("",)
+
+
+def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool]]:
+    """What may stand on a line of its own, each with whether a blank goes before it."""
+    for word in words.split():
+        if text_width(word, style.size, style.face) <= limit:
+            yield word, True
+            continue
+        first = True
+        for piece in SOFT.split(word):
+            while piece:
+                n, x = 0, 0.0
+                while n < len(piece) and (x := x + text_width(piece[n], style.size, style.face)) <= limit:
+                    n += 1
+                n = max(n, 1)
+                yield piece[:n], first
+                first, piece = False, piece[n:]
+
+
+def one_line(words: str, style: Style, width: float) -> Box:
+    """Text on one line, cut with an ellipsis where it is too long."""
+    return lines(words, style, width, 1)[0]

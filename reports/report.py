@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The calculation report: one design, solved, as an A4 document that can be signed.
+
+The same design file and program give the same bytes: no date of printing, no path, no order but that of the design.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import os
+import tempfile
+from pathlib import Path
+
+from reportlab import rl_config
+from reportlab.pdfgen.canvas import Canvas
+
+from calc.design_file import Document
+from calc.sheet.step import Outcome, Step
+from calc.solve import Results
+
+from . import attach
+from .checks import check_blocks, errata_blocks
+from .contents import Entry, contents_blocks, source_blocks
+from .context import DEPTHS, Context
+from .derivation import derivation
+from .figures import Plots, figure_blocks
+from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
+from .inputs import input_blocks, material_blocks
+from .letters import FACES, UPRIGHT, clean, widths
+from .page import paint
+from .prose import BODY, HEADING, SECTION, lines
+from .summary import NOTE_LINES, PROGRAM, SHORT_HASH, step_anchor, summary_blocks
+from .values import value_blocks
+from .words import WORDS, verdict
+
+NEED = 0.36 * PAGE[1]  # a step begins on a new page unless so much is left
+
+
+def write(
+    document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en"
+) -> Path:
+    """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
+
+    `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
+    or a language that there is not.
+    """
+    made = render(document, results, raw, depth=depth, lang=lang)
+    path = Path(path)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}-", suffix=".part")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(made)
+        os.chmod(name, 0o644)
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+    return path
+
+
+def render(document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en") -> bytes:
+    """The report as the bytes of a PDF."""
+    if depth not in DEPTHS:
+        raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
+    if lang not in WORDS:
+        raise ValueError(f"lang {lang!r}: must be one of {', '.join(WORDS)}")
+    for face in FACES:
+        widths(face)
+    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, WORDS[lang])
+    pages = paginate(blocks(context))
+    design, w = results.design, context.words
+    out = io.BytesIO()
+    dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
+    try:
+        canvas = Canvas(out, pagesize=PAGE, invariant=1, pageCompression=1, pdfVersion=(1, 7), initialFontName=UPRIGHT, lang=lang)
+        attach.describe(
+            canvas, title=clean(design.name), author=clean(design.author), subject=f"{w['report']}, design file sha256 {context.sha256}",
+            keywords=f"{PROGRAM}, sha256:{context.sha256}", program=PROGRAM,
+        )  # fmt: skip
+        attach.attach(canvas, raw, w["file"])
+        canvas.setViewerPreference("DisplayDocTitle", "true")
+        canvas.showOutline()
+        head = (design.name, " · ".join(x for x in (w["report"], design.revision) if x))
+        foot = (PROGRAM, f"sha256 {context.sha256[:SHORT_HASH]}")
+        paint(canvas, pages, head, foot, w["page"])
+        canvas.save()
+    finally:
+        rl_config.useA85 = dense
+    return out.getvalue()
+
+
+def blocks(context: Context) -> list[Block]:
+    """Everything that the report holds, in its order."""
+    summary = summary_blocks(context)
+    if context.depth == "summary":
+        return summary
+    entries: list[Entry] = []
+    body: list[Block] = []
+    plots = Plots()
+    for number, step, outcome in context.steps():
+        body += _step(context, number, step, outcome, entries, plots)
+    w = context.words
+    number = len(entries) + 1
+    if materials := material_blocks(context):
+        body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
+        body += materials
+        number += 1
+    if len(lines(context.design.note, BODY, WIDTH)) > NOTE_LINES:
+        body += _section(f"{number}  {w['note']}", "note", entries, need=120.0)
+        body += paragraph(context.design.note, BODY)
+        number += 1
+    sources = source_blocks(context)
+    body += _section(f"{number}  {w['sources']}", "sources", entries, need=160.0)
+    body += sources
+    return summary + contents_blocks(context, entries) + body
+
+
+def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> list[Block]:
+    entries.append(Entry(title, anchor, []))
+    return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
+
+
+def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots) -> list[Block]:
+    """One step: inputs, assumptions, formulas, results, checks, figures; or why there is nothing to show."""
+    w = context.words
+    asked = outcome.state != "not_asked"
+    made = _section(f"{number}  {step.title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
+    reasons = {
+        "not_asked": w["not_asked_text"].format(key=step.key), "blocked": w["blocked_text"].format(reason=outcome.reason),
+        "no_solution": w["no_solution_text"].format(reason=outcome.reason),
+    }  # fmt: skip
+    if outcome.state in reasons:
+        made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
+    for check in outcome.checks:
+        if check.source:
+            context.cite(check.source, step)
+    for erratum in outcome.errata:
+        context.cite(erratum.source, step)
+    notes = [block for note in outcome.notes for block in bullet(note)]
+    parts = (
+        ("inputs", input_blocks(context, step)),
+        ("notes", notes),
+        ("formulas", derivation(context, step, outcome.lines)),
+        ("results", value_blocks(context, outcome)),
+        ("checks", check_blocks(context, outcome.checks)),
+        ("figures", figure_blocks(context.number(outcome.curves), w["figure"], plots)),
+        ("errata", errata_blocks(context, outcome.errata)),
+    )
+    for key, part in parts:
+        if part:
+            anchor = f"{step.key}-{key}"
+            made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)
+            made += part
+            if key != "errata":  # the row of the contents holds no more; they stand in the summary as well
+                entries[-1].parts.append((w[key], anchor))
+    return made

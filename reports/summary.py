@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first page: what was calculated, by whom, how it came out, what needs attention, and where a source is wrong."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from calc.sheet.check import SIGNS
+from calc.version import VERSION
+
+from .boxes import GREY
+from .boxes import text as text_box
+from .checks import attention_blocks, errata_blocks, name_of, shown_value, sign_cell
+from .context import Context, severity
+from .flow import WIDTH, Block, heading, lines_block, paragraph
+from .letters import BOLD, MISSING, writable
+from .prose import BODY, NOTE, SECTION, TITLE, Style, lines, one_line
+from .tables import Cell, Column, Row, table
+from .words import STATE_COLOURS, STATE_PANELS
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+PROGRAM = f"Contralbero {VERSION}"
+SHORT_HASH = 16
+NOTE_LINES = 8  # of the first page; a longer note is repeated whole at the end
+
+
+def step_anchor(key: str) -> str:
+    return f"step-{key}"
+
+
+def summary_blocks(context: Context) -> list[Block]:
+    w = context.words
+    results = context.results
+    made = _title(context)
+    made += _verdict(context)
+    made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
+    made += _steps(context)
+    if attention := attention_blocks(context, results.checks()):
+        made += heading(w["attention"], SECTION, gap=11.0, after=0.0)
+        made += attention
+    errata = [e for _, _, outcome in context.steps() for e in outcome.errata]
+    if errata:
+        made += heading(w["errata"], SECTION, gap=11.0, after=0.0)
+        made += errata_blocks(context, errata, short=True)
+    return made
+
+
+def _title(context: Context) -> list[Block]:
+    w, design = context.words, context.design
+    made = [lines_block([text_box(w["report"], NOTE.size + 0.6, colour=GREY)], 11.0, keep=True)]
+    made += [lines_block(lines(design.name, TITLE, WIDTH, 4), TITLE.leading, keep=True)]
+    made[-1] = Block(made[-1].height, made[-1].draw, 0.0, True, anchor="summary", outline=(0, w["summary"]))
+    if design.note:
+        made += paragraph(design.note, BODY, gap=2.0, most=NOTE_LINES)
+    facts = [(w[key], getattr(design, key)) for key in ("author", "checker", "revision", "date")]
+    facts = [(label, value) for label, value in facts if value]
+    facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
+    made.append(_facts(facts))
+    made += paragraph(w["attached"], NOTE, gap=2.0)
+    said = (design.name, design.note, design.author, design.checker, design.revision, design.date)
+    if not all(map(writable, said)) and not any(MISSING in s for s in said):
+        made += paragraph(w["missing_glyphs"], NOTE, gap=0.0)
+    return made
+
+
+def _facts(facts: list[tuple[str, str]]) -> Block:
+    """Small labels with their values below, beside each other as far as they fit."""
+    across = min(len(facts), 4)
+    wide = WIDTH / across - 8.0
+    cells = [(one_line(label, NOTE, wide), lines(value, BODY, wide, 3)) for label, value in facts]
+    rows = [cells[i : i + across] for i in range(0, len(cells), across)]
+    heights = [NOTE.leading + max(len(v) for _, v in r) * BODY.leading + 4.0 for r in rows]
+
+    def draw(pen: Pen, y: float) -> None:
+        top = y
+        for r, height in zip(rows, heights):
+            for i, (label, value) in enumerate(r):
+                x = i * WIDTH / across
+                pen.put(label, x, top - 0.78 * NOTE.leading)
+                for n, line in enumerate(value):
+                    pen.put(line, x, top - NOTE.leading - (n + 0.78) * BODY.leading)
+            top -= height
+
+    return Block(sum(heights), draw, gap=7.0)
+
+
+def _verdict(context: Context) -> list[Block]:
+    """The overall verdict as a panel: sign, word, and the count of checks."""
+    w, results = context.words, context.results
+    state = results.verdict
+    checks = list(results.checks())
+    count = {v: sum(c.verdict == v for c in checks) for v in ("pass", "warn", "fail")}
+    words = w["count"].format(**count, total=len(checks)) if checks else w["no_checks"]
+    waiting = [step.title for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
+    if waiting:
+        words += w["waiting"].format(steps=", ".join(waiting))
+    big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
+    sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
+    beside = lines(words, BODY, WIDTH - sign.width - 40.0)
+    height = max(30.0, len(beside) * BODY.leading + 12.0)
+
+    def draw(pen: Pen, y: float) -> None:
+        pen.panel(0.0, y - height, WIDTH, height, STATE_PANELS.get(state, (0.94, 0.94, 0.94)))
+        pen.panel(0.0, y - height, 3.0, height, STATE_COLOURS[state])
+        pen.put(sign, 12.0, y - height / 2 - 0.36 * big.size)
+        base = y - height / 2 + (len(beside) / 2 - 0.5) * BODY.leading - 0.34 * BODY.size
+        for i, line in enumerate(beside):
+            pen.put(line, sign.width + 28.0, base - i * BODY.leading)
+
+    return [Block(height, draw, gap=7.0)]
+
+
+def _steps(context: Context) -> list[Block]:
+    """One row a step: its verdict and the check that is closest to its limit, or furthest beyond."""
+    w = context.words
+    rows: list[Row] = []
+    for number, step, outcome in context.steps():
+        title = f"{number}  {step.title}"
+        state = outcome.verdict
+        worst = min(outcome.checks, key=severity, default=None) if outcome.state == "solved" else None
+        if worst is None:
+            words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(outcome.state, w["no_checks"])
+            rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
+            continue
+        found = name_of(context, worst), shown_value(worst), worst.limit_text(), worst.margin_text()
+        rows.append((title, sign_cell(context, state), *found))
+    columns = (
+        Column(w["step"], width=84.0), Column(w["verdict"], width=60.0), Column(w["worst"]), Column(w["value"], "r"),
+        Column(w["limit"], "r"), Column(w["margin"], "r"),
+    )  # fmt: skip
+    return table(columns, rows, gap=2.0)

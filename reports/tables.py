@@ -1,0 +1,205 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Tables: columns that are aligned, cells that wrap, rows that break over pages under a repeated header."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from .boxes import FAINT, Box
+from .flow import WIDTH, Block, heading
+from .prose import CELL, GROUP, HEADER, Style, lines, run
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+GAP = 7.0  # between columns
+PAD = 1.7  # above and below the text of a row
+MOST = 55  # lines of one row; a longer one goes on in the next
+DARK = (0.45, 0.45, 0.45)
+
+
+@dataclass(frozen=True, slots=True)
+class Column:
+    """A column: its header, its alignment (l, r), and its width (None: from its contents)."""
+
+    header: str = ""
+    align: str = "l"
+    width: float | None = None
+    style: Style = CELL
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """What stands in a table other than plain words: a style of its own, a set box, or further lines in another style."""
+
+    words: str = ""
+    style: Style | None = None
+    box: Box | None = None
+    under: tuple[str, Style] | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Group:
+    """A row that names what follows."""
+
+    words: str
+
+
+Row = Sequence[str | Cell] | Group
+
+
+def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 3.0, header: bool = True) -> list[Block]:
+    """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents."""
+    wide = _widths(columns, rows, width)
+    left = [sum(wide[:i]) + GAP * i for i in range(len(wide))]
+    top = _header(columns, wide, left, width) if header and any(c.header for c in columns) else None
+    made: list[Block] = [replace(top, gap=gap, keep=True)] if top is not None else []
+    held: list[Block] = []
+    for n, r in enumerate(rows):
+        if isinstance(r, Group):
+            held.append(_group(r.words, width, top))
+            continue
+        parts = _row(columns, r, wide, left, width, top)
+        if held:
+            made += held
+            held = []
+        elif n in (1, len(rows) - 1) and made and made[-1].repeat is top and not made[-1].keep:
+            made[-1] = replace(made[-1], keep=True)  # two rows at least before and after a page's end
+        made += parts
+    if made and top is None:
+        made[0] = replace(made[0], gap=gap)
+    return made
+
+
+def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, gap: float = 5.0) -> list[Block]:
+    """A table under a small heading of its own."""
+    if not title:
+        return table(columns, rows, gap=gap)
+    return [*heading(title, GROUP, gap=gap + 3.0, after=0.0), *table(columns, rows, gap=0.0)]
+
+
+def _cell(cell: str | Cell) -> Cell:
+    return Cell(cell) if isinstance(cell, str) else cell
+
+
+def _natural(cell: Cell, column: Column) -> float:
+    style = cell.style or column.style
+    own = cell.box.width if cell.box is not None else run(cell.words, style).width if len(cell.words) < 400 else WIDTH
+    under = run(cell.under[0], cell.under[1]).width * 0.5 if cell.under and len(cell.under[0]) < 400 else 0.0
+    return max(own + (5.0 if column.align == "r" else 0.0), under)
+
+
+def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> list[float]:
+    fixed = sum(c.width or 0.0 for c in columns)
+    free = width - GAP * (len(columns) - 1) - fixed
+    least = 24.0 * sum(c.width is None for c in columns)
+    if free < least:  # fixed columns that are too wide together give way
+        shrunk = [replace(c, width=c.width and c.width * (fixed + free - least) / fixed) for c in columns]
+        return _widths(shrunk, rows, width)
+    need: dict[int, float] = {}
+    for i, column in enumerate(columns):
+        if column.width is None:
+            need[i] = max([14.0, _header_width(column.header), *(_natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group))])
+    total = sum(need.values())
+    if total > free:
+        # Narrow columns keep what they need; the wide ones share the rest.
+        fair = _fair(list(need.values()), free)
+        need = {i: min(n, fair) for i, n in need.items()}
+    elif need:
+        widest = max(need, key=lambda i: need[i])
+        if columns[widest].align == "l":
+            need[widest] += free - total
+        else:
+            for i in need:
+                need[i] += (free - total) / len(need)
+    return [column.width if column.width is not None else need[i] for i, column in enumerate(columns)]
+
+
+def _header_width(words: str) -> float:
+    """A header that is not short may wrap between its words."""
+    whole = run(words, HEADER).width
+    return whole if whole <= 50.0 else max(run(word, HEADER).width for word in words.split())
+
+
+def _fair(needs: list[float], free: float) -> float:
+    """The width w with Σ min(need, w) = free."""
+    left, rest = free, sorted(needs)
+    while rest:
+        share = left / len(rest)
+        if rest[0] >= share:
+            return share
+        left -= rest.pop(0)
+    return free
+
+
+def _header(columns: Sequence[Column], wide: list[float], left: list[float], width: float) -> Block:
+    cells = [lines(c.header, HEADER, w, 5) if c.header else [] for c, w in zip(columns, wide)]
+    tall = max(len(c) for c in cells) * HEADER.leading + 2 * PAD
+
+    def draw(pen: Pen, y: float) -> None:
+        for column, x, w, cell in zip(columns, left, wide, cells):
+            base = y - tall + PAD + HEADER.leading * (len(cell) - 0.78)
+            for i, line in enumerate(cell):
+                shift = w - line.width if column.align == "r" else 0.0
+                pen.put(line, x + shift, base - i * HEADER.leading)
+        pen.rule(0.0, y - tall, width, 0.6, DARK)
+
+    return Block(tall, draw)
+
+
+def _group(words: str, width: float, top: Block | None) -> Block:
+    made = lines(words, GROUP, width, 4)
+    tall = GROUP.leading * len(made) + 2 * PAD + 3.0
+
+    def draw(pen: Pen, y: float) -> None:
+        for i, line in enumerate(made):
+            pen.put(line, 0.0, y - tall + PAD + GROUP.leading * (len(made) - 0.78 - i))
+        pen.rule(0.0, y - tall, width, 0.4, FAINT)
+
+    return Block(tall, draw, keep=True, repeat=top)
+
+
+def _row(
+    columns: Sequence[Column], cells: Sequence[str | Cell], wide: list[float], left: list[float], width: float, top: Block | None
+) -> list[Block]:
+    """One row, in several blocks where it is longer than a page should hold."""
+    content: list[list[tuple[Box, float]]] = []  # per column: its lines with their leading
+    for column, w, given in zip(columns, wide, cells):
+        cell = _cell(given)
+        style = cell.style or column.style
+        made: list[tuple[Box, float]] = []
+        if cell.box is not None:
+            made.append((cell.box, max(style.leading, cell.box.height)))
+        elif cell.words:
+            made += [(line, style.leading) for line in lines(cell.words, style, w)]
+        if cell.under and cell.under[0]:
+            made += [(line, cell.under[1].leading) for line in lines(cell.under[0], cell.under[1], w)]
+        content.append(made)
+    longest = max((len(c) for c in content), default=0)
+    blocks = []
+    for start in range(0, max(1, longest), MOST):
+        part = [c[start : start + MOST] for c in content]
+        blocks.append(_part(columns, part, wide, left, width, top, last=start + MOST >= longest))
+    return blocks
+
+
+def _part(
+    columns: Sequence[Column], content: list[list[tuple[Box, float]]], wide: list[float], left: list[float], width: float,
+    top: Block | None, *, last: bool,
+) -> Block:  # fmt: skip
+    tall = max((sum(leading for _, leading in c) for c in content), default=0.0) + 2 * PAD
+
+    def draw(pen: Pen, y: float) -> None:
+        for column, x, w, cell in zip(columns, left, wide, content):
+            at = y - PAD
+            for line, leading in cell:
+                shift = w - line.width if column.align == "r" else 0.0
+                pen.put(line, x + shift, at - 0.76 * leading)
+                at -= leading
+        if last:
+            pen.rule(0.0, y - tall, width, 0.4, FAINT)
+
+    return Block(tall, draw, repeat=top)
+

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Formulas set from the trees of the sheet: fractions, roots, indices, sums, brackets that grow.
+
+A tree becomes a row of pieces; before some of them a line may break, the better the fewer brackets are open there.  What is
+wider than the column and can not break (a fraction, a root, a power) is written out on the line instead.
+"""
+
+import re
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from calc.sheet.expression import RANK, Expr
+from calc.sheet.number import SUPERSCRIPTS
+
+from .boxes import BLACK, Box, Colour, fraction, radical, raised, row, scaled, space, stretched, text
+from .letters import OBLIQUE, UPRIGHT
+
+SMALL = 0.72  # of the size: indices and exponents
+SMALLEST = 4.2  # points
+TIGHT = 1.25  # what is so much wider than the column is made smaller rather than written out
+RAISE, LOWER = 0.36, 0.17  # of the size
+SUPER = dict(zip("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+−0123456789"))
+INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,])+)")
+LETTERS = re.compile(r"[^\W\d_]+")
+UPRIGHT_LETTERS = set("ΣΔΠ∠°")
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A box in a formula; `open` counts the brackets around it where a line may break before it, None where it may not."""
+
+    box: Box
+    open: float | None = None
+
+
+# --- symbols ----------------------------------------------------------------------------------------------------------------
+@lru_cache(maxsize=5000)
+def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
+    """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand between."""
+    made: list[Box] = []
+    small = max(SMALLEST, size * SMALL)
+    at = 0
+    while at < len(name):
+        if (index := INDEX.match(name, at)) and at:
+            at = index.end()
+            below = "".join(c for c in index[1] if c not in SUPER)
+            above = "".join(SUPER[c] for c in index[1] if c in SUPER)
+            made.append(_scripts(below, above, size, small, colour))
+        elif name[at] in "⁺⁻":
+            made.append(_scripts("", SUPER[name[at]], size, small, colour))
+            at += 1
+        elif word := LETTERS.match(name, at):
+            at = word.end()
+            upright = all(c in UPRIGHT_LETTERS for c in word[0])
+            made.append(text(word[0], size, UPRIGHT if upright else OBLIQUE, colour))
+        else:
+            made.append(text(name[at], size, UPRIGHT, colour))
+            at += 1
+    return row(made)
+
+
+def _scripts(below: str, above: str, size: float, small: float, colour: Colour) -> Box:
+    low = raised(text(below, small, UPRIGHT, colour), -LOWER * size) if below else space(0.0)
+    if not above:
+        return low
+    small *= 0.9
+    # A sign over an index stands above it, not behind it.
+    high = raised(text(above, small, UPRIGHT, colour), RAISE * size)
+    marks = (*high.marks, *low.marks)
+    return Box(max(low.width, high.width), high.up, max(low.down, 0.0), marks)
+
+
+# --- trees ------------------------------------------------------------------------------------------------------------------
+class Setter:
+    """Sets trees at one size for one column width."""
+
+    def __init__(self, size: float, column: float, *, script: bool = False) -> None:
+        self.size, self.column, self.script = size, column, script
+
+    def smaller(self) -> "Setter":
+        return Setter(max(SMALLEST, self.size * SMALL), self.column, script=True)
+
+    def word(self, words: str, face: str = UPRIGHT) -> Box:
+        return text(words, self.size, face)
+
+    def operator(self, sign: str, gap: float) -> Box:
+        gap = gap * self.size * (0.5 if self.script else 1.0)
+        return row([space(gap), self.word(sign), space(gap)])
+
+    def fitted(self, box: Box) -> Box:
+        return scaled(box, self.column / box.width) if box.width > self.column else box
+
+    def box(self, tree: Expr, outer: float = 0.0) -> Box:
+        return row([p.box for p in self.pieces(tree, outer)])
+
+    def pieces(self, tree: Expr, outer: float = 0.0, open: float = 0.0) -> list[Piece]:
+        """The row of a tree, in brackets where what stands around it (`outer`) binds more strongly."""
+        rank, made = self._pieces(tree, outer, open)
+        return self.bracketed(made, open) if rank < outer else made
+
+    def bracketed(self, inside: list[Piece], open: float, left: str = "(", right: str = ")") -> list[Piece]:
+        up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
+        deeper = [replace(p, open=p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
+        return [Piece(stretched(left, self.size, up, down)), *deeper, Piece(stretched(right, self.size, up, down))]
+
+    def _pieces(self, tree: Expr, outer: float, open: float) -> tuple[float, list[Piece]]:
+        a = tree.args
+        match tree.head:
+            case "number":
+                negative, power = tree.name.startswith("−"), "·10" in tree.name
+                rank = 0.0 if negative and outer > 0 else 2.0 if power or negative or "∠" in tree.name else 5.0
+                return rank, [Piece(self.word(tree.name))]
+            case "symbol":
+                face = symbol(tree.name, self.size)
+                return 5.0, [Piece(face)]
+            case "add":
+                return 1.0, [*self.pieces(a[0], 1, open), Piece(self.operator("+", 0.24), open), *self.pieces(a[1], 1, open)]
+            case "sub":
+                return 1.0, [*self.pieces(a[0], 1, open), Piece(self.operator("−", 0.24), open), *self.pieces(a[1], 1.5, open)]
+            case "mul":
+                return 2.0, [*self.pieces(a[0], 2, open), Piece(self.operator("·", 0.07), open + 0.5), *self.pieces(a[1], 2.2, open)]
+            case "neg":
+                return RANK["neg"], [Piece(self.word("−")), *self.pieces(a[0], RANK["neg"], open)]
+            case "div":
+                return self.quotient(a[0], a[1], open)
+            case "pow":
+                return self.power(a[0], a[1], open)
+            case "sqrt":
+                return self.root(a[0], open)
+            case "cis":
+                return self.exponential(a[0], "i", open)
+            case "sum":
+                sign = raised(text("Σ", self.size * 1.25), -0.06 * self.size)
+                return 4.5, [Piece(sign), *self.bracketed(self.pieces(a[0], 0, open), open)]
+            case "abs":
+                return 5.0, self.bracketed(self.pieces(a[0], 0, open), open, "|", "|")
+        return self.call(tree, open)
+
+    def call(self, tree: Expr, open: float) -> tuple[float, list[Piece]]:
+        if tree.name == "exp" and len(tree.args) == 1:
+            return self.exponential(tree.args[0], "", open)
+        if tree.name == "conj" and (inside := self.box(tree.args[0])).width <= self.column:
+            bar = ("rule", 0.06 * self.size, inside.up + 0.05 * self.size, inside.width - 0.04 * self.size, 0.05 * self.size, BLACK)
+            return 5.0, [Piece(Box(inside.width + 0.06 * self.size, inside.up + 0.14 * self.size, inside.down, (*inside.marks, bar)))]
+        if tree.name == "rss" and len(tree.args) == 1:
+            return self.root(Expr("sum", (Expr("pow", (tree.args[0], Expr("number", name="2"))),)), open)
+        inside_pieces: list[Piece] = []
+        for i, arg in enumerate(tree.args):
+            if i:
+                inside_pieces.append(Piece(self.word("; ")))
+            more = self.pieces(arg, 0, open)
+            inside_pieces += [replace(more[0], open=open + 1.0), *more[1:]] if i else more
+        name = Piece(row([self.word(tree.name), space(0.04 * self.size)]))
+        return 5.0, [name, *self.bracketed(inside_pieces or [Piece(space(0.0))], open)]
+
+    def quotient(self, over: Expr, under: Expr, open: float) -> tuple[float, list[Piece]]:
+        while over.head == "div":  # a/b/c as one fraction
+            over, under = over.args[0], Expr("mul", (over.args[1], under))
+        if not self.script:
+            made = fraction(self.box(over), self.box(under), self.size)
+            if made.width <= self.column * TIGHT:
+                return 4.4, [Piece(self.fitted(made))]
+        slash = Piece(row([space(0.04 * self.size), self.word("/"), space(0.04 * self.size)]), None if self.script else open + 0.5)
+        return 2.0, [*self.pieces(over, 2, open), slash, *self.pieces(under, 2.5, open)]
+
+    def power(self, base: Expr, exponent: Expr, open: float) -> tuple[float, list[Piece]]:
+        under = self.pieces(base, 4.5, open)
+        whole = f"−{exponent.args[0].name}" if exponent.head == "neg" else exponent.name if exponent.head == "number" else ""
+        if whole.lstrip("−").isdigit() and max(p.box.up for p in under) <= 0.8 * self.size:
+            script = self.word(whole.translate(SUPERSCRIPTS))
+        else:
+            high = max(p.box.up for p in under)
+            inside = self.smaller().box(exponent)
+            if inside.width > 0.7 * self.column:
+                return 4.0, [*under, Piece(self.word("^")), *self.pieces(exponent, 5, open)]
+            script = raised(inside, max(RAISE * self.size, high - 0.40 * self.size) + inside.down - 0.24 * inside.up)
+        return 4.0, [*under[:-1], replace(under[-1], box=row([under[-1].box, script]))]
+
+    def root(self, of: Expr, open: float) -> tuple[float, list[Piece]]:
+        made = radical(self.box(of), self.size)
+        if made.width <= self.column * TIGHT:
+            return 4.5, [Piece(self.fitted(made))]
+        return 4.5, [Piece(self.word("√")), *self.bracketed(self.pieces(of, 0, open), open)]
+
+    def exponential(self, of: Expr, unit: str, open: float) -> tuple[float, list[Piece]]:
+        e = self.word("e", OBLIQUE if not unit else UPRIGHT)
+        small = self.smaller()
+        inside = small.box(of, 2.2 if unit else 0.0)
+        if unit:
+            inside = row([small.word(unit, UPRIGHT), small.operator("·", 0.05), inside])
+        if inside.width <= 0.45 * self.column:
+            up = raised(inside, RAISE * self.size + max(0.0, inside.down - 0.30 * self.size))
+            return 4.0, [Piece(row([e, up]))]
+        pieces = self.pieces(of, 2.2 if unit else 0.0, open)
+        head = [Piece(self.word(unit + "·"))] if unit else []
+        return 4.0, [Piece(e), Piece(self.word("^")), *self.bracketed([*head, *pieces], open)]
+
+
+# --- lines ------------------------------------------------------------------------------------------------------------------
+def lines(pieces: list[Piece], width: float) -> list[Box]:
+    """Pieces broken into lines of at most this width, at the outermost operators that fill a line well."""
+    made: list[Box] = []
+    start = 0
+    while start < len(pieces):
+        x, end = 0.0, start
+        while end < len(pieces) and (end == start or x + pieces[end].box.width <= width):
+            x += pieces[end].box.width
+            end += 1
+        if end < len(pieces):
+            best, cost = end, float("inf")
+            x = 0.0
+            for i in range(start, end + 1):
+                if i > start and (opened := pieces[i].open) is not None:
+                    empty = 1.0 - x / width
+                    here = opened + 4.0 * empty**2
+                    if here <= cost:
+                        best, cost = i, here
+                x += pieces[i].box.width
+            if cost == float("inf"):  # nowhere to break inside: up to the next place, made smaller below
+                while best < len(pieces) and pieces[best].open is None:
+                    best += 1
+            end = best
+        line = row([p.box for p in pieces[start:end]])
+        made.append(scaled(line, width / line.width) if line.width > width else line)
+        start = end
+    return made
+
+
+def formula(tree: Expr, size: float, column: float) -> list[Piece]:
+    """The pieces of a whole formula at one size, for a column of this width."""
+    return Setter(size, column).pieces(tree)
+

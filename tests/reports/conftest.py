@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reports of the shipped example, made once."""
+
+import pytest
+
+from .reading import EXAMPLE, Solved, solved
+
+
+@pytest.fixture(scope="session")
+def example() -> Solved:
+    return solved(EXAMPLE.read_bytes())
+
+
+@pytest.fixture(scope="session")
+def engineer(example: Solved) -> bytes:
+    return example.report()
+
+
+@pytest.fixture(scope="session")
+def audit(example: Solved) -> bytes:
+    return example.report("audit")
+
+
+@pytest.fixture(scope="session")
+def summary(example: Solved) -> bytes:
+    return example.report("summary")

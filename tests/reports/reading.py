@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read back from a report."""
+
+import io
+import re
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from pypdf import PdfReader
+
+from calc.design_file import Document, design, parse
+from calc.solve import Results, solve
+from reports.report import render
+
+ROOT = Path(__file__).parents[2]
+EXAMPLE = ROOT / "designs" / "r753ie4_gamma.toml"
+V12 = """
+schema = 1
+name = "V12 at 60°, zwölf Zylinder"
+[engine]
+name = "V12"
+layout = "vee"
+cylinders = 12
+strokes = 4
+bank_angle_deg = 60
+bore_mm = 86
+crank_radius_mm = 43
+rod_length_mm = 145
+cylinder_pitch_mm = 95
+crank_angles_deg = [0, 120, 240, 240, 120, 0, 0, 120, 240, 240, 120, 0]
+axial_positions_mm = [-250, -150, -50, 50, 150, 250, -240, -140, -40, 60, 160, 260]
+bank_of_cylinder = [0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1]
+piston_mass_g = 500
+rod_mass_g = 600
+rated_speed_rpm = 6000
+[imbalance]
+crank_balance_fraction = 0.2
+"""
+
+
+@dataclass(frozen=True)
+class Solved:
+    raw: bytes
+    document: Document
+    results: Results
+
+    def report(self, depth: str = "engineer") -> bytes:
+        return render(self.document, self.results, self.raw, depth=depth)
+
+
+def solved(text: str | bytes) -> Solved:
+    raw = text.encode() if isinstance(text, str) else text
+    document = parse(raw, "design.toml")
+    return Solved(raw, document, solve(design(document)))
+
+
+@dataclass(frozen=True)
+class Span:
+    """One piece of text on a page: where it begins and ends, its size, whether it is upright and can be seen."""
+
+    page: int
+    x: float
+    y: float
+    end: float
+    size: float
+    upright: bool
+    hidden: bool
+
+
+TOKEN = re.compile(
+    rb"(?P<matrix>(?:-?[\d.]+ ){6})Tm|/(?P<font>F\S+) (?P<size>[\d.]+) Tf|(?P<mode>\d) Tr|\((?P<codes>(?:[^()\\]|\\.)*)\) Tj", re.S
+)
+ESCAPE = re.compile(rb"\\(\d{3}|.)", re.S)
+ESCAPED = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
+
+
+@cache
+def spans(pdf: bytes) -> list[Span]:
+    """Every piece of text of a report with its place, from the operators of its pages and the widths of its fonts."""
+    found = []
+    known: dict[int, list[float]] = {}
+    for number, page in enumerate(PdfReader(io.BytesIO(pdf)).pages):
+        fonts = {}
+        for name, reference in page["/Resources"]["/Font"].items():
+            if reference.idnum not in known:
+                font = reference.get_object()
+                known[reference.idnum] = [0.0] * int(font.get("/FirstChar", 0)) + [float(w) for w in font.get("/Widths", [])]
+            fonts[name[1:]] = known[reference.idnum]
+        matrix, x, widths, size, hidden = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0, [], 0.0, False
+        for token in TOKEN.finditer(page.get_contents().get_data()):
+            if token["matrix"]:
+                matrix = tuple(map(float, token["matrix"].split()))
+                x = matrix[4]
+            elif token["font"]:
+                widths, size = fonts[token["font"].decode()], float(token["size"])
+            elif token["mode"]:
+                hidden = token["mode"] == b"3"
+            else:
+                codes = ESCAPE.sub(lambda m: bytes([int(m[1], 8)]) if m[1].isdigit() else ESCAPED.get(m[1], m[1]), token["codes"])
+                wide = sum(widths[c] for c in codes) * size / 1000
+                found.append(Span(number, x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
+                x += wide
+    assert found
+    return found
+
+
+def squeezed(text: str) -> str:
+    """Text without what line breaks and indices change."""
+    return re.sub(r"[\s_⁺⁻+−-]", "", text)
+
+
+@cache
+def pages_of(pdf: bytes) -> tuple[str, ...]:
+    return tuple(page.extract_text() for page in PdfReader(io.BytesIO(pdf)).pages)
+
+
+def text_of(pdf: bytes) -> str:
+    return "\n".join(pages_of(pdf))
+
+
+def spoken(pdf: bytes) -> str:
+    """What is said of each formula to who copies it."""
+    said = []
+    for page in PdfReader(io.BytesIO(pdf)).pages:
+        for code in re.findall(rb"/ActualText\s*<FEFF([0-9A-F]*)>", page.get_contents().get_data()):
+            said.append(bytes.fromhex(code.decode()).decode("utf-16-be"))
+    return "\n".join(said)

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report read back: what must stand in it, and where."""
+
+import io
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader
+
+from calc.sheet.check import Check
+from calc.sheet.step import Outcome
+from calc.solve import Results
+from calc.version import VERSION
+from reports.derivation import shown
+from reports.derivation import spoken as spoken_line
+from reports.flow import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP, paginate
+from reports.report import write
+from reports.words import WORDS
+
+from .reading import V12, Solved, pages_of, solved, spans, spoken, squeezed, text_of
+
+
+def test_every_check_stands_in_it_with_its_verdict(example: Solved, engineer: bytes) -> None:
+    read = squeezed(text_of(engineer))
+    for check in example.results.checks():
+        assert squeezed(check.name) in read
+        assert squeezed(check.limit_text()) in read
+        assert squeezed(check.source) in read
+    for outcome in example.results.outcomes.values():
+        assert squeezed(WORDS["en"][outcome.verdict]) in read
+
+
+def test_every_state_and_verdict_has_its_sign_and_word() -> None:
+    example = solved(V12)
+
+    def check(verdict: str, value: float) -> Check:
+        return Check(f"engine.{verdict}.x", f"a check that should {verdict}", value, 10.0, "<=", "mm", "rule of this test", "Do something.")
+
+    outcomes = dict(example.results.outcomes)
+    outcomes["engine"] = replace(outcomes["engine"], checks=(check("pass", 1.0), check("warn", 9.9), check("fail", float("nan"))))
+    outcomes["gears"] = Outcome("gears", "no_solution", reason="no centre distance; tried 60 to 90 mm")
+    outcomes["friction"] = Outcome("friction", "blocked", reason="waits for Gears")
+    outcomes["bearings"] = Outcome("bearings", "not_asked")
+    read = text_of(Solved(example.raw, example.document, Results(example.results.design, outcomes)).report())
+    for words in ("✓ pass", "▲ warn", "✗ fail", "✗ no solution", "○ blocked", "· not asked", "not a number", "no number"):
+        assert words in read
+    assert "no centre distance; tried 60 to 90 mm" in read and "waits for Gears" in read
+    assert "the design file has no table [bearings]" in read
+
+
+def test_failures_come_first_with_their_advice(example: Solved, summary: bytes) -> None:
+    read = squeezed(text_of(summary))
+    places = []
+    for check in example.results.checks():
+        if check.verdict != "pass":
+            assert squeezed(check.advice) in read
+            places.append((read.rindex(squeezed(check.name) if check.kind == "limit" else squeezed(check.advice)), check.verdict))
+    verdicts = [v for _, v in sorted(places)]
+    assert verdicts == sorted(verdicts), "fail before warn"
+
+
+def test_the_source_is_corrected_beside_its_value(example: Solved, summary: bytes, engineer: bytes) -> None:
+    read, whole = squeezed(text_of(summary)), squeezed(text_of(engineer))
+    errata = [e for o in example.results.outcomes.values() for e in o.errata]
+    assert errata
+    for erratum in errata:
+        assert squeezed(erratum.label) in read and squeezed(erratum.why.partition(". ")[0]) in read
+        assert squeezed(erratum.why) in whole and squeezed(erratum.source) in whole
+
+
+def test_every_formula_stands_in_it_and_can_be_copied(example: Solved, engineer: bytes, audit: bytes) -> None:
+    read, said, all_said = squeezed(text_of(engineer)), spoken(engineer), spoken(audit)
+    for outcome in example.results.outcomes.values():
+        for line in outcome.lines:
+            formula, numbers = spoken_line(shown(line))
+            assert formula in all_said and numbers in all_said
+            if (line.value.any() if hasattr(line.value, "any") else line.value != 0):
+                assert formula in said
+                assert squeezed(line.formula.source) in read
+                assert squeezed(line.formula.symbol) in read
+
+
+def test_every_input_and_value_stands_in_it(example: Solved, engineer: bytes) -> None:
+    read = squeezed(text_of(engineer))
+    for value in example.results.values().values():
+        if value.shown:
+            assert squeezed(value.label) in read
+    for key in ("engine.bore_mm", "engine.rated_speed_rpm", "imbalance.kinematics"):
+        assert squeezed(key) in read
+    assert "118.6" in read and "18.676" in read, "numbers as the file gives them"
+
+
+def test_depths(example: Solved, summary: bytes, engineer: bytes, audit: bytes) -> None:
+    count = [len(PdfReader(io.BytesIO(pdf)).pages) for pdf in (summary, engineer, audit)]
+    assert count == sorted(count) and count[0] <= 3 < count[1] < count[2]
+    with pytest.raises(ValueError, match="depth"):
+        example.report("deep")
+
+
+def test_write_leaves_one_file(example: Solved, tmp_path: Path) -> None:
+    path = tmp_path / "report é.pdf"
+    assert write(example.document, example.results, example.raw, path, depth="summary") == path
+    assert [p.name for p in tmp_path.iterdir()] == [path.name] and path.read_bytes().startswith(b"%PDF-1.7")
+    with pytest.raises(ValueError, match="lang"):
+        write(example.document, example.results, example.raw, path, lang="tlh")
+
+
+def test_the_design_file_comes_out_as_it_went_in(example: Solved, engineer: bytes) -> None:
+    reader = PdfReader(io.BytesIO(engineer))
+    assert reader.attachments["design.toml"] == [example.raw]
+    assert reader.trailer["/Root"]["/AF"][0].get_object()["/AFRelationship"] == "/Source"
+    raw = example.raw.replace(b"\n", b"\r\n") + "# ✗ ♞\n".encode()
+    reader = PdfReader(io.BytesIO(solved(raw).report("summary")))
+    assert reader.attachments["design.toml"] == [raw]
+
+
+def test_what_the_document_says_of_itself(example: Solved, engineer: bytes) -> None:
+    about = PdfReader(io.BytesIO(engineer)).metadata
+    assert about is not None and example.document.sha256 in about["/Subject"] and example.document.sha256 in about["/Keywords"]
+    assert about["/Creator"] == f"Contralbero {VERSION}" and about["/Title"] == example.document.data["name"]
+    assert "/CreationDate" not in about
+
+
+def test_outline_and_contents_lead_to_their_pages(example: Solved, engineer: bytes) -> None:
+    reader = PdfReader(io.BytesIO(engineer))
+    pages = pages_of(engineer)
+    top = [entry for entry in reader.outline if not isinstance(entry, list)]
+    contents = next(n for n, words in enumerate(pages) if "Contents" in words)
+    for entry in top[1:]:
+        number = reader.get_destination_page_number(entry)
+        assert squeezed(str(entry.title)) in squeezed(pages[number])
+        assert squeezed(f"{entry.title}") in squeezed(pages[contents])
+    links = [a.get_object()["/Dest"] for a in reader.pages[contents].get("/Annots", [])]
+    assert len(links) >= len(top) - 1
+    assert all(f"Page {n} of {len(pages)}" in words for n, words in enumerate(pages, 1))
+
+
+@pytest.mark.parametrize("depth", ["summary", "engineer", "audit"])
+def test_nothing_leaves_the_margins(depth: str, request: pytest.FixtureRequest) -> None:
+    for span in spans(request.getfixturevalue(depth)):
+        assert LEFT - 1 <= span.x and 24 < span.y < PAGE[1] - 24, span
+        if span.upright:
+            assert span.end <= PAGE[0] - RIGHT + 1, span
+        if not span.upright or span.size > 7.5:
+            assert BOTTOM - 14 < span.y < PAGE[1] - TOP + 2, span
+
+
+@pytest.mark.parametrize("depth", ["summary", "engineer", "audit"])
+def test_nothing_overlaps(depth: str, request: pytest.FixtureRequest) -> None:
+    """The middle of the letters of one piece of text never lies in those of another."""
+    by_page: dict[int, list[tuple[float, float, float, float]]] = {}
+    for s in spans(request.getfixturevalue(depth)):
+        if s.upright and not s.hidden and s.end - s.x > 0.3 * s.size:
+            by_page.setdefault(s.page, []).append((s.x + 0.1 * s.size, s.y + 0.12 * s.size, s.end - 0.1 * s.size, s.y + 0.48 * s.size))
+    for page, boxes in by_page.items():
+        boxes.sort()
+        for i, (x, y, end, top) in enumerate(boxes):
+            for x2, y2, end2, top2 in boxes[i + 1 :]:
+                if x2 >= end:
+                    break
+                assert y2 >= top or top2 <= y or end2 <= x2, f"page {page + 1}: {(x, y, end, top)} and {(x2, y2, end2, top2)}"
+
+
+def test_headings_are_never_last_on_a_page(example: Solved) -> None:
+    from reports.context import Context
+    from reports.report import blocks
+
+    context = Context(example.document, example.results, "0" * 64, "audit", WORDS["en"])
+    pages = paginate(blocks(context))
+    for page in pages:
+        assert not page.blocks[-1][1].keep
+        assert page.filled <= HEIGHT + 1e-6
+
