@@ -5,11 +5,10 @@ Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above 
 thinning of multigrade oils at high shear rate is not part of these laws.
 """
 
-from dataclasses import dataclass
-
 from .catalogue import Oil
 from .sheet.formula import formula
 from .sheet.functions import log10
+from .sheet.record import record
 from .sheet.units import (
     Celsius,
     JoulePerKilogramKelvin,
@@ -87,7 +86,7 @@ def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> 
     return log10(log10(nu_40 / CENTISTOKE + c)) - C_1 * log10(313.15)
 
 
-@dataclass(frozen=True)
+@record
 class State:
     """An oil at a temperature: kinematic and dynamic viscosity, density, specific heat."""
 

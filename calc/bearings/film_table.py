@@ -16,7 +16,6 @@ and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk
 
 import math
 from bisect import bisect_right
-from dataclasses import dataclass
 from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, Generic, Literal, TypeAlias, overload
@@ -24,6 +23,7 @@ from typing import Any, Generic, Literal, TypeAlias, overload
 import numpy as np
 
 from ..sheet.arrays import Array, IndexArray
+from ..sheet.record import record
 from .reynolds import Value, friction_variable
 
 Outside: TypeAlias = Literal["raise", "nan"]
@@ -44,7 +44,7 @@ class FilmRangeError(ValueError):
         self.quantity, self.value, self.low, self.high = quantity, value, low, high
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class FilmPoint(Generic[Value]):
     """The film at one eccentricity and l/d, or at many: then every field is an array."""
 
@@ -118,7 +118,7 @@ def _short_bearing_slope(eccentricity: Value) -> Value:
 # The table ------------------------------------------------------------------------------------------------------------------
 
 
-@dataclass(frozen=True)
+@record
 class _Table:
     eccentricities: Array  # at the nodes
     length_ratios: Array
@@ -130,7 +130,7 @@ class _Table:
     rows: Array  # [node of y: value, d/dy; node of x: value, d/dx; quantity], pairs in sequence
 
 
-@dataclass(frozen=True)
+@record
 class _Column:
     """The table at one l/d: cubics in x."""
 

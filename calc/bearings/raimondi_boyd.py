@@ -8,12 +8,12 @@ The published rows stand in tables/raimondi_boyd.toml.  The cubic is exact at l/
 import math
 import tomllib
 from bisect import bisect
-from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 
 from ..catalogue import TABLES
 from ..sheet.formula import formula
+from ..sheet.record import record
 from ..sheet.units import Number
 
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
@@ -23,7 +23,7 @@ class OutsideCharts(ValueError):
     """The point lies outside the published charts."""
 
 
-@dataclass(frozen=True)
+@record
 class _Line:
     """One quantity of one chart over ln S, with the slopes of a monotone cubic (Fritsch & Carlson 1980, harmonic means)."""
 

@@ -22,13 +22,13 @@ Schwimmlager, VDI (1933); A. A. Raimondi and J. Boyd, ASLE Transactions 1 (1958)
 """
 
 import math
-from dataclasses import dataclass
 from typing import TypeVar
 
 import numpy as np
 
 from ..sheet.arrays import Array
 from ..sheet.arrays import BoolArray as Mask
+from ..sheet.record import record
 
 Value = TypeVar("Value", float, Array)
 
@@ -43,7 +43,7 @@ REFINEMENTS = (4, 2, 1)
 LONG_BEARING_REFINEMENT = 4  # one dimension costs nothing, so the infinitely long bearing gets more nodes
 
 
-@dataclass(frozen=True)
+@record
 class FilmSolution:
     """One state of the oil film, dimensionless.
 
@@ -64,7 +64,7 @@ class FilmSolution:
     pressure: Array  # Π there, middle plane, finest grid (about 2e-3 from the limit)
 
 
-@dataclass(frozen=True)
+@record
 class _Grid:
     """The nodes, and all coefficients that follow from the film's shape alone."""
 

@@ -2,12 +2,12 @@
 """The routes to the film: one function each, from an assumed temperature rise to the one that follows; `balanced` closes the loop."""
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import cache
 
 from ..lubricant import Lubricant, State
 from ..root import root
 from ..sheet.errors import NoSolution
+from ..sheet.record import record
 from ..sheet.trace import untraced
 from . import din31652 as din
 from . import flow
@@ -18,7 +18,7 @@ from .inputs import BearingInputs, BearingsInputs
 from .tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
 
 
-@dataclass(frozen=True)
+@record
 class Seat:
     """One bearing with all that decides its film but speed, load and supply."""
 
@@ -36,7 +36,7 @@ class Seat:
         )  # fmt: skip
 
 
-@dataclass(frozen=True)
+@record
 class Duty:
     """What a bearing has to do at one moment: load, journal speed and hydrodynamic speed, oil supply."""
 
@@ -47,7 +47,7 @@ class Duty:
     supply_pressure: float
 
 
-@dataclass(frozen=True)
+@record
 class Film:
     """The state of a film, and the temperature rise that its friction and its flow make."""
 

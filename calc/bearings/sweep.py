@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The film over the engine's speeds: where it is thinnest is found, not assumed."""
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from ..engine.inputs import BenchPoint
+from ..sheet.record import record
 from ..sheet.step import Curve, Series
 from ..sheet.trace import untraced
 from .routes import Duty, Seat, balanced, own_warm
@@ -14,7 +15,7 @@ STEPS_WITHOUT_BENCH = 12
 SLOWEST = 0.4  # of the rated speed
 
 
-@dataclass(frozen=True)
+@record
 class Sweep:
     speeds: tuple[float, ...]
     films: tuple[float, ...]

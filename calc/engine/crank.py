@@ -2,16 +2,16 @@
 """Where the throws stand: crank angles, axial positions and banks of any engine."""
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from ..sheet.arrays import Array
+from ..sheet.record import record
 from .inputs import USUAL_ORDERS, EngineInputs
 
 
-@dataclass(frozen=True)
+@record
 class Crank:
     """One entry per cylinder: φ angle of its throw from throw 1 [rad], z axial position [m], ψ direction of its bank [rad].
 

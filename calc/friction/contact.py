@@ -5,10 +5,9 @@ Speeds are those of the transverse section along the flank, u = ω·ρ, as ISO a
 normal to the contact line.  At the pitch point both surfaces have one speed and nothing slides.
 """
 
-from dataclasses import dataclass
-
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, sqrt
+from ..sheet.record import record
 from ..sheet.units import Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond
 from .mesh import MeshGeometry, require
 from .path import AGMA, Path
@@ -86,7 +85,7 @@ def mean_pressure(p_H: Pascal) -> Pascal:
     return pi * p_H / 4
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Motion:
     """What the positions have whatever the load: angular speed of the driver, curvature and surface speeds, common modulus."""
 

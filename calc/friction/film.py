@@ -12,13 +12,12 @@ The thickest governs.  The friction source takes VE everywhere; at light load th
 All are for fully flooded, smooth line contact, with the oil at the temperature of the teeth.
 """
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..lubricant import Lubricant
 from ..sheet.formula import formula
 from ..sheet.functions import largest, sqrt
+from ..sheet.record import record
 from ..sheet.units import (
     Celsius,
     Metre,
@@ -118,7 +117,7 @@ def rigid_film(H_IR: Number, R: Metre) -> Metre:
     return H_IR * R
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Oil:
     """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth."""
 
@@ -135,7 +134,7 @@ def oil_at(lubricant: Lubricant, T_m: Celsius) -> Oil:
     return Oil(lubricant, T_m, eta_0, lubricant.alpha(eta_0), lubricant.beta(T_m), lubricant.oil.conductivity)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Film:
     """The film at every position.  `rigid` is 1 where the rigid isoviscous film governs, `lead` the best of the others over it."""
 

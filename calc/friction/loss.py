@@ -2,13 +2,12 @@
 # mypy: disable-error-code="no-any-return"
 """The power that one mesh loses: friction along the path summed over all lines in contact, and rolling where it counts."""
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, total
 from ..sheet.quantity import result, value
+from ..sheet.record import record
 from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, Radian, RevPerSecond, Watt, WattPerMetre
 from .contact import Motion, half_width, hertz_pressure, mean_pressure, motion
 from .film import EXPONENT, Oil, film
@@ -70,7 +69,7 @@ def ohlendorf_loss_factor(u: Number, z_1: Number, beta_b: Radian, epsilon_alpha:
     return pi * (u + 1) / (z_1 * u * cos(beta_b)) * (1 - epsilon_alpha + epsilon_1**2 + epsilon_2**2)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Case:
     """A mesh at its speed with its oil: everything but the power that it carries."""
 
@@ -94,7 +93,7 @@ def case(friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: RevPerSeco
     return Case(mesh, way, motion(mesh, way, n_1), oil, (Ra_1 + Ra_2) / 2, sigma, mu_s)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Local:
     """What the curves show, along the strip in the middle of the face, by rising x."""
 

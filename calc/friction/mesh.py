@@ -5,15 +5,16 @@ The driver is body 1 and the driven wheel body 2 throughout this folder; a ratio
 """
 
 import math
-from dataclasses import dataclass, fields
+from dataclasses import fields
 
 from ..sheet.errors import NoSolution
+from ..sheet.record import record
 from ..sheet.units import Metre, Number, Pascal, Radian
 
 MAY_BE_ZERO = ("base_helix_angle", "poisson")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class WheelGeometry:
     """One wheel.  An idler is the same wheel in both of its meshes."""
 
@@ -27,7 +28,7 @@ class WheelGeometry:
     poisson: Number
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class MeshGeometry:
     """Two wheels at their working centre distance; a base helix angle of 0 is a spur pair."""
 

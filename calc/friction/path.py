@@ -13,7 +13,6 @@ smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 
 """
 
 import math
-from dataclasses import dataclass
 from functools import cache
 from typing import Any, cast
 
@@ -23,6 +22,7 @@ from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
+from ..sheet.record import record
 from ..sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
 from .mesh import MeshGeometry, require, sound
 
@@ -152,7 +152,7 @@ def floored_line_load(w: NewtonPerMetre, w_max: NewtonPerMetre) -> NewtonPerMetr
 
 
 # --- both together ---------------------------------------------------------------------------------------------------------
-@dataclass(frozen=True, slots=True)
+@record
 class Path:
     """The line of action and the positions on it.  Arrays have one row per strip; the last five columns are the points A … E.
 

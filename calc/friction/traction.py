@@ -10,7 +10,6 @@ themselves have the bulk temperature; their own resistance to heat is not counte
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import Annotated
 
 import numpy as np
@@ -19,6 +18,7 @@ from ..sheet.arrays import Array
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import asinh, exp, largest, smallest, sqrt
+from ..sheet.record import record
 from ..sheet.trace import untraced
 from ..sheet.units import (
     Celsius,
@@ -158,7 +158,7 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
 
 
 # --- together --------------------------------------------------------------------------------------------------------------
-@dataclass(frozen=True, slots=True)
+@record
 class Traction:
     """Friction at every position: film over roughness, coefficient, the fluid's part of it, heat, film temperature, Deborah number."""
 

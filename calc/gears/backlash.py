@@ -6,11 +6,11 @@ the span acts on it micrometre for micrometre.  Runout and temperature are not p
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, rss, sin
+from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import Metre, NewtonMetre, Number, Radian
 from . import formulas as f
@@ -66,7 +66,7 @@ def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
     return 2 * C * sin(Delta_phi / 2)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Pair:
     """What backlash needs to know of a mesh."""
 
@@ -77,7 +77,7 @@ class Pair:
     tolerance: Metre  # ±, 0 where none is given
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Backlash:
     smallest: Metre
     nominal: Metre

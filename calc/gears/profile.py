@@ -7,7 +7,6 @@ circle, or crosses it where the tooth is undercut.  A point of a flank is given 
 tooth; an outline is an array of complex numbers, the middle of the first tooth on the real axis.
 """
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -16,13 +15,14 @@ from ..sheet.arrays import Array, ComplexArray
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import inv
+from ..sheet.record import record
 from ..sheet.units import Metre
 from .result import ToothSystem, WheelResult
 
 Outline = ComplexArray
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Cut:
     """One wheel as the tool sees it."""
 
@@ -90,7 +90,7 @@ def form_diameter_of_undercut(cut: Cut) -> Metre:
     return 2 * float(radius[0])
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Regions:
     """One flank from root to tip, each region with the ends that it shares with its neighbours: (radius, angle) arrays."""
 

@@ -1,22 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """The form and stress correction factors of one wheel, from its tool and the contact ratio of its mesh."""
 
-from dataclasses import dataclass
-
 from ..sheet.errors import NoSolution
+from ..sheet.record import record
 from ..sheet.units import Metre, Number, Radian
 from . import stress as s
 from .result import ToothSystem, WheelResult
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class ToothForm:
     Y_F: Number
     Y_S: Number
     q_s: Number
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Section:
     """The critical section at the 30° tangents, in modules."""
 

@@ -2,11 +2,11 @@
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import Described, Stated
+from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
@@ -16,7 +16,7 @@ from .profile import Cut, form_diameter_of_undercut
 from .result import ToothSystem, WheelResult
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class _Bare:
     """What every size of a wheel needs."""
 
