@@ -30,7 +30,7 @@ def parser() -> argparse.ArgumentParser:
         prog="contralbero", description=ABOUT, epilog="contralbero COMMAND --help tells more. contralbero [FILE] opens the guided session."
     )
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
-    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands")
+    commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")  # saves formatting it
     add = {name: commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".") for name, about in COMMANDS.items()}
 
     add["new"].add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The guided session: one screen over one `Session`.  Only what the first picture needs is imported here."""
+
+import os
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any, ClassVar
+
+os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
+
+from textual.app import App, SystemCommand
+from textual.binding import Binding, BindingType
+from textual.screen import Screen
+
+from calc.sheet.errors import BadInput
+
+from .actions import BY_ID
+from .screens.workbench import Workbench
+from .session import Session
+from .widgets.signs import Signs
+
+
+def _palette() -> Any:
+    from .screens.palette import Palette
+
+    return Palette
+
+
+class ContralberoApp(App[int]):
+    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids."""
+
+    CSS_PATH = "contralbero.tcss"
+    TITLE = "Contralbero"
+    COMMANDS = App.COMMANDS | {_palette}
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
+
+    def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None) -> None:
+        self.ascii = ascii
+        self.signs = Signs(ascii, colour=not os.environ.get("NO_COLOR"))
+        self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
+        super().__init__()
+        self.session = session
+        self.warned_of: Path | None = None  # the file of which was said that another program has changed it
+        self.solves = 0  # results that were shown; for whoever waits for them
+
+    def on_mount(self) -> None:
+        if self.key_map:
+            self.set_keymap(self.key_map)
+        self.theme_changed_signal.subscribe(self, self._theme_changed)
+        self.push_screen(Workbench(self.session))
+
+    def _theme_changed(self, theme: Any) -> None:
+        self.signs = Signs(self.ascii, theme.dark, not self.no_color)
+        if isinstance(self.screen, Workbench):
+            self.screen.show_step()
+
+    def enter(self, session: Session) -> None:
+        """Go on with another design."""
+        self.session.autosave()
+        self.session = session
+        self.switch_screen(Workbench(session))
+
+    def tell(self, text: str, severity: Any = "information") -> None:
+        """Say something for a moment; the text is never read as markup."""
+        self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
+
+    def solved_once(self) -> None:
+        self.solves += 1
+
+    def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
+        yield SystemCommand("Theme", "Other colours; ansi-dark and ansi-light take those of the terminal", self.action_change_theme)
+
+    async def action_quit(self) -> None:
+        """Edits are kept aside; only where that fails is there something to ask."""
+        self.session.autosave()
+        if self.session.safe:
+            self.exit(0)
+            return
+        from .screens.ask import Ask
+
+        why = self.session.autosave_failure or "an entry is not valid, and what is not valid is not kept"
+        if not isinstance(self.screen, Ask):
+            self.push_screen(Ask(f"The edits are not saved: {why}.\nEnd all the same?", "end", "go back"), self._quit_anyway)
+
+    def _quit_anyway(self, yes: bool | None) -> None:
+        if yes:
+            self.exit(0)
+
+
+def run(path: Path | None, ascii: bool = False) -> int:
+    """Open a design, or the last one, or the example; gives the exit code."""
+    from .recovery import Memory
+
+    memory = Memory()
+    try:
+        session = Session.open(path, memory=memory)
+    except BadInput as bad:
+        print(bad, file=sys.stderr)
+        return 2
+    encoding = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "")
+    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys())
+    result = app.run()
+    return app.return_code or result or 0
+
+
+def main(arguments: list[str]) -> int:
+    names = [a for a in arguments if not a.startswith("-")]
+    return run(Path(names[0]) if names else None, ascii="--ascii" in arguments)
+
+
+__all__ = ["ContralberoApp", "run"]
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

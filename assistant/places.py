@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Places in the tables of a design: names of keys and indices of arrays, which hold while an element is being renamed."""
+
+from typing import Any
+
+from calc.design import Design
+from calc.design_file import Table
+from calc.sheet.quantity import Quantity, keys
+
+Place = tuple[str | int, ...]
+
+
+def content_at(data: Table, where: Place) -> Any:
+    """What stands at a place, None where there is nothing."""
+    here: Any = data
+    for part in where:
+        if isinstance(part, int):
+            here = here[part] if isinstance(here, list) and part < len(here) else None
+        else:
+            here = here.get(part) if isinstance(here, dict) else None
+    return here
+
+
+def described(where: Place) -> Quantity:
+    """The description of the quantity at a place."""
+    cls: type = Design
+    about: Quantity | None = None
+    for part in where:
+        if isinstance(part, str):
+            about = keys(cls)[part].about
+            cls = about.table or cls
+    if about is None:
+        raise KeyError(where)
+    return about
+
+
+def changed(here: Any, where: Place, content: Any) -> Any:
+    """The same tables with one place changed; nothing is changed in place."""
+    if not where:
+        return content
+    first, rest = where[0], where[1:]
+    if isinstance(here, list):
+        return [changed(item, rest, content) if n == first else item for n, item in enumerate(here)]
+    made = dict(here)
+    if rest or content is not None:
+        made[first] = changed(here.get(first, {}), rest, content)
+    else:
+        made.pop(first, None)
+    return made
+
+
+def without_empty(data: Table, where: Place) -> Table:
+    """A table that may be left out and has lost its last key is left out."""
+    for end in range(len(where) - 1, 1, -1):
+        outer = where[:end]
+        here: Any = data
+        for part in outer:
+            here = here[part]
+        if here == {} and described(outer).kind == "table" and described(outer).optional:
+            data = changed(data, outer, None)
+    return data
+
+
+def error_place(data: Any, key: str) -> Place:
+    """The place that an error names; elements of arrays by index."""
+    found: list[str | int] = []
+    here = data
+    for part in key.split(".") if key else ():
+        if isinstance(here, list) and part.isdigit():
+            found.append(int(part))
+            here = here[int(part)] if int(part) < len(here) else {}
+        else:
+            found.append(part)
+            here = here.get(part, {}) if isinstance(here, dict) else {}
+    return tuple(found)
+
+
+def key_at(where: Place) -> str:
+    """A place as its last key: what the design file calls it."""
+    return str(where[-1]) if where else ""
+
+
+def owner(where: Place) -> type:
+    """The Inputs class that the last key of a place belongs to."""
+    cls: type = Design
+    for part in where[:-1]:
+        if isinstance(part, str):
+            cls = keys(cls)[part].about.table or cls
+    return cls

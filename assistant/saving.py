@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Putting a design on disk: the keys that changed are edited in place, and the file is whole at every moment."""
+
+import contextlib
+import os
+import tomllib
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from calc.design_file import Table
+
+from .places import Place
+
+
+class SaveError(OSError):
+    """The design can not be put where it was asked for; the message says why, and what to do."""
+
+
+class ChangedOnDisk(SaveError):
+    """The file was changed by another program since it was read."""
+
+
+# --- text ---------------------------------------------------------------------------------------------------------------
+def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
+    """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key goes to the end of its table.
+
+    A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple of names and indices.
+    """
+    import tomlkit
+
+    mark = "\ufeff" if text.startswith("\ufeff") else ""
+    crlf = text.count("\r\n") > 0 and text.count("\r\n") == text.count("\n")
+    body = text.removeprefix(mark)
+    wanted = tomllib.loads(body)
+    document = tomlkit.parse(body.replace("\r\n", "\n") if crlf else body)
+    for key, value in changes.items() if isinstance(changes, Mapping) else changes:
+        place = _place(wanted, key) if isinstance(key, str) else key
+        _set(document, place, value, kept=True)
+        _set(wanted, place, value)
+    made = tomlkit.dumps(document)
+    if tomllib.loads(made) != wanted:
+        raise SaveError("the text of the design file can not be edited in place; save it under another name, or simplify its notation")
+    return mark + (made.replace("\n", "\r\n") if crlf else made)
+
+
+def fresh_text(data: Table) -> str:
+    """The text of a design file that has no hand-written form yet."""
+    import tomli_w
+
+    return tomli_w.dumps(data)
+
+
+def _place(data: Any, key: str) -> Place:
+    """A dotted key by names and indices; parts that are not there yet are taken as they are."""
+    found: list[str | int] = []
+    here = data
+    for part in key.split("."):
+        if isinstance(here, list):
+            index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
+            if index is None and part.isdigit() and int(part) <= len(here):
+                index = int(part)
+            if index is None:
+                raise SaveError(f'{key}: there is no element "{part}"')
+            found.append(index)
+            here = here[index] if index < len(here) else {}
+        else:
+            found.append(int(part) if part.isdigit() and here == {} else part)  # no key is a number: an array that is not there yet
+            here = here.get(part, {}) if isinstance(here, dict) else {}
+    return tuple(found)
+
+
+def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
+    """Change one key of nested tables, of plain ones or (`kept`) of tomlkit's; tables on the way are made where they are missing."""
+    part: Any
+    outer: Any = None
+    for i, part in enumerate(place[:-1]):
+        if isinstance(here, list) and part == len(here):
+            here.append(_new_table(kept))
+        elif not isinstance(here, list) and part not in here:
+            if value is None:
+                return
+            here[part] = _new_array(kept) if isinstance(place[i + 1], int) else _new_table(kept)
+        outer, here = here, here[part]
+    last = place[-1]
+    if value is None:
+        if isinstance(here, list):
+            if isinstance(last, int) and last < len(here):
+                del here[last]
+        else:
+            here.pop(last, None)
+            if kept and not here and outer is not None:
+                outer[part] = _new_table(kept)  # an emptied table has no header of its own any more
+    elif isinstance(here, list) and last == len(here):
+        here.append(value)
+    elif kept:
+        old = here[last] if isinstance(here, list) or last in here else None
+        here[last] = _in_the_style_of(old, value)
+    else:
+        here[last] = value
+
+
+def _new_table(kept: bool) -> Any:
+    if not kept:
+        return {}
+    import tomlkit
+
+    return tomlkit.table()
+
+
+def _new_array(kept: bool) -> Any:
+    if not kept:
+        return []
+    import tomlkit
+
+    return tomlkit.aot()
+
+
+def _in_the_style_of(old: Any, new: Any) -> Any:
+    """A whole number stays one where it was written so (55 and not 55.0); a table keeps the notation that tomlkit gives it."""
+    if isinstance(new, float) and new.is_integer() and abs(new) < 1e15 and isinstance(old, int) and not isinstance(old, bool):
+        return int(new)
+    if isinstance(new, list) and isinstance(old, list) and all(isinstance(x, (int, float)) for x in new):
+        return [_in_the_style_of(old[min(i, len(old) - 1)] if old else None, x) for i, x in enumerate(new)]
+    return new
+
+
+def differences(old: Any, new: Any, place: Place = ()) -> list[tuple[Place, Any]]:
+    """The changes that lead from one set of tables to the other, in an order in which they can be made.
+
+    An array of tables that lost elements is cut from its end, so that the places of the others hold.
+    """
+    if isinstance(old, dict) and isinstance(new, dict):
+        found = [((*place, key), None) for key in old if key not in new]
+        for key, value in new.items():
+            found += differences(old[key], value, (*place, key)) if key in old else [((*place, key), value)]
+        return found
+    if _tables(old) and _tables(new):
+        found = []
+        for i, (a, b) in enumerate(zip(old, new)):
+            found += differences(a, b, (*place, i))
+        found += [((*place, i), None) for i in range(len(old) - 1, len(new) - 1, -1)]
+        return found + [((*place, i), new[i]) for i in range(len(old), len(new))]
+    return [] if old == new else [(place, new)]
+
+
+def _tables(value: Any) -> bool:
+    return isinstance(value, list) and bool(value) and all(isinstance(item, dict) for item in value)
+
+
+# --- bytes --------------------------------------------------------------------------------------------------------------
+def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
+    """Write a file so that a crash at any moment leaves the old or the new one whole: a new file beside it, then a rename.
+
+    With `backup` the old file is kept as `NAME.bak`.  A link is followed; the rights of the old file are kept.
+    """
+    path = Path(os.path.realpath(path))
+    draft = path.with_name(f".{path.name}.{os.getpid()}.new")
+    try:
+        with open(draft, "xb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        if path.exists():
+            with contextlib.suppress(OSError):
+                os.chmod(draft, path.stat().st_mode & 0o7777)
+            if backup:
+                _keep(path)
+        os.replace(draft, path)
+    except OSError as error:
+        raise SaveError(f"{path} can not be written: {error.strerror or error}; save under another name (nothing was changed)") from None
+    finally:
+        with contextlib.suppress(OSError):
+            draft.unlink(missing_ok=True)
+    _sync_folder(path.parent)
+
+
+def _keep(path: Path) -> None:
+    """The file as it is, as `NAME.bak`, by a rename as well."""
+    copy = path.with_name(f".{path.name}.{os.getpid()}.bak")
+    try:
+        copy.write_bytes(path.read_bytes())
+        os.replace(copy, path.with_name(path.name + ".bak"))
+    finally:
+        with contextlib.suppress(OSError):
+            copy.unlink(missing_ok=True)
+
+
+def _sync_folder(folder: Path) -> None:
+    """Make the rename itself durable, where the system can."""
+    if os.name != "posix":
+        return
+    with contextlib.suppress(OSError):
+        handle = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(handle)
+        finally:
+            os.close(handle)
+
+
+def free_name(path: Path) -> Path:
+    """The path, or the first with a number behind its name that does not exist yet."""
+    found, n = path, 1
+    while found.exists():
+        n += 1
+        found = path.with_name(f"{path.stem}-{n}{path.suffix}")
+    return found
+
+
+def save_document(path: Path, changes: Mapping[str, Any], original_text: str | None = None) -> bytes:
+    """Edit a design file in place, with its `.bak`; gives the bytes that were written.  `original_text`: what the file held when it was read."""
+    if original_text is None:
+        original_text = path.read_bytes().decode("utf-8")
+    data = edited_text(original_text, changes).encode("utf-8")
+    write_atomic(path, data)
+    return data

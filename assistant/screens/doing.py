@@ -1,0 +1,364 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the keys of the main screen do, one method for each action of the table."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from textual import work
+
+
+from calc.design import STEPS
+from calc.sheet.errors import BadInput
+
+from ..actions import BY_ID
+from ..places import Place
+from ..saving import SaveError
+from ..session import Session
+from ..solving import run
+from ..widgets.calculation import Calculation
+from ..widgets.checks import Checks, sorted_checks
+from ..widgets.choice import Choice
+from ..widgets.curve_pane import CurvePane
+from ..widgets.entry import Entry
+from ..widgets.field import Field
+from ..widgets.item_list import ItemList
+from ..widgets.pane import Pane
+
+if TYPE_CHECKING:
+    from .workbench import Workbench
+
+VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
+
+
+class Doing:
+    """The actions.  Mixed into the main screen, which has the parts."""
+
+    session: Session
+
+    @property
+    def _me(self) -> "Workbench":
+        return self  # type: ignore[return-value]
+
+    # --- steps
+    async def action_step(self, n: int) -> None:
+        await self._me.open_step(STEPS[n - 1])
+
+    async def action_next(self) -> None:
+        await self._turn(1)
+
+    async def action_back(self) -> None:
+        await self._turn(-1)
+
+    async def _turn(self, by: int) -> None:
+        me = self._me
+        n = me.number - 1 + by
+        if 0 <= n < len(STEPS):
+            await me.open_step(STEPS[n])
+        else:
+            me.app.tell("This is the last step." if by > 0 else "This is the first step.")
+
+    async def action_trouble(self) -> None:
+        """The next check that fails; after those, the next that warns."""
+        me = self._me
+        if self.session.reasons():
+            place = next(iter(self.session.reasons()))
+            await self.to_field(place)
+            return
+        if self.session.results is None:
+            return
+        outcomes = self.session.results.outcomes
+        faults = [(s, c) for s in STEPS for c in sorted_checks(outcomes[s.key].checks) if c.verdict != "pass"]
+        faults.sort(key=lambda f: f[1].verdict != "fail")
+        if not faults:
+            me.app.tell("No check fails or warns.")
+            return
+        checks = me.query_one(Checks)
+        here = next((n for n, (s, c) in enumerate(faults) if s is me.step and c.id == checks.key), None)
+        if here is not None and checks.has_focus:
+            step, check = faults[(here + 1) % len(faults)]
+        else:
+            step, check = next((f for f in faults if f[0] is me.step and f[1].verdict == faults[0][1].verdict), faults[0])
+        me.at_pane("checks")
+        await me.open_step(step, stay=True)
+        checks.focus()
+        me.call_after_refresh(checks.go_to, check.id)
+
+    def to_line(self, check: str) -> None:
+        """The line of the calculation that a check comes from."""
+        me = self._me
+        calculation = me.query_one(Calculation)
+        index = calculation.sheet.line_of.get(check)
+        if index is None:
+            me.app.tell("No single line of the calculation gives this value.")
+            return
+        me.at_pane("calculation")
+        calculation.focus()
+        me.call_after_refresh(calculation.go_to, calculation.sheet.entries[index].number, top=True)
+
+    async def to_value(self, id: str) -> None:
+        """The field of an input, or the step of a result."""
+        me = self._me
+        step = next(s for s in STEPS if s.key == id.partition(".")[0])
+        try:
+            place: Place | None = self.session.place(id)
+        except BadInput:
+            place = None
+        me.at_pane("inputs")
+        await me.open_step(step, place)
+
+    async def to_field(self, place: Place) -> None:
+        """Open the step of a field and put the focus there."""
+        me = self._me
+        step = next((s for s in STEPS if place and s.key == place[0]), me.step)
+        me.at_pane("inputs")
+        await me.open_step(step, place)
+        me.form.focus_place(place)
+
+    # --- moving
+    def action_down(self) -> None:
+        self._move(1)
+
+    def action_up(self) -> None:
+        self._move(-1)
+
+    def _move(self, by: int) -> None:
+        me = self._me
+        focused = me.focused
+        if isinstance(focused, ItemList):
+            before = focused.cursor
+            focused.move(by)
+            if focused.cursor == before and me.pane == "inputs" and by < 0:
+                me.form.go(by)
+        elif me.pane == "inputs":
+            me.form.go(by)
+
+    def action_pane(self, by: int) -> None:
+        """The next pane that is shown; narrow, the panes follow each other."""
+        me = self._me
+        names = [name for name in ("steps", *VIEWS) if name in VIEWS or me.has_class("-wide")]
+        here = names.index(me.pane) if me.pane in names else 0
+        self.action_to_view(names[(here + by) % len(names)])
+
+    def action_view(self) -> None:
+        """Narrow: the next view.  Wide: this pane large, or all of them again."""
+        me = self._me
+        if me.has_class("-wide"):
+            me.large = not me.large
+            me.set_out()
+        else:
+            views = list(VIEWS)
+            here = views.index(me.pane) if me.pane in views else 0
+            self.action_to_view(views[(here + 1) % len(views)])
+
+    def action_to_view(self, name: str) -> None:
+        me = self._me
+        me.at_pane(name)
+        if name == "inputs":
+            me.form.focus_place(None)
+        else:
+            me.query_one(f"#{name}", Pane).target.focus()
+
+    def action_leave(self) -> None:
+        """Out of the field; out of a large pane; back to the form."""
+        me = self._me
+        if isinstance(me.focused, (Entry, Choice)):
+            me.form.focus(scroll_visible=False)
+        elif me.large:
+            me.large = False
+            me.set_out()
+        elif me.pane != "inputs":
+            me.at_pane("inputs")
+            me.form.focus(scroll_visible=False)
+
+    def action_go_on(self) -> None:
+        me = self._me
+        if isinstance(me.focused, ItemList):
+            me.focused.choose()
+        elif me.focused is me.form:
+            if me.step.key in self.session.data:
+                me.form.focus_place(None)
+            else:
+                me.form.ask()
+        elif me.pane == "inputs":
+            me.form.go(1)
+
+    def action_curve(self) -> None:
+        me = self._me
+        pane = me.query_one(CurvePane)
+        if len(pane.curves) < 2:
+            me.app.tell("This step has no other curve." if pane.curves else "This step has no curve.")
+        pane.action_turn(1)
+
+    # --- editing
+    def action_nudge(self, by: int) -> None:
+        me = self._me
+        field = me.form.field
+        if field is None:
+            return
+        text = field.nudge(by)
+        if isinstance(field.box, Entry) and text != field.box.value:
+            if text == self.session.text(field.place):
+                me.app.tell("A list, or a text, has no increment." if field.about.kind not in ("number", "integer") else "There is no step further.")
+                return
+            field.box.value = text
+            field.box.cursor_position = len(text)
+
+    async def action_undo(self) -> None:
+        await self._travelled(self.session.undo(), "Nothing to undo.")
+
+    async def action_redo(self) -> None:
+        await self._travelled(self.session.redo(), "Nothing to redo.")
+
+    async def _travelled(self, place: Place | None, nothing: str) -> None:
+        me = self._me
+        if place is None:
+            me.app.tell(nothing)
+            return
+        field: Field | None = me.form.field
+        if field is not None and field.place == place:
+            field.rewrite()
+        me.edited()
+        if place:
+            await self.to_field(place)
+            if (there := me.form.field) is not None:
+                there.rewrite()
+
+    # --- files
+    def action_save(self) -> None:
+        me = self._me
+        if self.session.read_only:
+            me.app.tell(f"{self.session.name} is read-only; give another name.", "warning")
+            self.action_save_as()
+            return
+        try:
+            path = self.session.save(force=me.app.warned_of == self.session.home)
+        except SaveError as error:
+            from ..saving import ChangedOnDisk
+
+            me.app.warned_of = self.session.home if isinstance(error, ChangedOnDisk) else None
+            me.app.tell(str(error), "error")
+            return
+        self._saved(path)
+
+    def _saved(self, path: Path) -> None:
+        me = self._me
+        me.app.warned_of = None
+        me.app.tell(f"Saved: {path}")
+        if self.session.message:
+            me.app.tell(self.session.message, "warning")
+            self.session.message = ""
+        me.show_state()
+
+    @work
+    async def action_save_as(self) -> None:
+        from .save_dialog import SaveDialog
+
+        me = self._me
+        path = await me.app.push_screen_wait(SaveDialog(self.session))
+        if path is None:
+            return
+        try:
+            self._saved(self.session.save_as(path))
+        except SaveError as error:
+            me.app.tell(str(error), "error")
+
+    @work
+    async def action_open(self) -> None:
+        from .open_dialog import OpenDialog
+
+        me = self._me
+        session = await me.app.push_screen_wait(OpenDialog(self.session))
+        if session is not None:
+            me.app.enter(session)
+
+    def action_restore(self) -> None:
+        """Put back edits that were kept aside for another version of the file."""
+        me = self._me
+        if self.session.restore():
+            me.edited()
+        else:
+            me.app.tell("No unsaved edits are kept for this design.")
+
+    # --- report
+    def action_report(self) -> None:
+        me = self._me
+        if not self.session.valid:
+            place, reason = next(iter(self.session.reasons().items()))
+            me.app.tell(f"No report while the input is not valid: {'.'.join(map(str, place))} {reason}", "error")
+            return
+        me.app.tell("Writing the report …")
+        self._report()
+
+    @work(thread=True, exclusive=True, group="report", exit_on_error=False)
+    def _report(self) -> None:
+        me = self._me
+        session = self.session
+        try:
+            from calc.design_file import design, parse
+
+            raw = session.bytes()
+            folder = session.path.parent if session.path is not None else Path.cwd()
+            path = folder / (session.home.stem + ".pdf")
+            document = parse(raw, str(session.home))
+            results = session.results
+            if not session.current or results is None:
+                from ..solving import Job
+
+                answer = run(Job(0, design(document), results))
+                results = answer.results
+                if results is None:
+                    raise RuntimeError(answer.failure)
+            from reports.report import write
+
+            write(document, results, raw, path, depth="engineer")
+        except ImportError as error:
+            me.app.call_from_thread(me.app.tell, f"The report can not be written: {error.name or error} is not installed.", "error")
+        except Exception as error:  # whatever goes wrong on paper, the session goes on
+            reason = getattr(error, "strerror", None) or error
+            me.app.call_from_thread(me.app.tell, f"The report can not be written: {reason}", "error")
+        else:
+            me.app.call_from_thread(me.app.tell, f"PDF report: {path}")
+
+    # --- help, palette, copy, end
+    def action_help(self) -> None:
+        from .help import HelpScreen
+
+        me = self._me
+        me.app.push_screen(HelpScreen(me))
+
+    def action_palette(self) -> None:
+        self._me.app.action_command_palette()
+
+    def action_copy(self) -> None:
+        self._copy("value")
+
+    def action_copy_line(self) -> None:
+        self._copy("line")
+
+    def _copy(self, what: str) -> None:
+        me = self._me
+        focused: Any = me.focused
+        text = ""
+        if isinstance(focused, ItemList) and focused.item is not None:
+            text = getattr(focused.item, what) or focused.item.line
+        elif me.pane == "curve" and (curve := me.query_one(CurvePane).curve) is not None:
+            text = curve.title
+        else:
+            place = me.form.here() or me.form.last
+            if place is not None and (place[-1] is not None) and me.session.text(place):
+                about = self.session.about(place)
+                value = f"{self.session.text(place)} {about.unit}".rstrip()
+                text = value if what == "value" else f"{about.label} {value}"
+        if not text:
+            me.app.tell("There is nothing to copy here.")
+            return
+        me.app.copy_to_clipboard(text)
+        me.app.tell(f"Copied: {text}")
+
+    async def action_quit(self) -> None:
+        await self._me.app.action_quit()
+
+
+for _action in BY_ID.values():  # a key without its method would be a dead key
+    assert hasattr(Doing, "action_" + _action.call.partition("(")[0]), _action.id
+

@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Help: about the field or the check that has the focus, then about the screen, then all keys."""
+
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical, VerticalScroll
+from textual.content import Content
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from calc.design import STEPS
+from calc.sheet.number import short
+
+from ..actions import ACTIONS, key_names
+from ..places import Place
+from ..widgets.checks import Checks
+from ..widgets.field_help import meaning
+from ..widgets.wrap import wrap
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+    from .workbench import Workbench
+
+SCREEN = (
+    "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, the calculation line by line, and curves.",
+    "Everything is solved again while you type. A step can be opened at any time; one that lacks the numbers of another says which it waits for.",
+    "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), and a list with semicolons (-167.5; 167.5).",
+    "(auto) stands where the program chooses because a field is empty.",
+    "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input.",
+    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn. Enter on a check leads to its line.",
+    "Letters act as keys while no field is being edited: Esc leaves a field.",
+    "Edits are kept aside as you work and come back after a crash; nothing is in the file before you save.",
+    "The same numbers on the command line: contralbero check, explain, report, set, replay.",
+)
+INDENT = 27  # cells for the keys
+
+
+class HelpScreen(ModalScreen[None]):
+    app: "ContralberoApp"
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q,f1,question_mark,enter", "dismiss_help", "Close", show=False)]
+
+    def __init__(self, work: "Workbench") -> None:
+        super().__init__()
+        self.work = work
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog -tall"):
+            with VerticalScroll(id="help-text"):
+                yield Static(Content("\n").join(self.about_here()), id="help-here")
+                yield Static(Content("\n").join([Content.styled("This screen", "bold"), *self.paragraphs(SCREEN)]))
+                yield Static(self.keys())
+            yield Static(Content.styled("↑ ↓ scroll, Esc goes back", "dim"))
+
+    def on_mount(self) -> None:
+        self.query_one("#help-text").focus()
+
+    # --- what it says
+    @property
+    def room(self) -> int:
+        """The cells of a row in the dialog."""
+        return max(30, min(110, self.app.size.width * 9 // 10) - 8)
+
+    def paragraphs(self, texts: tuple[str, ...]) -> list[Content]:
+        return [Content(row) for text in texts for row in wrap(f"· {text}", self.room, 2)]
+
+    def described(self, keys: str, letters: str, text: str) -> Content:
+        """One row of the table of keys, with the text hanging beside them."""
+        rows = wrap(" " * INDENT + text, self.room, INDENT)
+        start = f"{keys:<16}{letters:<{INDENT - 16}}"
+        return Content("\n").join([Content.assemble((start, "bold"), rows[0][INDENT:]), *map(Content, rows[1:])])
+
+    def about_here(self) -> list[Content]:
+        """About what has the focus."""
+        work = self.work
+        field = work.form.field
+        lines: list[Content] = []
+        if field is not None:
+            lines = self.about_field(field.place)
+        elif isinstance(work.focused, Checks) and work.session.results is not None:
+            lines = self.about_check(work.focused.key)
+        if not lines:
+            step = work.step
+            outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
+            lines = [Content.styled(f"Step {STEPS.index(step) + 1} of {len(STEPS)}: {step.title}", "bold")]
+            lines += [Content(f"· {note}") for note in (outcome.notes if outcome is not None else ())]
+            if outcome is not None and outcome.reason:
+                lines.append(Content(outcome.reason))
+        return [*lines, Content("")]
+
+    def about_field(self, place: Place) -> list[Content]:
+        session = self.work.session
+        about = session.about(place)
+        key = ".".join(map(str, place))
+        unit = f", in {about.unit}" if about.unit else ""
+        from calc.sheet.expression import plain, symbol
+
+        sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
+        lines = [Content.assemble((about.label, "bold"), sign, (f"   {key}{unit}", "dim")), Content(meaning(about))]
+        if about.kind in ("choice", "text"):
+            lines.append(Content(f"Allowed: {about.allowed()}."))
+        if about.optional:
+            lines.append(Content("May be left empty: the program then chooses, and says so."))
+        if reason := session.reason(place):
+            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {reason}", self.app.signs.style("invalid")))
+        return lines
+
+    def about_check(self, id: str) -> list[Content]:
+        results = self.work.session.results
+        check = next((c for c in results.checks() if c.id == id), None) if results is not None else None
+        if check is None:
+            return []
+        kind = "Limit: passed over it fails, and less than 5 % of margin is a warning." if check.kind == "limit" else "Advice: passed over it warns."
+        value = f"{short(check.value)} {check.unit}".rstrip()
+        return [
+            Content.assemble((check.name, "bold"), (f"   {check.id}", "dim")),
+            Content(f"{value}, {check.limit_text()}, margin {check.margin_text()}: {check.verdict}"),
+            *([Content(check.advice)] if check.advice else []),
+            Content(kind),
+            Content.styled(f"Source: {check.source}", "dim"),
+        ]
+
+    def keys(self) -> Content:
+        """Every key, from the table of actions and the user's key map."""
+        lines = [Content(""), Content.styled("Keys", "bold"), Content.styled("anywhere        no field   does", "dim")]
+        for action in ACTIONS:
+            mapped = self.app.key_map.get(action.id)
+            keys, letters = (key_names(mapped), "") if mapped else (key_names(action.keys), key_names(action.letters))
+            lines.append(self.described(keys, letters, f"{action.title}. {action.help}"))
+        lines.append(self.described("Tab Shift+Tab", "", "Next, previous field or pane."))
+        lines.append(self.described("← →", "", "On the heading of a list of elements: leaf through them; + adds one, − takes it out. On the curve: the next one."))
+        return Content("\n").join(lines)
+
+    def action_dismiss_help(self) -> None:
+        self.dismiss(None)

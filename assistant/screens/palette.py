@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the palette finds: every action, and every field of the design."""
+
+from functools import partial
+from typing import TYPE_CHECKING
+
+from textual.command import DiscoveryHit, Hit, Hits, Provider
+
+from calc.design_file import quantities
+
+from ..actions import ACTIONS, key_names
+from .workbench import Workbench
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterator
+
+HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+
+
+class Palette(Provider):
+    def _found(self) -> "Iterator[tuple[str, str, Callable[[], object]]]":
+        """(title, help, what it does)."""
+        work = self.screen
+        if not isinstance(work, Workbench):
+            return
+        for action in ACTIONS:
+            if action.id not in HIDDEN:
+                keys = key_names(action.binding)
+                yield f"{action.title}  ({keys})" if keys else action.title, action.help, partial(work.run_action, action.call)
+        yield "Put back unsaved edits", "Edits that were kept aside for another version of this file.", work.action_restore
+
+    async def discover(self) -> Hits:
+        for title, help, does in self._found():
+            yield DiscoveryHit(title, does, help=help)
+
+    async def search(self, query: str) -> Hits:
+        matcher = self.matcher(query)
+        for title, help, does in self._found():
+            if (score := matcher.match(title)) > 0:
+                yield Hit(score, matcher.highlight(title), does, help=help)
+        work = self.screen
+        if isinstance(work, Workbench):
+            for key, about in quantities(work.session.data):
+                title = f"Field: {about.label}  {key}"
+                if (score := matcher.match(title)) > 0:
+                    yield Hit(score * 0.9, matcher.highlight(title), partial(work.to_field, work.session.place(key)), help=about.help or about.allowed())

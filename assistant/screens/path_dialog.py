@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A dialog that asks for a path: a place to type, the designs of the folder, and a line that says what is wrong."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar, TypeVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.screen import ModalScreen
+from textual.widgets import Input, OptionList, Static
+from textual.widgets.option_list import Option
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+Found = TypeVar("Found")
+MOST = 200  # names in the list
+
+
+class PathDialog(ModalScreen[Found]):
+    """Subclasses say what becomes of the path that was given."""
+
+    app: "ContralberoApp"
+    TITLE_TEXT = ""
+    HINT = ""
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape", "cancel", "Cancel", show=False),
+        Binding("down", "list(1)", "To the list", show=False),
+        Binding("up", "list(-1)", "Back from the list", show=False),
+    ]
+
+    def __init__(self, start: str, folder: Path) -> None:
+        super().__init__()
+        self.start = start
+        self.folder = folder
+        self._names: list[str] = []
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog"):
+            yield Static(Content.styled(self.TITLE_TEXT, "bold"))
+            yield Input(self.start, compact=True, select_on_focus=False, id="path")
+            yield OptionList(id="names", compact=True)
+            yield Static("", id="wrong", classes="wrong")
+            yield Static(Content.styled(self.HINT, "dim"))
+
+    def on_mount(self) -> None:
+        self.query_one("#path", Input).cursor_position = len(self.start)
+        self.fill()
+
+    def path(self) -> Path:
+        text = self.query_one("#path", Input).value.strip()
+        path = Path(text).expanduser()
+        return path if path.is_absolute() else self.folder / path
+
+    def fill(self) -> None:
+        """The folders and designs beside what is typed."""
+        text = self.query_one("#path", Input).value.strip()
+        path = self.path()
+        folder, begin = (path, "") if not text or text.endswith(("/", "\\")) else (path.parent, path.name.lower())
+        names: list[str] = []
+        try:
+            for item in sorted(folder.iterdir(), key=lambda p: (p.is_dir(), p.name.lower())):
+                if item.name.startswith(".") or not item.name.lower().startswith(begin):
+                    continue
+                if item.suffix == ".toml" or item.is_dir():
+                    names.append(item.name + ("/" if item.is_dir() else ""))
+        except OSError:
+            pass
+        self._names = [str(folder / name) + ("/" if name.endswith("/") else "") for name in names[:MOST]]
+        options = self.query_one("#names", OptionList)
+        options.clear_options()
+        options.add_options([Option(Content(name)) for name in names[:MOST]])
+        options.display = bool(names)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.say("")
+        self.fill()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        self.take(self.path())
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        name = self._names[event.option_index]
+        box = self.query_one("#path", Input)
+        box.value = name
+        box.cursor_position = len(name)
+        box.focus()
+        if not name.endswith("/"):
+            self.take(Path(name))
+
+    def take(self, path: Path) -> None:
+        raise NotImplementedError
+
+    def say(self, text: str) -> None:
+        """What is wrong with the path."""
+        self.query_one("#wrong", Static).update(Content(text))
+
+    def action_list(self, by: int) -> None:
+        options = self.query_one("#names", OptionList)
+        if by > 0 and options.display and self.focused is not options:
+            options.focus()
+            options.highlighted = 0
+
+    def action_cancel(self) -> None:
+        self.dismiss(None)

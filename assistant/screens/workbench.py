@@ -1,0 +1,394 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from textual import events, work
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Container, Horizontal, Vertical
+from textual.content import Content
+from textual.message import Message
+from textual.screen import Screen
+from textual.style import Style
+from textual.timer import Timer
+from textual.widget import Widget
+
+from calc.design import STEPS
+from calc.sheet.step import Step
+
+from ..actions import ACTIONS
+from ..places import Place
+from ..session import Session
+from ..sheets import Sheet
+from ..solving import Answer, Job, run
+from ..widgets.array_heading import ArrayHeading
+from ..widgets.calculation import Calculation
+from ..widgets.checks import Checks
+from ..widgets.curve_pane import CurvePane
+from ..widgets.entry import Entry
+from ..widgets.field import Field
+from ..widgets.field_help import FieldHelp, meaning
+from ..widgets.footer_line import FooterLine
+from ..widgets.form import Form
+from ..widgets.item_list import ItemList
+from ..widgets.message_line import MessageLine
+from ..widgets.pane import Pane
+from ..widgets.step_bar import StepBar
+from ..widgets.steps import Steps
+from ..widgets.taken import Taken
+from ..widgets.top_line import TopLine
+from .doing import VIEWS, Doing
+
+if TYPE_CHECKING:
+    from calc.solve import Results
+
+    from ..app import ContralberoApp
+
+DEBOUNCE = 0.1  # seconds after the last key
+SLOW = 0.15  # a solve that takes longer says so
+KEEP = 1.5  # seconds after the last edit until it is kept aside
+COMPLAIN = 0.6  # seconds until a field that is being typed into says what is wrong with it
+AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
+PANES = ("steps", "inputs", "checks", "calculation", "curve")
+
+
+class Workbench(Doing, Screen[None]):
+    """What is shown, and when it is made anew; what the keys do stands in `Doing`."""
+
+    app: "ContralberoApp"
+    HORIZONTAL_BREAKPOINTS: ClassVar[list[tuple[int, str]] | None] = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.call, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
+    AUTO_FOCUS = ""
+
+    @dataclass
+    class Solved(Message):
+        """A solve in the other thread is done."""
+
+        answer: Answer
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+        self.step: Step = next((s for s in STEPS if s.key in session.data), STEPS[0])
+        self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
+        self.pane = "inputs"  # the pane that has, or had last, the focus
+        self.large = False  # that pane alone, on a wide screen
+        self._solving = False
+        self._debounce: Timer | None = None
+        self._slow: Timer | None = None
+        self._keep: Timer | None = None
+        self._complain: Timer | None = None
+        self._ahead: Timer | None = None
+        self._saw: set[Place] = set()  # fields whose mistake has been said
+
+    # --- the parts
+    def compose(self) -> ComposeResult:
+        # the classes that the width will give, before there is anything that would have to be styled anew
+        self.add_class("-wide" if self.app.size.width >= 100 else "-narrow" if self.app.size.width >= 60 else "-tiny")
+        self.set_class(self.app.ascii, "-ascii")
+        yield TopLine(self.session)
+        yield StepBar(self.session)
+        with Horizontal(id="body"):
+            yield Pane("Steps", Steps(self.session), id="steps")
+            yield Pane(self._form_title(), Container(Form(self.step, self.session), id="forms"), FieldHelp(), id="inputs")
+            with Vertical(id="results"):
+                yield Pane("Checks", Checks(), id="checks")
+                yield Pane("Calculation", Calculation(), id="calculation")
+                yield CurvePane()
+        yield MessageLine(self.session)
+        yield FooterLine()
+
+    def on_mount(self) -> None:
+        self.set_out()
+        self.form.focus_place(None)
+        self.show_step()
+        self.call_after_refresh(self.solve)
+        if self.session.message:
+            self.app.tell(self.session.message)
+            self.session.message = ""
+
+    @property
+    def form(self) -> Form:
+        return self.query_one(f"#form-{self.step.key}", Form)
+
+    @property
+    def number(self) -> int:
+        return STEPS.index(self.step) + 1
+
+    def _form_title(self) -> str:
+        return f"{self.number} {self.step.title}"
+
+    # --- editing
+    def on_field_edited(self, event: Field.Edited) -> None:
+        event.stop()
+        self.session.edit(event.field.place, event.text)
+        self.edited()
+
+    def on_array_heading_added(self, event: ArrayHeading.Added) -> None:
+        event.stop()
+        place = event.heading.row.place
+        index = self.session.add(place)
+        self.form.chosen[place] = index
+        self.edited()
+        self.form.rebuild((*place, index, next(iter(self.session.value((*place, index)) or {"": 0}))))
+
+    def on_array_heading_removed(self, event: ArrayHeading.Removed) -> None:
+        event.stop()
+        self.session.remove(event.heading.row.place, event.index)
+        self.edited()
+
+    def on_form_asked(self, event: Form.Asked) -> None:
+        event.stop()
+        self.session.ask(event.step.key)
+        self.edited()
+
+    def edited(self) -> None:
+        """The design has changed: say what is not accepted, solve, and keep the edit aside, each in its time."""
+        self.show_state()
+        if self._debounce is not None:
+            self._debounce.stop()
+        self._debounce = self.set_timer(DEBOUNCE, self.solve)
+        if self._keep is not None:
+            self._keep.stop()
+        self._keep = self.set_timer(KEEP, self.keep)
+
+    def show_state(self) -> None:
+        """Everything but the results.  A field that is being typed into gets a moment before it complains."""
+        reasons = self.session.reasons()
+        here = self.form.here()
+        late = {place for place in reasons if place == here and place not in self._saw}
+        self.form.refresh_fields({place: reason for place, reason in reasons.items() if place not in late})
+        self._saw = set(reasons) - late
+        if self._complain is not None:
+            self._complain.stop()
+        self._complain = self.set_timer(COMPLAIN, self._complain_now) if late else None
+        self.set_stale(self.session.results is not None and not self.session.valid and not late)
+        self.query_one(TopLine).refresh()
+        if not late:
+            self.query_one(MessageLine).refresh()
+            self.query_one(Steps).rebuild()
+            self.query_one(StepBar).refresh()
+
+    def _complain_now(self) -> None:
+        self._saw = set(self.session.reasons())
+        self.show_state()
+
+    def keep(self) -> None:
+        """Put the edits aside, in another thread; a disk may be slow."""
+        self._keep_aside()
+
+    @work(thread=True, exclusive=True, group="keep", exit_on_error=False)
+    def _keep_aside(self) -> None:
+        self.session.autosave()
+        self.app.call_from_thread(self.query_one(TopLine).refresh)
+
+    # --- solving
+    def solve(self) -> None:
+        """Solve what is to be solved, one at a time; an edit in the meantime makes it solve once more."""
+        if self._solving:
+            return
+        job = self.session.job()
+        if job is None:
+            self.query_one(TopLine).slow = False
+            self.show_state()
+            return
+        self._solving = True
+        self._slow = self.set_timer(SLOW, self._say_slow)
+        self._solve_aside(job)
+
+    def set_stale(self, stale: bool) -> None:
+        """Dim the results that do not belong to what the fields say."""
+        for results in (*self.query(Checks), *self.query(Calculation)):
+            results.set_stale(stale)
+
+    def _say_slow(self) -> None:
+        if self._solving:
+            self.query_one(TopLine).slow = True
+            self.query_one(TopLine).refresh()
+            self.set_stale(True)
+
+    @work(thread=True, group="solve", exit_on_error=False, description="solve")
+    def _solve_aside(self, job: Job) -> None:
+        answer = run(job)
+        from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
+
+        if answer.results is not None:
+            self._prepare(answer.results, self.step)
+        self.post_message(self.Solved(answer))
+
+    def _prepare(self, results: "Results", step: Step) -> Sheet:
+        """The calculation of a step, written out and broken into rows; kept as long as its outcome is the same.  Runs in any thread."""
+        from ..sheets import sheet
+
+        outcome = results.outcomes[step.key]
+        known, made = self.sheets.get(step.key, (None, Sheet()))
+        if known is not outcome:
+            try:
+                made = sheet(outcome, STEPS.index(step) + 1)
+            except Exception as error:  # a line that can not be written must not stop the session
+                made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
+            self.sheets[step.key] = (outcome, made)
+        self.query_one(Calculation).prepare(made)
+        return made
+
+    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="prepare")
+    def _prepare_ahead(self) -> None:
+        """The calculations of the other steps, while nothing else is to be done."""
+        for step in STEPS:
+            results = self.session.results
+            if results is None or self._solving or not self.is_attached:
+                return
+            self._prepare(results, step)
+
+    def on_workbench_solved(self, event: Solved) -> None:
+        event.stop()
+        self._solving = False
+        if self._slow is not None:
+            self._slow.stop()
+        if self.session.accept(event.answer):
+            self.query_one(TopLine).slow = False
+            self.show_results()
+        if self.session.job() is not None:
+            self.solve()
+        else:
+            self.query_one(TopLine).slow = False
+            self.show_state()
+            self.app.solved_once()
+            if self._ahead is not None:
+                self._ahead.stop()
+            self._ahead = self.set_timer(AHEAD, self._prepare_ahead)
+
+    # --- showing
+    def show_results(self) -> None:
+        """The results of the current step."""
+        results = self.session.results
+        outcome = results.outcomes[self.step.key] if results is not None else None
+        self.query_one(Checks).show(outcome)
+        if results is not None:
+            self.query_one(Calculation).show(self._prepare(results, self.step))
+            self.query_one(CurvePane).show(self.step.key, outcome.curves if outcome is not None else ())
+        self.form.refresh_taken()
+        if outcome is not None:
+            bad = sum(c.verdict != "pass" for c in outcome.checks)
+            count = len(outcome.checks)
+            word = "check passes" if count == 1 else "checks pass"
+            self.query_one("#checks", Pane).set_title(right=f"{count - bad} of {count} {word}" if count else "")
+
+    def show_step(self) -> None:
+        """The parts that name the step."""
+        steps, bar = self.query_one(Steps), self.query_one(StepBar)
+        steps.current = bar.current = self.query_one(MessageLine).step = self.step.key
+        self.query_one("#inputs", Pane).set_title(self._form_title())
+        self.show_results()
+        self.show_state()
+        steps.go_to(self.step.key)
+
+    async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
+        """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
+        idle = focus is None and isinstance(self.focused, Form)
+        inside = not stay and (self.pane == "inputs" or focus is not None)
+        with self.app.batch_update():
+            if step is not self.step:
+                if self.pane == "inputs":
+                    self.set_focus(None, scroll_visible=False)
+                self.form.display = False
+                self.step = step
+                if self.query(f"#form-{step.key}"):
+                    self.form.display = True
+                else:
+                    await self.query_one("#forms").mount(Form(step, self.session))
+                self.show_step()
+            if inside and idle:
+                self.form.focus(scroll_visible=False)
+            elif inside:
+                self.form.focus_place(focus)
+
+    # --- focus and panes
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        pane = next((node.id for node in event.widget.ancestors_with_self if node.id in PANES), None)
+        if pane is not None:
+            self.at_pane(pane)
+        self._show_help()
+
+    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
+        self.call_later(self._show_help)
+
+    def at_pane(self, name: str) -> None:
+        """This pane is the current one; narrow, or large, it is the only one."""
+        if name == self.pane:
+            return
+        self.pane = name
+        self.set_out()
+
+    @property
+    def single(self) -> bool:
+        """One pane at a time."""
+        return self.large or not self.has_class("-wide")
+
+    def set_out(self) -> None:
+        """Show the panes that belong on the screen.  Done here and not by the style sheet, which would restyle every field."""
+        single = self.single
+        shown = "inputs" if self.pane == "steps" and not self.has_class("-wide") else self.pane
+        results = self.query_one("#results")
+        results.display = not single or shown in ("checks", "calculation", "curve")
+        for pane in self.query(Pane):
+            alone = single and pane.id == shown
+            pane.display = alone or not single
+            pane.set_class(alone, "-single")
+            pane.mark(pane.id == self.pane)
+            pane.set_title(views=self._views(shown) if alone and not self.has_class("-wide") else Content(""))
+        if not single or shown == "curve":
+            self.call_after_refresh(self.query_one(CurvePane).draw)
+
+    def _views(self, shown: str) -> Content:
+        """The names of the views, for a narrow screen."""
+        parts = [
+            Content.styled(word, "bold" if name == shown else "not bold dim").stylize(Style.from_meta({"@click": f"screen.to_view('{name}')"}))
+            for name, word in VIEWS.items()
+        ]
+        return Content(" · ").join(parts)
+
+    def _show_help(self) -> None:
+        """The foot of the form: about the field that has the focus."""
+        shown = self.query_one(FieldHelp)
+        field = self.form.field
+        if field is not None:
+            shown.show(field.about.label, meaning(field.about))
+        elif isinstance(self.focused, ArrayHeading):
+            shown.show(self.focused.row.about.label, f"{self.focused.row.about.help} {ArrayHeading.HELP}".strip())
+        elif isinstance(self.focused, Taken):
+            shown.show("From earlier steps", "Enter, or typing a number, goes to the step that owns the value.")
+        elif self.focused is not None and self.pane == "inputs":
+            shown.show("No field is being edited", "letters act as keys; Tab or ↓ goes back to the fields.")
+        else:
+            shown.show("", "")
+
+    def on_item_list_moved(self, event: ItemList.Moved) -> None:
+        if isinstance(event.source, Calculation):
+            self.query_one("#calculation", Pane).set_title(right=event.source.position())
+
+    async def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
+        """A step is opened; a check leads to its line; a value that was taken over leads to its owner."""
+        event.stop()
+        source = event.source
+        if isinstance(source, Steps):
+            self.at_pane("inputs")
+            await self.open_step(next(s for s in STEPS if s.key == event.key))
+        elif isinstance(source, Checks):
+            self.to_line(event.key)
+        elif isinstance(source, Taken):
+            await self.to_value(event.key)
+
+    def on_resize(self, event: events.Resize) -> None:
+        self.set_out()
+        focused = self.focused
+        if focused is not None:
+            self.call_after_refresh(self._keep_in_view, focused)
+
+    def _keep_in_view(self, widget: Widget) -> None:
+        if widget.is_attached and self.focused is None:
+            widget.focus()
+        if widget.is_attached and isinstance(widget, Entry):
+            widget.scroll_visible(animate=False)

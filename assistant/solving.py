@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One solve, as a question that another thread can be given and an answer that it gives back."""
+
+import time
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from calc.design import Design
+
+if TYPE_CHECKING:
+    from calc.solve import Results
+
+
+@dataclass(frozen=True)
+class Job:
+    """What a solve needs, to be run in another thread."""
+
+    generation: int
+    design: Design = field(repr=False)  # they are large, and a screen may want to name this in its log
+    before: "Results | None" = field(repr=False)
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What a solve gave.  `failure`: the program itself went wrong; then there are no results."""
+
+    generation: int
+    results: "Results | None" = field(repr=False)
+    seconds: float
+    failure: str = ""
+
+
+def run(job: Job) -> Answer:
+    """Solve.  The numerics are loaded here, not at the start of the program."""
+    from calc.solve import solve
+
+    started = time.perf_counter()
+    try:
+        results = solve(job.design, job.before)
+    except Exception as error:  # a mistake of the program must not take the user's work with it
+        return Answer(job.generation, None, 0.0, f"the program made a mistake: {type(error).__name__}: {error}")
+    return Answer(job.generation, results, time.perf_counter() - started)

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The two things about the steps that their descriptions do not say: the one value that stands for a step in the list, and
+what a step takes over from the steps before it.  Names that a design does not have are passed over."""
+
+# step → values of which the first that exists is shown beside the step
+HEADLINES: dict[str, tuple[str, ...]] = {
+    "engine": ("engine.stroke",),
+    "imbalance": ("imbalance.required_couple",),
+    "countershaft": ("countershaft.couple",),
+    "bearings": ("bearings.front.film_edge", "bearings.front.film"),
+    "gears": ("gears.phase_error",),
+    "friction": ("friction.total_loss",),
+}
+
+# step → values (or inputs) of earlier steps that it uses
+TAKEN: dict[str, tuple[str, ...]] = {
+    "imbalance": ("engine.rated_speed_rpm", "engine.reciprocating_mass", "engine.lambda"),
+    "countershaft": ("engine.rated_speed_rpm", "imbalance.required_couple", "imbalance.required_couple_phase"),
+    "bearings": ("engine.rated_speed_rpm", "countershaft.reaction_front", "countershaft.reaction_rear"),
+    "gears": ("engine.rated_speed_rpm", "imbalance.required_couple", "bearings.housing_material"),
+    "friction": ("bearings.oil", "bearings.supply_temperature_C", "bearings.front.friction_power", "bearings.rear.friction_power"),
+}
+
+# keys of text fields that hold a name from one of the catalogues
+NAMED = {"oil": "oils", "material": "materials", "housing_material": "materials", "bush_material": "materials"}

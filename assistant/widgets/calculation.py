@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The calculation of a step: formula, numbers, value, source, line by line, as it was computed; then what is assumed."""
+
+from textual.content import Content
+
+from calc.sheet.number import short
+from calc.sheet.step import Erratum
+
+from ..sheets import Entry, Sheet
+from .item_list import Item, ItemList
+from .signs import WORDS, Signs
+from .wrap import wrap
+
+
+class Typesetter:
+    """Breaks a calculation into rows.  Knows no screen, so that a long one can be set in another thread."""
+
+    def __init__(self, signs: Signs, width: int) -> None:
+        self.signs, self.width = signs, width
+
+    def items(self, sheet: Sheet) -> list[Item]:
+        width = self.width
+        items: list[Item] = []
+        about = ""
+        for entry in sheet.entries:
+            if entry.about != about:
+                about = entry.about
+                title = about[:1].upper() + about[1:]
+                items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")]))
+            items.append(self._entry(entry))
+        if sheet.errata:
+            items.append(Item("", [Content(""), Content.styled("Errors of the sources", "bold")]))
+            items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
+        if sheet.notes:
+            items.append(Item("", [Content(""), Content.styled("Assumed", "bold")]))
+            items += [Item(f"note {n}", [Content(row) for row in wrap(f"· {note}", width, 2)], line=note) for n, note in enumerate(sheet.notes)]
+        return items
+
+    def _entry(self, entry: Entry) -> Item:
+        width = self.width
+        number = f"{entry.number:<5} "
+        indent = len(number)
+        rows = [Content.assemble((number, "dim"), entry_rows[0].lstrip()) if n == 0 else Content(text)
+                for entry_rows in [wrap(" " * indent + entry.formula, width, indent + 2)] for n, text in enumerate(entry_rows)]  # fmt: skip
+        before, equals, after = entry.numbers.rpartition("= ")
+        numbers = before + equals + after.replace(" ", "\u00a0", 1)  # a number and its unit stay together
+        rows += [Content(text) for text in wrap(" " * (indent + 2) + numbers, width, indent + 4)]
+        signs = self.signs
+        for check in entry.checks:
+            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name} {check.limit_text()}"
+            rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
+        for erratum in entry.errata:
+            rows += self._erratum(erratum, indent + 2)
+        rows += [Content.styled(row, "dim") for row in wrap(" " * (indent + 2) + entry.source, width, indent + 2)]
+        return Item(entry.number, rows, entry.value(), entry.text())
+
+    def _erratum(self, erratum: Erratum, indent: int) -> list[Content]:
+        signs, width = self.signs, self.width
+        theirs = f"{short(erratum.source_value)} {erratum.unit}".rstrip()
+        text = f"{signs.mark('warn')} the source has {theirs} for {erratum.label}: {erratum.why} ({erratum.source})"
+        return [Content.styled(row, signs.style("warn")) for row in wrap(" " * indent + text, width, indent + 2)]
+
+
+class Calculation(ItemList):
+    """The key of an item is the number of its line."""
+
+    def __init__(self) -> None:
+        super().__init__(id="calculation-list")
+        self.sheet = Sheet()
+        self._set: list[tuple[Sheet, int, bool, list[Item]]] = []  # the calculations set last, with the width and the background
+
+    def show(self, sheet: Sheet) -> None:
+        if sheet is not self.sheet:
+            self.sheet = sheet
+            self.rebuild()
+
+    def prepare(self, sheet: Sheet) -> None:
+        """Set a calculation ahead; may be called from another thread."""
+        if self._built > 1:
+            self._items(sheet, self._built - 1)
+
+    def build(self, width: int) -> list[Item]:
+        return self._items(self.sheet, width)
+
+    def _items(self, sheet: Sheet, width: int) -> list[Item]:
+        signs = self.app.signs
+        for known, for_width, dark, items in self._set:
+            if known is sheet and for_width == width and dark == signs.dark:
+                return items
+        items = Typesetter(signs, width).items(sheet)
+        self._set = [*self._set[-7:], (sheet, width, signs.dark, items)]
+        return items
+
+    # --- what the title says
+    def position(self) -> str:
+        """Which lines are in view, of how many; and what stands at the end."""
+        entries = [i for i, item in enumerate(self.items) if "." in item.key]
+        parts = []
+        if entries and self._first:
+            top, bottom = round(self.scroll_y), round(self.scroll_y) + self.size.height
+            seen = [n for n, i in enumerate(entries, 1) if self._first[i] < bottom and self._first[i] + len(self.items[i].rows) > top]
+            parts.append(f"{seen[0]}–{seen[-1]} of {len(entries)}" if seen else f"{len(entries)} lines")
+        errata = len(self.sheet.errata) + sum(len(e.errata) for e in self.sheet.entries)
+        if errata:
+            parts.append(f"{errata} erratum" if errata == 1 else f"{errata} errata")
+        if self.sheet.notes:
+            parts.append(f"{len(self.sheet.notes)} assumed")
+        return " · ".join(parts)

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The checks of a step: verdict, name, value, limit, margin.  What fails stands first."""
+
+from textual.content import Content
+
+from calc.sheet.check import Check
+from calc.sheet.number import short
+from calc.sheet.step import Outcome
+
+from .item_list import Item, ItemList
+from .signs import WORDS
+from .wrap import pad, wrap
+
+ORDER = {"fail": 0, "warn": 1, "pass": 2}
+VERDICT, MARGIN = 7, 8  # cells
+GAP = 2
+
+
+def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
+    """The worst first; equal ones as the step has them."""
+    return sorted(checks, key=lambda c: ORDER[c.verdict])
+
+
+class Checks(ItemList):
+    """The key of an item is the id of its check."""
+
+    def __init__(self) -> None:
+        super().__init__(id="checks-list")
+        self.outcome: Outcome | None = None
+
+    def show(self, outcome: Outcome | None) -> None:
+        if outcome is not self.outcome:
+            self.outcome = outcome
+            self.rebuild()
+
+    def build(self, width: int) -> list[Item]:
+        outcome = self.outcome
+        width = max(width, 30)  # what is too narrow is cut off
+        if outcome is None:
+            return []
+        if not outcome.checks:
+            texts = {"not_asked": "This design does not ask for this step.", "solved": "This step has no limits of its own."}
+            text = texts.get(outcome.state, outcome.reason)
+            return [Item("", [Content.styled(row, "dim") for row in wrap(text, width)])]
+        checks = sorted_checks(outcome.checks)
+        value_width = max(len("Value"), *(len(short(c.value)) for c in checks))
+        limit_width = max(len("Limit"), *(len(c.limit_text()) for c in checks))
+        name_width = width - VERDICT - value_width - limit_width - MARGIN - 2 * GAP
+        roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
+        if roomy:
+            head = f"{'':<{VERDICT}}{'Check':<{name_width}}{'':{GAP}}{'Value':>{value_width}}{'':{GAP}}{'Limit':<{limit_width}}{'Margin':>{MARGIN}}"
+        else:
+            head = f"{'':<{VERDICT}}{'Check, value and limit':<{width - VERDICT - MARGIN}}{'Margin':>{MARGIN}}"
+        items = [Item("", [Content.styled(head, "dim")])]
+        for check in checks:
+            rows = self._wide(check, name_width, value_width, limit_width) if roomy else self._two(check, width)
+            value = f"{short(check.value)} {check.unit}".rstrip()
+            line = f"{WORDS[check.verdict]}: {check.name} {value}, limit {check.limit_text()}, margin {check.margin_text()} [{check.source}]"
+            items.append(Item(check.id, rows, value, line))
+        return items
+
+    def _start(self, check: Check) -> tuple[str, str]:
+        signs = self.app.signs
+        return pad(f"{signs.mark(check.verdict)} {WORDS[check.verdict]}", VERDICT), signs.style(check.verdict)
+
+    def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int) -> list[Content]:
+        """One row, where the names fit beside the numbers."""
+        start, style = self._start(check)
+        names = wrap(check.name, name_width)
+        loud = style if check.verdict != "pass" else ""
+        first = Content.assemble(
+            (start, style), pad(names[0], name_width), " " * GAP, (f"{short(check.value):>{value_width}}", loud), " " * GAP,
+            (f"{check.limit_text():<{limit_width}}", "dim"), (f"{check.margin_text():>{MARGIN}}", style),
+        )  # fmt: skip
+        return [first, *(Content(" " * VERDICT + name) for name in names[1:])]
+
+    def _two(self, check: Check, width: int) -> list[Content]:
+        """The name in one row, the numbers in the next."""
+        start, style = self._start(check)
+        room = width - VERDICT - MARGIN
+        names = wrap(check.name, room)
+        loud = style if check.verdict != "pass" else ""
+        first = Content.assemble((start, style), pad(names[0], room), (f"{check.margin_text():>{MARGIN}}", style))
+        limit = check.limit_text()
+        numbers = Content.assemble(" " * VERDICT, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim"))
+        return [first, *(Content(" " * VERDICT + name) for name in names[1:]), numbers]

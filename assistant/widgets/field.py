@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One input: its label, the place to type in, its unit and a note, and under it why it is not accepted."""
+
+import math
+import re
+from dataclasses import MISSING, dataclass
+from typing import TYPE_CHECKING, Any
+
+from textual.app import ComposeResult
+from textual.content import Content
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Input
+
+from calc.sheet.number import short
+from calc.sheet.quantity import Quantity, keys
+
+from .. import numbers
+from ..places import Place, key_at, owner
+from ..session import Session
+from .choice import Choice
+from .entry import Entry
+from .rows import Row
+from .wrap import fit, pad, wrap
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+LABEL, LABEL_NARROW = 23, 30  # cells, as in the style sheet
+BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "text": 20, "choice": 20}
+WORD_NARROW = 30
+PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
+NARROW = 60  # a form that has at least this many cells is the only pane
+
+
+class Field(Widget):
+    """Draws label and note itself; its one child is where the value is typed or chosen."""
+
+    app: "ContralberoApp"
+
+    @dataclass
+    class Edited(Message):
+        """The user has changed the text."""
+
+        field: "Field"
+        text: str
+
+    def __init__(self, row: Row, session: Session, words: tuple[str, ...]) -> None:
+        super().__init__(classes="-" + row.about.kind)
+        self.row = row
+        self.session = session
+        self.words = words or row.about.choices
+        self.reason = ""
+        self.default = default_of(row)
+        self._box = self._made()
+
+    @property
+    def place(self) -> Place:
+        return self.row.place
+
+    @property
+    def about(self) -> Quantity:
+        return self.row.about
+
+    @property
+    def box(self) -> Entry | Choice:
+        return self._box
+
+    def _made(self) -> Entry | Choice:
+        text, optional = self.session.text(self.place), self.about.optional
+        if self.words:
+            return Choice(self.words, text, optional=optional, prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else "choose")
+        return Entry(text, self.default or ("(auto)" if optional else "" if self.row.required else "left out"))
+
+    def compose(self) -> ComposeResult:
+        yield self._box
+
+    # --- the user
+    def on_input_changed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.refresh()  # the note says how the text is understood
+        if event.value != self.session.text(self.place):
+            self.post_message(self.Edited(self, event.value))
+
+    def on_choice_changed(self, event: Choice.Changed) -> None:
+        event.stop()
+        self.post_message(self.Edited(self, event.value))
+
+    def nudge(self, by: int) -> str:
+        """One step up or down; gives the new text, or the same where there is no step to make."""
+        if isinstance(box := self.box, Choice):
+            box.turn(by)
+            return ""
+        return stepped(self.session, self.place, self.default, by)
+
+    # --- what is shown
+    def show(self, reason: str) -> None:
+        """Draw anew, with the reason why the text is not accepted."""
+        changed = reason != self.reason
+        self.reason = reason
+        if not self.box.has_focus:
+            self.box.show(self.session.text(self.place))
+        if changed:
+            self.set_class(bool(reason), "-invalid")
+            self.refresh(layout=True)
+        self.refresh()
+
+    def rewrite(self) -> None:
+        """The text as it was understood: 3,5 becomes 3.5, and 3.7 in a number of mm."""
+        self.box.show(self.session.text(self.place))
+
+    def note(self) -> tuple[str, str]:
+        """The note behind the unit, and its state."""
+        text = self.session.text(self.place)
+        content = self.session.value(self.place)
+        if self.reason or content is None:
+            return ("(auto)", "auto") if not self.reason and self.default else ("", "")
+        typed = self.box.value if isinstance(self.box, Entry) else text
+        if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
+            return f"= {text}", "muted"
+        if (usual := self.about.usual) and isinstance(content, (int, float)) and not usual[0] <= content <= usual[1]:
+            return f"{self.app.signs.mark('warn')} {short(usual[0])}–{short(usual[1])}", "warn"
+        return "", ""
+
+    def _label_width(self) -> int:
+        return LABEL_NARROW if self.size.width >= NARROW else LABEL
+
+    def _rows(self, width: int) -> tuple[list[str], list[str]]:
+        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 1)
+        mark = self.app.signs.mark("invalid")
+        return label, wrap(f"{mark} {key_at(self.place)}: {self.reason}", width - 3, 2) if self.reason else []
+
+    def get_content_height(self, container: Any, viewport: Any, width: int) -> int:
+        label, error = self._rows(width)
+        return len(label) + len(error)
+
+    def render(self) -> Content:
+        width = self.size.width
+        signs = self.app.signs
+        labels, errors = self._rows(width)
+        label = self._label_width()
+        box = BOX[self.about.kind]
+        if label == LABEL_NARROW and box == BOX["text"]:
+            box = WORD_NARROW
+        note, state = self.note()
+        focused = self.box.has_focus if self.is_mounted else False
+        left, right = ("[", "]") if isinstance(self.box, Entry) else (" ", " ")
+        room = max(0, width - label - box - 4)
+        unit = self.about.unit
+        gap = " " if unit and note else ""
+        if len(unit) + len(gap) + len(note) > room:
+            note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
+        first = Content.assemble(
+            (pad(" " + labels[0], label), "bold" if focused else ""),
+            (left, "dim"), " " * box, (right, "dim"), " ", (unit, "dim"), gap,
+            (note, "italic dim" if state == "auto" else signs.style("warn") if state == "warn" else "dim"),
+        )  # fmt: skip
+        lines = [first, *(Content(" " + text) for text in labels[1:])]
+        lines += [Content.styled("  " + text, signs.style("invalid")) for text in errors]
+        return Content("\n").join(lines)
+
+
+def default_of(row: Row) -> str:
+    """What holds where the field is left empty, as it would be written; empty where that depends on the rest."""
+    about = row.about
+    if not about.optional:
+        return ""
+    default = keys(owner(row.place))[key_at(row.place)].field.default
+    if default is MISSING or default is None or isinstance(default, tuple):
+        return ""
+    return numbers.written(about.units.shown(default) if about.kind == "number" else default, about)
+
+
+def stepped(session: Session, place: Place, default: str, by: int) -> str:
+    """The text of a number field one increment further; an increment that nobody gave is about a hundredth of the value."""
+    about = session.about(place)
+    text = session.text(place)
+    if about.kind not in ("number", "integer"):
+        return text
+    content = session.value(place)
+    if content is None:
+        try:
+            content = numbers.value(default, about)
+        except numbers.NotUnderstood:
+            return text
+        if content is None:
+            return text
+    if about.kind == "integer":
+        step = about.step or 1.0
+    else:
+        step = about.step or _increment(abs(float(content)))
+    made = float(f"{content + by * step:.10g}")
+    low, high, above = about.low, about.high, about.above
+    if (low is not None and made < low) or (high is not None and made > high) or (above is not None and made <= above):
+        return text
+    return numbers.written(int(made) if about.kind == "integer" else made, about)
+
+
+def _increment(size: float) -> float:
+    """1, 2 or 5 times a power of ten, near a hundredth of the size."""
+    if not size:
+        return 1.0
+    power = 10.0 ** math.floor(math.log10(size / 100))
+    return float(max((n for n in (1, 2, 5, 10) if n * power <= size / 100 * 1.000001), default=1) * power)

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The inputs of one step, generated from their descriptions."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from textual import events
+from textual.containers import VerticalScroll
+from textual.content import Content
+from textual.message import Message
+from textual.widget import Widget
+from textual.widgets import Input, Static
+
+from calc.sheet.step import Step
+
+from ..places import Place, content_at, key_at
+from ..session import Session
+from ..upstream import NAMED
+from .array_heading import ArrayHeading
+from .choice import Choice
+from .entry import Entry
+from .field import Field
+from .rows import Row, rows
+from .taken import Taken
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+
+class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
+    """Fields in the order of the design file.  Focus on the form itself means that no field is being edited."""
+
+    app: "ContralberoApp"
+
+    @dataclass
+    class Asked(Message):
+        """The step, which the design does not have, is wanted."""
+
+        step: Step
+
+    def __init__(self, step: Step, session: Session) -> None:
+        super().__init__(id=f"form-{step.key}", classes="form")
+        self.step = step
+        self.session = session
+        self.chosen: dict[Place, int] = {}
+        self._shape: list[tuple[str, Place]] = []
+        self.last: Place | None = None  # the field that was edited last
+
+    # --- content
+    def compose(self):  # type: ignore[no-untyped-def]
+        yield from self._widgets()
+
+    def _widgets(self) -> list[Widget]:
+        if self.step.key not in self.session.data:
+            self._shape = []
+            return [Static(Content(f" This design has no step {self.step.title}.\n\n Enter adds it, with the values of the example; undo takes it out again."))]
+        found = rows(self.step, self.session.data, self.chosen)
+        self._shape = _shape(found)
+        made: list[Widget] = []
+        for row in found:
+            match row.kind:
+                case "field":
+                    made.append(Field(row, self.session, self._words(row)))
+                case "array":
+                    made.append(ArrayHeading(row, self.session))
+                case _:
+                    first = bool(made) and isinstance(made[-1], ArrayHeading)
+                    made.append(Static(self._heading(row), classes="heading -first" if first else "heading"))
+        return [*made, Taken(self.session, self.step.key)]
+
+    def _heading(self, row: Row) -> Content:
+        last = row.place[-1]
+        name = str((content_at(self.session.data, row.place) or {}).get("name", last + 1)) if isinstance(last, int) else row.about.label
+        return Content.styled(f" {name}", "bold" if not isinstance(last, int) else "italic")
+
+    def _words(self, row: Row) -> tuple[str, ...]:
+        """The names that a field of a catalogue may hold."""
+        catalogue = NAMED.get(key_at(row.place)) if row.about.kind == "text" else None
+        return tuple(getattr(self.session.design, catalogue)) if catalogue else ()
+
+    def refresh_fields(self, reasons: dict[Place, str]) -> None:
+        """Show what the session says; a design of another shape gets another form."""
+        if self.step.key not in self.session.data or not self._shape:
+            if bool(self._shape) != (self.step.key in self.session.data):
+                self.rebuild()
+            return
+        found = rows(self.step, self.session.data, self.chosen)
+        if _shape(found) != self._shape:
+            self.rebuild()
+            return
+        by_place = {row.place: row for row in found}
+        for child in self.children:
+            if isinstance(child, Field):
+                child.row = by_place[child.place]
+                child.show(reasons.get(child.place, ""))
+            elif isinstance(child, ArrayHeading):
+                child.row = by_place[child.row.place]
+                child.refresh()
+        headings = [row for row in found if row.kind == "heading"]
+        for row, heading in zip(headings, self.query(".heading").results(Static)):
+            made = self._heading(row)
+            if str(heading.content) != made.plain:
+                heading.update(made, layout=False)
+
+    def refresh_taken(self) -> None:
+        for taken in self.query(Taken):
+            taken.rebuild()
+
+    def rebuild(self, focus: Place | None = None) -> None:
+        """Make the form anew; the focus stays on the same place, where it still exists."""
+        inside = self.screen.focused is not None and self.screen.focused in self.walk_children()
+        focus = focus or self.here()
+
+        async def again() -> None:
+            with self.app.batch_update():
+                await self.remove_children()
+                await self.mount(*self._widgets())
+            self.refresh_fields(self.session.reasons())
+            if inside or focus is not None:
+                self.focus_place(focus)
+
+        if inside:
+            self.focus(scroll_visible=False)
+        self.run_worker(again, exclusive=True, group=f"form-{self.step.key}")
+
+    # --- focus
+    def stops(self) -> list[Widget]:
+        """Everything in the form that takes the focus, in order."""
+        found: list[Widget] = []
+        for child in self.children:
+            if isinstance(child, Field):
+                found.append(child.box)
+            elif isinstance(child, ArrayHeading) or (isinstance(child, Taken) and child.items):
+                found.append(child)
+        return found
+
+    def here(self) -> Place | None:
+        """The place that has the focus."""
+        focused = self.screen.focused
+        if isinstance(focused, ArrayHeading):
+            return focused.row.place
+        field = self.field
+        return field.place if field is not None else None
+
+    @property
+    def field(self) -> Field | None:
+        """The field that has the focus."""
+        focused = self.screen.focused
+        return focused.parent if isinstance(focused, (Entry, Choice)) and isinstance(focused.parent, Field) else None
+
+    def focus_place(self, place: Place | None) -> None:
+        """Focus the field at a place; without one, or where it is gone, the one edited last, or the first."""
+        stops = {}
+        for stop in self.stops():
+            owner = stop.parent if isinstance(stop.parent, Field) else stop
+            stops[owner.place if isinstance(owner, Field) else owner.row.place if isinstance(owner, ArrayHeading) else ()] = stop
+        wanted = stops.get(place) if place else stops.get(self.last) if self.last else None
+        if wanted is None and place and any(isinstance(part, int) for part in place):
+            for end, part in enumerate(place):  # an element that is not shown: leaf to it
+                if isinstance(part, int) and self.chosen.get(place[:end], 0) != part and place[:end] in stops:
+                    self.chosen[place[:end]] = part
+                    self.rebuild(place)
+                    return
+        target = wanted or next(iter(stops.values()), self)
+        target.focus()
+
+    def go(self, by: int) -> None:
+        """To the next field, or the one before."""
+        stops = self.stops()
+        focused = self.screen.focused
+        if focused in stops:
+            i = stops.index(focused) + by
+            if 0 <= i < len(stops):
+                stops[i].focus()
+        else:
+            self.focus_place(None)
+
+    def on_descendant_focus(self, event: events.DescendantFocus) -> None:
+        if (field := self.field) is not None:
+            self.last = field.place
+            field.refresh()
+
+    def on_descendant_blur(self, event: events.DescendantBlur) -> None:
+        owner = event.widget.parent
+        if isinstance(owner, Field):
+            self.session.seal()
+            owner.rewrite()
+            owner.refresh()
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        """Enter accepts and goes on."""
+        event.stop()
+        if isinstance(owner := event.input.parent, Field):
+            self.session.seal()
+            owner.rewrite()
+        self.go(1)
+
+    # --- arrays
+    def on_array_heading_leafed(self, event: ArrayHeading.Leafed) -> None:
+        event.stop()
+        self.chosen[event.heading.row.place] = event.index
+        self.rebuild(event.heading.row.place)
+
+    def ask(self) -> None:
+        """Enter on the form of a step that the design does not have."""
+        if self.step.key not in self.session.data:
+            self.post_message(self.Asked(self.step))
+
+
+def _shape(found: list[Row]) -> list[tuple[str, Place]]:
+    return [(row.kind, row.place) for row in found]

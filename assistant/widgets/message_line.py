@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What matters most now: why the input is not accepted, what a step waits for, or the worst check with its advice."""
+
+from typing import TYPE_CHECKING
+
+from textual.content import Content
+from textual.widget import Widget
+
+from calc.design import STEPS
+from calc.sheet.check import Check
+from calc.sheet.number import short
+
+from ..places import key_at
+from ..session import Session
+from .checks import sorted_checks
+from .wrap import fit, wrap
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+ROWS = 2
+
+
+class MessageLine(Widget):
+    app: "ContralberoApp"
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="message-line")
+        self.session = session
+        self.step = STEPS[0].key
+
+    def message(self) -> tuple[str, str]:
+        """The state and the text."""
+        session = self.session
+        reasons = session.reasons()
+        if reasons:
+            here = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
+            place, reason = next(iter((here or reasons).items()))
+            step = "" if here else self._title(str(place[0]) if place else "")
+            more = f"  ({len(reasons)} in all)" if len(reasons) > 1 else ""
+            return "invalid", f"{step}{key_at(place) or 'the design'}: {reason}{more}. The results are those of the last valid input."
+        if session.failure:
+            return "fail", session.failure
+        if session.results is None:
+            return "solving", "solving …"
+        outcome = session.results.outcomes[self.step]
+        if outcome.state in ("blocked", "no_solution"):
+            return outcome.state, outcome.reason
+        checks = sorted_checks(outcome.checks)
+        if checks and checks[0].verdict != "pass":
+            bad = sum(c.verdict != "pass" for c in checks)
+            return checks[0].verdict, self._check(checks[0]) + (f"  ({bad} of {len(checks)} checks here)" if bad > 1 else "")
+        for step in STEPS:
+            found = sorted_checks(session.results.outcomes[step.key].checks)
+            if found and found[0].verdict == "fail":
+                return "fail", self._title(step.key) + self._check(found[0])
+        for step in STEPS:
+            state = session.results.outcomes[step.key].state
+            if state in ("blocked", "no_solution"):
+                return state, self._title(step.key) + session.results.outcomes[step.key].reason
+        for step in STEPS:
+            found = sorted_checks(session.results.outcomes[step.key].checks)
+            if found and found[0].verdict == "warn":
+                return "warn", self._title(step.key) + self._check(found[0])
+        return "pass", "every check passes"
+
+    def _title(self, key: str) -> str:
+        return next((f"{n} {step.title}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
+
+    def _check(self, check: Check) -> str:
+        value = f"{short(check.value)} {check.unit}".rstrip()
+        advice = f": {check.advice[:1].lower()}{check.advice[1:]}" if check.advice[1:2].islower() else f": {check.advice}" if check.advice else ""
+        needs = "should be" if check.kind == "advice" else "needs"
+        return f"{check.name} {value}, {needs} {check.limit_text()}{advice}"
+
+    def render(self) -> Content:
+        state, text = self.message()
+        signs = self.app.signs
+        rows = wrap(text, max(10, self.size.width - 4), 0)
+        if len(rows) > ROWS:
+            rows[ROWS - 1] = fit(rows[ROWS - 1] + " " + rows[ROWS], max(10, self.size.width - 4))
+        mark = signs.mark(state)
+        lines = [f" {mark} {rows[0]}", *(f"   {row}" for row in rows[1:ROWS])]
+        return Content("\n").join(Content.styled(line, signs.style(state)) for line in lines)

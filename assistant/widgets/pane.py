@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A part of the screen with a title; the title says whether it has the focus."""
+
+from textual.containers import Vertical
+from textual.content import Content
+from textual.widget import Widget
+from textual.widgets import Static
+
+from .wrap import fit
+
+
+class Pane(Vertical):
+    """`target` takes the focus for the pane."""
+
+    def __init__(self, title: str, *children: Widget, id: str) -> None:
+        self.title = Static(id=f"{id}-title", classes="pane-title")
+        super().__init__(self.title, *children, id=id, classes="pane")
+        self.name_of = title
+        self.right = ""
+        self.views = Content("")
+        self._shown = ""
+
+    def mark(self, here: bool) -> None:
+        """Say by the title whether this pane has the focus."""
+        self.title.set_class(here, "-here")
+
+    @property
+    def target(self) -> Widget:
+        return next((child for child in self.walk_children() if child.focusable), self)
+
+    def set_title(self, title: str | None = None, right: str | None = None, views: Content | None = None) -> None:
+        """The title, what is to be said beside it, and, where one pane stands for all, the names of the others."""
+        self.name_of = title if title is not None else self.name_of
+        self.right = right if right is not None else self.right
+        self.views = views if views is not None else self.views
+        width = (self.title.size.width or self.size.width) - 2
+        if width < 4:
+            return
+        if self.views.plain:
+            room = width - self.views.cell_length - 2
+            name = fit(self.name_of, room)
+            beside = ""
+            for part in self.right.split(" · ") if self.right else ():
+                if len(name + beside) + len(part) + 3 <= room:
+                    beside += f" · {part}"
+            end = self.views
+        else:
+            name = fit(self.name_of, max(4, width - (len(self.right) + 2 if self.right else 0)))
+            beside, end = "", Content.styled(fit(self.right, max(0, width - len(name) - 1)), "not bold not underline")
+        gap = max(1, width - len(name) - len(beside) - end.cell_length)
+        made = Content.assemble(" ", name, (beside, "not bold"), (" " * gap, "not underline"), end)
+        if made.markup != self._shown:
+            self._shown = made.markup
+            self.title.update(made, layout=False)
+
+    def on_resize(self) -> None:
+        self.set_title()

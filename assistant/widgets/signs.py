@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Signs, words and colours of the states.  Sign and word carry the meaning; the colour only helps."""
+
+from calc.sheet.check import SIGNS
+
+WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
+MARKS = SIGNS | {
+    "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
+}  # fmt: skip
+ASCII = {
+    "pass": "+", "warn": "!", "fail": "x", "blocked": "o", "not_asked": ".", "no_solution": "x",
+    "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
+}  # fmt: skip
+
+# Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
+DARK = {"pass": "#56B4E9", "warn": "#E69F00", "fail": "#D55E00", "no_solution": "#D55E00", "invalid": "#E69F00"}
+LIGHT = {"pass": "#0072B2", "warn": "#8A5A00", "fail": "#B04A00", "no_solution": "#B04A00", "invalid": "#8A5A00"}
+BOLD = {"fail", "no_solution", "invalid"}
+MUTED = "dim"
+LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
+LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")
+
+LINES_GREY = ("#C0C0C0", "#808080")
+
+
+class Signs:
+    """The signs as this terminal can show them, with styles for its background."""
+
+    def __init__(self, ascii: bool = False, dark: bool = True, colour: bool = True) -> None:
+        self.ascii, self.dark, self.colour = ascii, dark, colour
+        self.marks = ASCII if ascii else MARKS
+
+    def mark(self, state: str) -> str:
+        return self.marks[state]
+
+    def style(self, state: str) -> str:
+        colour = (DARK if self.dark else LIGHT).get(state)
+        if colour is None:
+            return MUTED
+        if not self.colour:
+            return "bold" if state in BOLD else "not dim"
+        return f"bold {colour}" if state in BOLD else colour
+
+    def line(self, n: int) -> str:
+        """The colour of the n-th line of a curve."""
+        lines = LINES_GREY if not self.colour else LINES_DARK if self.dark else LINES_LIGHT
+        return lines[n % len(lines)]
+
+    def limit(self) -> str:
+        """The colour of a limit in a curve."""
+        return (DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF"

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The list of steps: sign, number, title, and the one value that stands for each."""
+
+from textual.content import Content
+
+from calc.design import STEPS
+from calc.sheet.number import short
+from calc.sheet.step import Outcome
+
+from ..session import Session
+from ..upstream import HEADLINES
+from .item_list import Item, ItemList
+from .signs import Signs
+from .wrap import fit
+
+NUMBERS = {step.title: n for n, step in enumerate(STEPS, 1)}
+
+
+def headline(session: Session, key: str) -> str:
+    """The value that stands for a step, or what it waits for."""
+    from calc.sheet.expression import plain
+
+    outcome = session.results.outcomes.get(key) if session.results is not None else None
+    if outcome is None or key not in session.data:
+        return "not asked" if key not in session.data else ""
+    if outcome.state == "blocked":
+        text = outcome.reason
+        for title, n in NUMBERS.items():
+            text = text.replace(title, str(n))
+        return text
+    if outcome.state == "no_solution":
+        return "no solution"
+    values = {v.id: v for v in outcome.values()}
+    found = next((values[id] for id in HEADLINES.get(key, ()) if id in values), None)
+    if found is None:
+        return ""
+    return f"{plain(found.symbol) + ' ' if found.symbol else ''}{short(found.shown, 3)} {found.unit}".rstrip()
+
+
+def state_of(session: Session, outcome: Outcome | None, key: str, wrong: set[str]) -> str:
+    """The state of a step for its sign."""
+    if key in wrong:
+        return "invalid"
+    if key not in session.data:
+        return "not_asked"
+    return outcome.verdict if outcome is not None else "blocked"
+
+
+class Steps(ItemList):
+    """The key of an item is the key of its step."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="steps-list")
+        self.session = session
+        self.current = STEPS[0].key
+
+    def build(self, width: int) -> list[Item]:
+        signs: Signs = self.app.signs
+        wrong = {str(place[0]) for place in self.session.reasons() if place}
+        outcomes = self.session.results.outcomes if self.session.results is not None else {}
+        items = []
+        for n, step in enumerate(STEPS, 1):
+            state = state_of(self.session, outcomes.get(step.key), step.key, wrong)
+            here = step.key == self.current
+            mark = signs.mark(state) if outcomes or state == "invalid" else signs.mark("solving")
+            title = fit(f"{n} {step.title}", width - 4)
+            end = signs.mark("here") if here else ""
+            gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
+            first = Content.assemble((mark, signs.style(state)), " ", (title, "bold" if here else ""), gap, (end, "bold"))
+            items.append(Item(step.key, [first, Content.styled("    " + fit(headline(self.session, step.key), width - 4), "dim")]))
+        return items

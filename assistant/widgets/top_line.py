@@ -1,0 +1,73 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first row: the file and its state, how many checks pass, warn and fail, and how long it took."""
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from textual.content import Content
+from textual.widget import Widget
+
+from ..session import Session
+from .signs import WORDS
+from .wrap import fit
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+
+FEWEST = 60  # columns in which everything can be seen
+
+
+class TopLine(Widget):
+    app: "ContralberoApp"
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="top-line")
+        self.session = session
+        self.slow = False  # a solve has taken long enough to say so
+
+    def state(self, short: bool) -> str:
+        """The state of the file."""
+        session, signs = self.session, self.app.signs
+        parts = []
+        if session.dirty:
+            parts.append(f"{signs.mark('edited')} edited")
+            if session.autosave_failure:
+                parts.append("not kept!" if short else "can not be kept aside, save it")
+            elif session.autosaved is not None and not short:
+                parts.append(f"autosaved {session.autosaved:%H:%M}")
+        if session.read_only:
+            parts.append(f"{signs.mark('read_only')} read-only")
+        if session.example and not session.dirty:
+            parts.append("(example)")
+        return ", ".join(parts)
+
+    def render(self) -> Content:
+        session, signs = self.session, self.app.signs
+        width = self.size.width
+        short = width < 100
+        counts = Counter(check.verdict for check in session.results.checks()) if session.results is not None else Counter()
+        dim = "dim " if session.results is not None and not session.current else ""
+        right: list[Content | tuple[str, str] | str] = []
+        for verdict in ("pass", "warn", "fail"):
+            if verdict == "pass" or counts[verdict]:
+                word = "" if short else f" {WORDS[verdict]}"
+                right += [(f"{counts[verdict]} {signs.mark(verdict)}{word}", dim + signs.style(verdict)), "  "]
+        if session.results is None:
+            right = []
+        if not session.valid:
+            time = "input is not valid"
+        elif self.slow or not session.current:
+            time = f"{signs.mark('solving')} solving"
+        else:
+            time = f"solved in {session.seconds * 1000:.0f} ms"
+        if width < FEWEST:
+            time = f"needs {FEWEST} columns"
+        right.append((f"{time:>18}" if not short else time, "dim"))
+        end = Content.assemble(*right, " ")
+        state = self.state(short)
+        room = max(8, width - end.cell_length - 2 - (0 if short else 15) - (len(state) + 2 if state else 0))
+        start = Content.assemble(
+            ("" if short else " Contralbero   "), " " if short else "", (fit(session.name, room), "bold"), f" {state}" if state else "",
+        )  # fmt: skip
+        return Content.assemble(start, " " * max(1, width - start.cell_length - end.cell_length), end)
