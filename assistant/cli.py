@@ -37,9 +37,9 @@ def parser() -> argparse.ArgumentParser:
     add["new"].add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")
     add["new"].add_argument("--list", action="store_true", help="list the shipped engines")
 
-    add["check"].add_argument("file")
+    add["check"].add_argument("file", nargs="?")
     add["check"].add_argument(
-        "--set", action="append", default=[], metavar=KEY_VALUE, dest="changes", help="change an input for this run; may be repeated"
+        "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run"
     )
     add["check"].add_argument("--step", help="print this step only")
     add["check"].add_argument("--json", action="store_true", help="print one JSON object")
@@ -51,6 +51,7 @@ def parser() -> argparse.ArgumentParser:
     add["report"].add_argument("file")
     add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
     add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer")
+    add["report"].add_argument("--lang", choices=("en",), default="en")
 
     add["replay"].add_argument("files", nargs="+", metavar="FILE")
 

@@ -2,6 +2,7 @@
 """Results as plain text and as JSON: every number of the screen is here too."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from calc.design_file import Document
@@ -32,7 +33,7 @@ def _print_step(outcome: Outcome) -> None:
     for value in outcome.values():
         print(f"  {value.id:<58} {short(value.shown, 6):>14} {value.unit:<9} {value.label}")
     for erratum in outcome.errata:
-        print(f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} in {erratum.source}. {erratum.why}")
+        print(f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} ({erratum.source}). {erratum.why}")
     for note in outcome.notes:
         print(f"  note: {note}")
     for check in outcome.checks:
@@ -62,14 +63,14 @@ def print_summary(results: Results, step: str | None = None) -> None:
                 print(f"        {check.id} · {check.source}")
 
 
-def results_json(document: Document, results: Results, step: str | None = None) -> dict[str, Any]:
+def results_json(document: Document, results: Results, step: str | None = None, changes: Sequence[str] = ()) -> dict[str, Any]:
     """The one JSON object of `check --json`; a number that is not finite is null."""
     shown = [o for key, o in results.outcomes.items() if step in (None, key)]
     return {
         "schema": 1,
         "program": "contralbero",
         "version": VERSION,
-        "design": {"name": results.design.name, "sha256": document.sha256},
+        "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "values": {v.id: {"value": _finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
         "checks": [
             {

@@ -16,8 +16,8 @@ class Oil:
     """A lubricant by two viscosities and its density; the values by which it acts in a gear mesh follow from its base."""
 
     name: str = text("Name")
-    nu40: float = quantity("Kinematic viscosity at 40 °C", "mm²/s", above=0, high=1e5, symbol="nu_40")
-    nu100: float = quantity("Kinematic viscosity at 100 °C", "mm²/s", above=0, high=1e4, symbol="nu_100")
+    nu40: float = quantity("Kinematic viscosity at 40 °C", "mm²/s", low=1, high=1e5, symbol="nu_40")
+    nu100: float = quantity("Kinematic viscosity at 100 °C", "mm²/s", low=1, high=1e4, symbol="nu_100")
     rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
     conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")

@@ -245,7 +245,7 @@ def address(data: Table, key: str) -> tuple[str | int, ...]:
     for i, part in enumerate(parts):
         if isinstance(here, list):
             index = next((n for n, item in enumerate(here) if isinstance(item, dict) and item.get("name") == part), None)
-            if index is None and part.isdigit() and int(part) < len(here):
+            if index is None and part.isascii() and part.isdigit() and int(part[:9]) < len(here):
                 index = int(part)
             if index is None:
                 names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
@@ -303,13 +303,13 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     """`KEY=VALUE` of the command line; VALUE is TOML, or else plain text.  An empty value leaves the key out."""
     key, equals, value = text.partition("=")
     key, value = key.strip(), value.strip()
-    if not equals or not key:
+    if not equals or not key or "\n" in text:
         raise BadInput("--set", [InputError(0, text, "", "must be KEY=VALUE, like bearings.front.length_mm=34")])
     if not value:
         return key, None
     try:
         return key, tomllib.loads(f"v = {value}")["v"]
-    except (tomllib.TOMLDecodeError, RecursionError):
+    except (ValueError, RecursionError):  # TOMLDecodeError is a ValueError; so is a number of 5000 digits
         return key, value
 
 

@@ -29,10 +29,11 @@ def chain(results: Results, value_id: str) -> list[Link]:
     """The lines that lead to a value, in the order in which they were computed; empty for a value taken straight from an input."""
     lines = [line for outcome in results.outcomes.values() for line in outcome.lines]
     made = {id(line.value): number for number, line in enumerate(lines)}
+    start = made.get(id(results.values()[value_id].inside))
     inputs = dict(_inputs(results.design)) | dict(_named(results.design))
     columns = list(_columns(results.design))
     wanted: set[int] = set()
-    todo = [made[i] for i in (id(results.values()[value_id].inside),) if i in made]
+    todo = [] if start is None else [start]
     while todo:
         number = todo.pop()
         if number not in wanted:
@@ -63,6 +64,11 @@ def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, 
                     yield f"{here}.*.{part.key}", tuple(getattr(item, part.attribute) for item in content)
 
 
+def origin(results: Results, value_id: str) -> str | None:
+    """The key of a value that is an input itself."""
+    return dict(_inputs(results.design)).get(id(results.values()[value_id].inside))
+
+
 def _named(design: Design) -> Iterator[tuple[int, str]]:
     """The numbers that a name brings in: an oil's, a material's."""
     oils, materials = design.oils, design.materials
@@ -86,7 +92,7 @@ def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:
         elif isinstance(content, tuple) and content and is_dataclass(content[0]):
             for i, part in enumerate(content):
                 yield from _inputs(part, f"{key}.{getattr(part, 'name', i)}")
-        elif isinstance(content, (float, tuple)):
+        elif isinstance(content, (float, tuple)) and content != ():
             yield id(content), key
             if isinstance(content, tuple):
                 yield from ((id(item), key) for item in content)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from .design_file import Document, design, read
+from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
 from .sheet.number import short
 from .solve import Results, solve
@@ -44,6 +45,7 @@ class Script:
     start: Document
     steps: tuple[dict[str, Any], ...]
     expects: tuple[dict[str, Any], ...]
+    lines: dict[str, int]
 
 
 def load(path: Path | str) -> Script:
@@ -75,42 +77,53 @@ def load(path: Path | str) -> Script:
     start: Document | None = None
     given = data.get("design")
     if isinstance(given, str):
-        start = read(path.parent / given)
+        start = read(path.parent / given.replace("\0", "?"))
     elif isinstance(given, dict):
         start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.raw)
     else:
         error("design", "is missing; needs the path of a design file, or a whole [design] table")
+    if not expects and "expect" not in data:
+        error("expect", "is missing; a replay needs at least one [[expect]]")
     if errors:
         raise BadInput(raw.place, errors)
     assert start is not None
-    return Script(raw.place, start, tuple(steps), tuple(expects))
+    return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines)
 
 
 def _check_step(key: str, row: dict[str, Any], error: Callable[[str, str], None]) -> None:
     for unknown in set(row) - STEP_KEYS:
         error(f"{key}.{unknown}", "is not known; a step has set and to, or undo, or report")
-    if sum(name in row for name in ("set", "undo", "report")) != 1 or ("set" in row) != ("to" in row):
+    wrong = sum(name in row for name in ("set", "undo", "report")) != 1 or ("set" in row) != ("to" in row)
+    texts = all(isinstance(row.get(name, ""), str) for name in ("set", "report"))
+    if wrong or not texts or row.get("undo", True) is not True:
         error(key, 'must be set = "KEY", to = VALUE, or undo = true, or report = "out.pdf"')
 
 
 def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, str], None]) -> None:
     for unknown in set(row) - EXPECT_KEYS:
         error(f"{key}.{unknown}", "is not known; an expectation has " + ", ".join(sorted(EXPECT_KEYS)))
-    if sum(name in row for name in ("value", "check", "step")) != 1:
+    named = [row[name] for name in ("value", "check", "step") if name in row]
+    if len(named) != 1 or not isinstance(named[0], str):
         error(key, "must name one value, check or step")
     if "value" in row:
-        if not isinstance(row.get("is"), (int, float)) or isinstance(row.get("is"), bool):
+        if not _number(row.get("is")):
             error(key, "needs is = NUMBER")
-        if not any(isinstance(row.get(name), (int, float)) for name in ("rel", "abs")):
-            error(key, "needs a tolerance: rel or abs")
+        tolerances = [row[name] for name in ("rel", "abs") if name in row]
+        if not tolerances or not all(_number(t) and t >= 0 for t in tolerances):
+            error(key, "needs a tolerance: rel or abs, a number of 0 or more")
         if row.get("kind") not in KINDS:
             error(key, 'needs kind = "reference" or "recorded"')
         if row.get("kind") == "reference" and not row.get("source"):
             error(key, "a reference value needs its source")
-    elif "verdict" not in row:
-        error(key, "needs verdict")
-    if not 0 <= row.get("after", steps) <= steps:
+    elif row.get("verdict") not in ORDER:
+        error(key, "needs verdict = one of " + ", ".join(ORDER))
+    after = row.get("after", steps)
+    if not isinstance(after, int) or isinstance(after, bool) or not 0 <= after <= steps:
         error(f"{key}.after", f"must be a step from 0 to {steps}")
+
+
+def _number(x: Any) -> bool:
+    return isinstance(x, (int, float)) and not isinstance(x, bool) and abs(x) < 1e300 and math.isfinite(x)
 
 
 def run(script: Script, report: Report | None = None) -> list[Compared]:
@@ -122,7 +135,7 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
         if number:
             step = script.steps[number - 1]
             if "set" in step:
-                history.append(history[-1].with_value(step["set"], step["to"]))
+                history.append(_edited(script, number, history[-1], step))
             elif "undo" in step and len(history) > 1:
                 history.pop()
             if "report" in step:
@@ -132,6 +145,17 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
             results = solve(design(history[-1]), results)
         compared += [compare(results, row) for row in script.expects if row.get("after", len(script.steps)) == number]
     return compared
+
+
+def _edited(script: Script, number: int, document: Document, step: dict[str, Any]) -> Document:
+    """The document after one step; an edit that can not be made is an error of the replay file, at that step."""
+    try:
+        edited = document.with_value(step["set"], step["to"])
+        design(edited)
+    except BadInput as bad:
+        line = script.lines.get(f"step.{number - 1}", 0)
+        raise BadInput(script.place, [InputError(line, e.key, e.value, e.reason) for e in bad.errors]) from None
+    return edited
 
 
 def compare(results: Results, row: dict[str, Any]) -> Compared:

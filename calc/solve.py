@@ -66,6 +66,8 @@ class _Parts:
                 said = function(*arguments)
             except NoSolution as none:
                 said = Outcome(key, "no_solution", reason=str(none))
+            except (ArithmeticError, ValueError) as error:  # numbers that are allowed one by one, but not together
+                said = Outcome(key, "no_solution", reason=f"the arithmetic breaks down ({error}); look for an extreme number")
         self.now[name] = (arguments, said)
         return said
 
@@ -88,7 +90,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
     first_speed = _first_speed(design)
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None
-    c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, after=(e, i))
+    slopes = design.bearings.slope if design.bearings else None
+    c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, slopes, after=(e, i))
     b = part(
         "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
         materials.get(_name(design.countershaft, "material")), materials.get(_name(design.bearings, "housing_material")), after=(e, i, c),

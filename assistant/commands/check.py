@@ -3,9 +3,10 @@
 
 from argparse import Namespace
 from collections.abc import Iterable
+from dataclasses import replace
 
 from assistant.plain import print_results, results_json
-from calc.design import STEPS
+from calc.design import STEPS, Design
 from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome
@@ -16,28 +17,37 @@ def run(asked: Namespace) -> int:
     keys = [step.key for step in STEPS]
     if asked.step is not None and asked.step not in keys:
         raise BadInput("--step", [InputError(0, "", asked.step, "is no step; the steps are " + ", ".join(keys))])
-    document = with_changes(read(asked.file), asked.changes)
-    results = solve(design(document))
+    file, changes = asked.file, list(asked.changes)
+    if file is None and changes and "=" not in changes[-1]:
+        file = changes.pop()  # `check --set KEY=VALUE FILE`
+    if file is None:
+        raise BadInput("contralbero check", [InputError(0, "", "", "needs a design; usage: contralbero check FILE [--set KEY=VALUE …]")])
+    document, made = changed(read(file), changes)
+    results = solve(made)
     if asked.json:
         import json
 
-        print(json.dumps(results_json(document, results, asked.step), ensure_ascii=False, indent=1))
+        print(json.dumps(results_json(document, results, asked.step, changes), ensure_ascii=False, indent=1))
     else:
         print_results(results, asked.step)
     return exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
 
 
-def with_changes(document: Document, changes: Iterable[str]) -> Document:
-    """The document with every KEY=VALUE applied; all wrong ones are named at once."""
+def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Design]:
+    """The document with every KEY=VALUE applied, and its design; all that is wrong is named at once."""
     errors: list[InputError] = []
     for change in changes:
         try:
             document = document.with_value(*parse_assignment(change))
         except BadInput as bad:
-            errors += bad.errors
+            errors += [replace(e, key=f"--set {e.key}") for e in bad.errors]
+    try:
+        made = design(document)
+    except BadInput as bad:
+        raise BadInput(document.place, errors + bad.errors) from None
     if errors:
-        raise BadInput("--set", errors)
-    return document
+        raise BadInput(document.place, errors)
+    return document, made
 
 
 def exit_code(outcomes: Iterable[Outcome]) -> int:

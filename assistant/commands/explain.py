@@ -4,7 +4,7 @@
 from argparse import Namespace
 
 from calc.design_file import load
-from calc.explain import chain
+from calc.explain import chain, origin
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
 from calc.solve import solve
@@ -36,5 +36,6 @@ def run(asked: Namespace) -> int:
         for key in link.inputs:
             print(f"    ← {key}")
     if not lines:
-        print("taken from the inputs; no formula leads to it")
+        source = origin(results, asked.value)
+        print(f"taken from the inputs: {source}" if source else "no recorded formula returns this number itself")
     return 0

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from calc import replay
 from calc.design_file import Document
+from calc.sheet.errors import BadInput, InputError
 from calc.solve import Results
 
 
@@ -26,4 +27,7 @@ def _report(document: Document, results: Results, path: Path) -> None:
 
     from reports.report import write
 
-    write(document, results, tomli_w.dumps(document.data).encode("utf-8"), path)
+    try:
+        write(document, results, tomli_w.dumps(document.data).encode("utf-8"), path)
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None

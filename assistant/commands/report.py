@@ -18,7 +18,7 @@ def run(asked: Namespace) -> int:
     from reports.report import write
 
     try:
-        write(document, results, source.read_bytes(), target, depth=asked.depth)
+        write(document, results, source.read_bytes(), target, depth=asked.depth, lang=asked.lang)
     except OSError as error:
         raise BadInput(
             str(target), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place with -o")]

@@ -4,18 +4,22 @@
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.commands.check import with_changes
+from assistant.commands.check import changed
 from assistant.plain import print_summary
 from assistant.saving import edited_text, write_atomic
-from calc.design_file import design, parse_assignment, read
+from calc.design_file import parse_assignment, read
+from calc.sheet.errors import BadInput, InputError
 from calc.solve import solve
 
 
 def run(asked: Namespace) -> int:
     path = Path(asked.file)
     document = read(path)
-    made = design(with_changes(document, asked.changes))
-    text = edited_text(path.read_text(encoding="utf-8"), dict(parse_assignment(change) for change in asked.changes))
-    write_atomic(path, text.encode("utf-8"))
+    _, made = changed(document, asked.changes)
+    text = edited_text(document.raw.decode("utf-8"), dict(parse_assignment(change) for change in asked.changes))
+    try:
+        write_atomic(path, text.encode("utf-8"))
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
     print_summary(solve(made))
     return 0

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a bearing is judged by: limits that fail, advice that warns."""
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -45,7 +46,7 @@ def checks(
     yield check(
         f"{at}.film_double_load",
         "Film at twice the load" + where,
-        r.film_double_load,
+        math.nan if r.film_double_load is None else r.film_double_load,
         ">=",
         r.trumpler_film,
         "µm",
@@ -139,13 +140,12 @@ def checks(
         "Change length or diameter.",
         kind="advice",
     )
-    least = f.least_speed.function(3.0 if r.surface_speed < 3 else min(r.surface_speed, 10.0), r.transition_speed)
     yield check(
         f"{at}.transition",
         "Speed above mixed friction" + where,
         speed,
         ">=",
-        least,
+        r.least_speed,
         "rpm",
         f.least_speed.source,
         "A thicker or cooler oil, or a lower specific load.",
@@ -161,17 +161,18 @@ def checks(
         "A thicker or cooler oil, or a lower specific load, for a stable film.",
         kind="advice",
     )
-    yield check(
-        f"{at}.routes_spread",
-        "Spread of the routes" + where,
-        r.routes_spread,
-        "<=",
-        0.10,
-        "%",
-        "rule of this program, on the clearance as given",
-        "The source's methods leave their range here; the own solution of Reynolds' equation judges.",
-        kind="advice",
-    )
+    if r.routes_spread is not None:
+        yield check(
+            f"{at}.routes_spread",
+            "Spread of the routes" + where,
+            r.routes_spread,
+            "<=",
+            0.10,
+            "%",
+            "rule of this program, on the clearance as given",
+            "The source's methods leave their range here; the own solution of Reynolds' equation judges.",
+            kind="advice",
+        )
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
         yield check(
             f"{at}.film_edge_usual",
@@ -239,3 +240,16 @@ def checks(
         "Another oil grade or temperature.",
         kind="advice",
     )
+    if inputs.supply != "groove":
+        width = (inputs.pocket_width if inputs.supply == "pocket" else inputs.hole_diameter) or 0.0
+        yield check(
+            f"{at}.supply_range",
+            "Width of the oil supply over the length" + where,
+            width / bearing.length,
+            "in",
+            (0.05, 0.7),
+            "",
+            "range of the supply factors, DIN 31652-2",
+            "Outside, the flow through the hole or pocket is not to be trusted.",
+            kind="advice",
+        )

@@ -5,7 +5,7 @@ Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P�
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import modulus, pi, sin, sqrt
+from ..sheet.functions import largest, modulus, pi, sin, sqrt
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -106,6 +106,21 @@ def film(g: Metre, eps: Number) -> Metre:
     return g / 2 * (1 - eps)
 
 
+@formula("ε", "definition of the eccentricity ratio")
+def eccentricity_of_film(h_0: Metre, g: Metre) -> Number:
+    return 1 - 2 * h_0 / g
+
+
+@formula("ε", "definition of the eccentricity ratio", names={"h_rel": "(h_0/c)"})
+def eccentricity_of_relative_film(h_rel: Number) -> Number:
+    return 1 - h_rel
+
+
+@formula("f*", "Raimondi & Boyd 1958: friction variable f* = f/ψ")
+def friction_variable_of(f: Number, psi: Number) -> Number:
+    return f / psi
+
+
 @formula("f*", "Couette shear of the full film and pressure term (identity of Reynolds' solution)")
 def friction_variable(So: Number, eps: Number, phi: Radian) -> Number:
     return pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
@@ -159,6 +174,26 @@ def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
 )
 def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
     return k * n_T
+
+
+@formula("n_min", "the same rule without a limit above 10 m/s, where the source gives none", unit="rpm")
+def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
+    return largest(u / ONE_METRE_PER_SECOND, 3.0) * n_T
+
+
+@formula("Δh/h", "distance of a route's film from that of Reynolds' equation", unit="%", names={"reference": "h_R"})
+def film_deviation(h_0: Metre, reference: Metre) -> Number:
+    return modulus(h_0 / reference - 1)
+
+
+@formula(
+    "h_min",
+    "smallest film over the bench run",
+    shows="the smallest of the rows up to the rated speed, each in thermal balance",
+    unit="µm",
+)
+def smallest_over_speeds(film: Metre) -> Metre:
+    return film
 
 
 @formula("ZN/P", "McKee & McKee 1932, in cP·rpm/psi", names={"n_h": "n"})

@@ -21,13 +21,13 @@ class BearingInputs:
         help="Usual l/d 0.25 to 0.75. More length: lower specific load, thicker film.",
     )
     clearance: float = quantity(
-        "Clearance (diametral)", "µm", optional=True, above=0, high=5000, symbol="g", step=1,
+        "Clearance (diametral)", "µm", optional=True, low=0.1, high=5000, symbol="g", step=1,
         help="Bore minus journal at the reference temperature; usual 1 to 1.5 ‰ of d. Left out: from the clearance factor.",
     )  # fmt: skip
     clearance_factor: float = quantity(
         "Clearance factor K",
         optional=True,
-        above=0,
+        low=0.01,
         high=10,
         usual=(0.4, 0.8),
         symbol="K",
@@ -61,10 +61,12 @@ class BearingsInputs:
         "shaft",
         help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.",
     )
-    hole_diameter: float = quantity("Oil hole diameter", "mm", optional=True, above=0, high=200, symbol="d_H")
+    hole_diameter: float = quantity("Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H")
     groove_width: float = quantity("Groove width", "mm", optional=True, low=0, high=500, symbol="b_G")
-    pocket_width: float = quantity("Pocket width", "mm", optional=True, above=0, high=500, symbol="b_P", help="Along the shaft.")
-    pocket_length: float = quantity("Pocket length", "mm", optional=True, above=0, high=500, symbol="l_P", help="Around the seat.")
+    pocket_width: float = quantity("Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", help="Along the shaft.")
+    pocket_length: float = quantity(
+        "Pocket length", "mm", optional=True, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
+    )
     expansion_restraint: float = quantity(
         "Expansion held back",
         default=0.0,
@@ -100,7 +102,7 @@ class BearingsInputs:
             "hole": ("hole_diameter",),
             "shaft": ("hole_diameter",),
             "groove": ("groove_width",),
-            "pocket": ("pocket_width", "pocket_length"),
+            "pocket": ("pocket_width",),
         }
         for name in needs[self.supply]:
             if getattr(self, name) is None:

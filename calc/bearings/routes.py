@@ -67,6 +67,14 @@ class Film:
     largest_pressure: float | None = None
 
 
+class Seized(ValueError):
+    """The journal has no clearance left at this temperature."""
+
+
+class OutsideBalance(ValueError):
+    """The heat of the film is not carried away at any temperature that is looked at."""
+
+
 Route = Callable[[Seat, Duty, float], Film]
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 
@@ -87,7 +95,7 @@ def _own(seat: Seat, duty: Duty, rise: float, warm: bool) -> Film:
     oil = seat.lubricant.at(T)
     g = seat.clearance_at(T) if warm else seat.clearance
     if g <= 0:
-        raise NoSolution(f"the bearing is seized at {T:.0f} °C: its clearance is {g * 1e6:.1f} µm", advice="give it more clearance")
+        raise Seized(f"the bearing is seized at {T:.0f} °C: its clearance is {g * 1e6:.1f} µm")
     # a full groove parts the bearing into two lands, each with half the load
     lands, l = (2, (b.length - (inputs.groove_width or 0.0)) / 2) if inputs.supply == "groove" else (1, b.length)
     psi = f.relative_clearance(g=g, d=b.diameter)
@@ -110,9 +118,15 @@ def _own(seat: Seat, duty: Duty, rise: float, warm: bool) -> Film:
             Q_rel=relative_flow(eps=eps, b=ratio), share=side_flow_share(eps=eps, b=ratio), d=b.diameter, g=g, n_h=duty.effective_speed, l=l
         )
         Q = flow.total_flow(Q_1=Q_1, Q_2=Q_2)
-    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
+    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=_flowing(Q))
     p_max = f.largest_pressure(p=p, ratio=pressure_ratio(eps=eps, b=ratio))
     return Film(g, psi, S, eps, h_0, mu_f, f_v, power, Q, made, T, oil, phi, p_max)
+
+
+def _flowing(Q: float) -> float:
+    if Q <= 0:
+        raise NoSolution("no oil flows through the bearing", "supply pressure 0", "raise the supply pressure")
+    return Q
 
 
 def _supply(seat: Seat, duty: Duty, eps: float, oil: State, standing_rule: bool = False) -> tuple[float, float]:
@@ -149,13 +163,13 @@ def raimondi_boyd(seat: Seat, duty: Duty, rise: float) -> Film:
     p = f.specific_load(F=duty.load, d=b.diameter, l=b.length)
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
-    eps = 1 - rb.relative_film(S=S, b=ratio)
+    eps = f.eccentricity_of_relative_film(h_rel=rb.relative_film(S=S, b=ratio))
     f_v = rb.friction_variable(S=S, b=ratio)
     h_0 = f.film(g=g, eps=eps)
     mu_f = f.friction_coefficient(psi=psi, f_v=f_v)
     power = f.friction_power(f=mu_f, F=duty.load, u=f.surface_speed(d=b.diameter, n=duty.effective_speed))
     Q = flow.groove_flow_of_finotti(p_s=duty.supply_pressure, d=b.diameter, g=g, eps=eps, mu=oil.mu, l=b.length)
-    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
+    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=_flowing(Q))
     return Film(g, psi, S, eps, h_0, mu_f, f_v, power, Q, made, T, oil)
 
 
@@ -170,12 +184,12 @@ def din31652(seat: Seat, duty: Duty, rise: float, film: Callable[..., float] = d
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
     h_0 = film(g=g, So=So, b=ratio)
-    eps = 1 - 2 * h_0 / g
+    eps = f.eccentricity_of_film(h_0=h_0, g=g)
     if not 0 <= eps < 1:
         raise rb.OutsideCharts(f"Falz's film is {h_0 * 1e6:.1f} µm in a gap of {g / 2e-6:.1f} µm at So = {So:.3g}, l/d = {ratio:.3g}")
     if din.polynomial_holds(ratio):
         _, mu_f = din.friction(psi=psi, So=So, b=ratio)
-        f_v = mu_f / psi
+        f_v = f.friction_variable_of(f=mu_f, psi=psi)
     else:
         f_v = f.friction_variable(So=So, eps=eps, phi=attitude_angle(eps=eps, b=ratio))
         mu_f = f.friction_coefficient(psi=psi, f_v=f_v)
@@ -183,7 +197,7 @@ def din31652(seat: Seat, duty: Duty, rise: float, film: Callable[..., float] = d
     q_2, p_s = _supply(seat, duty, eps, oil, standing_rule=True)
     Q_2 = flow.supply_flow(d=b.diameter, psi=psi, p_s=p_s, mu=oil.mu, q_2=q_2)
     Q = flow.total_flow(Q_1=flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps)), Q_2=Q_2)
-    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
+    made = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=_flowing(Q))
     return Film(g, psi, So, eps, h_0, mu_f, f_v, power, Q, made, T, oil)
 
 
@@ -202,12 +216,25 @@ def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> 
         try:
             high = min(2 * excess(0.0) + 1e-6, HOTTEST)
             rise = root(excess, 0.0, _reachable(excess, high), tolerance=tolerance)
-        except ValueError as error:
-            raise NoSolution(
-                f"no film carries {duty.load:.4g} N at {duty.speed * 60:.4g} rpm", str(error),
-                "lower the load, lengthen the bearing, or take a thicker oil",
-            ) from None  # fmt: skip
+        except (FilmRangeError, Seized, OutsideBalance) as error:
+            raise NoSolution(*_reason(duty, error)) from None
     return route(seat, duty, rise)
+
+
+def _reason(duty: Duty, error: ValueError) -> tuple[str, str, str]:
+    """What was looked for, what came out, and what to do: too much load, too little, or a bearing too short or long."""
+    at = f"{duty.load:.4g} N at {duty.speed * 60:.4g} rpm"
+    if isinstance(error, Seized):
+        return str(error), f"under {at}", "give it more clearance"
+    if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
+        return f"the film of this bearing is not in the table ({error})", f"under {at}", "choose a length between 0.1 and 2 diameters"
+    if isinstance(error, FilmRangeError) and error.value > error.high:
+        return (
+            f"the journal runs nearly centred under {at}",
+            str(error),
+            "the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil",
+        )
+    return f"no film carries {at}", str(error), "lower the load, lengthen the bearing, or take a thicker oil"
 
 
 def _reachable(excess: Callable[[float], float], high: float) -> float:
@@ -219,7 +246,7 @@ def _reachable(excess: Callable[[float], float], high: float) -> float:
                 return high
             low, high = high, min(2 * high, HOTTEST)
             if low == HOTTEST:
-                raise ValueError(f"the oil would warm by more than {HOTTEST:g} K")
-        except FilmRangeError:
+                raise OutsideBalance(f"the oil would warm by more than {HOTTEST:g} K")
+        except (FilmRangeError, Seized):
             high = (low + high) / 2
-    raise ValueError("the film breaks down before its heat is carried away")
+    raise OutsideBalance("the film breaks down before its heat is carried away")

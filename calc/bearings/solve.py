@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Both bearings: judged by the program's own solution on the warm clearance, beside the source's two methods."""
 
+from dataclasses import replace
+
 from ..catalogue import Material, Oil
 from ..countershaft.solve import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
@@ -37,7 +39,7 @@ class RouteResult:
 
     film: Metre = value("Smallest film", "µm", "h_0")
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
-    sommerfeld: Number = value("Sommerfeld number", "", "S")
+    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
     friction_variable: Number = value("Friction variable", "", "f*")
     friction_coefficient: Number = value("Coefficient of friction", "", "f")
     friction_power: Watt = value("Friction power", "W", "P_f")
@@ -66,9 +68,9 @@ class BearingResult:
 
     film: Metre = value("Smallest film", "µm", "h_0")
     film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
-    film_double_load: Metre = value("Film at twice the load", "µm", "h_2F")
-    speed_of_thinnest_film: RevPerSecond = value("Speed of the thinnest film", "rpm")
-    thinnest_film: Metre = value("Thinnest film over the speeds", "µm")
+    film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None)
+    speed_of_thinnest_film: RevPerSecond | None = value("Speed of the thinnest film over the bench run", "rpm", default=None)
+    thinnest_film: Metre | None = value("Thinnest film over the bench run", "µm", default=None)
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
     attitude_angle: Radian = value("Attitude angle", "°", "φ")
     sommerfeld: Number = value("Sommerfeld number", "", "S")
@@ -87,11 +89,13 @@ class BearingResult:
     surface_speed: MetrePerSecond = value("Surface speed", "m/s", "u")
     length_ratio: Number = value("Length ratio", "", "l/d")
     transition_speed: RevPerSecond = value("Transition to mixed friction", "rpm", "n_T")
+    least_speed: RevPerSecond = value("Least speed for a full film", "rpm", "n_min")
+    least_speed_uncapped: RevPerSecond = value("the same with the rule carried on above 10 m/s", "rpm")
     mckee_number: Number = value("McKee number, cP·rpm/psi", "", "ZN/P")
     kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K")
     trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T")
-    routes_spread: Number = value("Spread of the routes' films", "%")
-    reynolds: RouteResult = group()
+    routes_spread: Number | None = value("Spread of the routes' films", "%", default=None)
+    reynolds: RouteResult | None = group(default=None)
     raimondi_boyd: RouteResult | None = group(default=None)
     din31652: RouteResult | None = group(default=None)
     hot: Film
@@ -161,31 +165,36 @@ def _bearing(
     with about(f"{place} bearing, judged"):
         hot = balanced(own_warm, seat, duty)
         edge = f.film_at_edge(h_0=hot.film, theta=slope, l=l)
-        p = f.specific_load(F=load, d=d, l=l)
+        # a full groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
+        bare = l - (inputs.groove_width or 0.0) if inputs.supply == "groove" else l
+        p = f.specific_load(F=load, d=d, l=bare)
         W = f.heat_index(F=load, n=speed, l=l)
         n_T = f.transition_speed(p=p, mu=hot.oil.mu, d=d)
+        least = f.least_speed(k=3.0 if u < 3 else min(u, 10.0), n_T=n_T)
+        uncapped = f.least_speed_uncapped(u=u, n_T=n_T)
         mckee = f.mckee_number(mu=hot.oil.mu, n_h=n_h, p=p)
         kreisle = f.kreisle_film(k_R=inputs.roughness_ratio, Ra_1=bearing.journal_roughness, Ra_2=bearing.housing_roughness)
         trumpler = f.trumpler_film(d=d)
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         cold = seat.clearance_at(inputs.lowest_temperature)
     with about(f"{place} bearing, twice the load"):
-        doubled = balanced(own_warm, seat, Duty(2 * load, speed, n_h, duty.supply_temperature, duty.supply_pressure))
+        doubled = _beside(own_warm, seat, replace(duty, load=2 * load), place, "twice the load", notes)
     with about(f"{place} bearing, clearance as given"):
-        own = balanced(own_cold, seat, duty)
+        own = _beside(own_cold, seat, duty, place, "the clearance as given", notes)
     with about(f"{place} bearing, Raimondi & Boyd"):
         charts = _beside(raimondi_boyd, seat, duty, place, "Raimondi & Boyd's charts", notes)
     with about(f"{place} bearing, DIN 31652"):
         din = _beside(din31652, seat, duty, place, "DIN 31652", notes)
     others = [r.film for r in (charts, din) if r is not None]
-    spread = max((abs(h / own.film - 1) for h in others), default=0.0)
+    spread = max((f.film_deviation(h_0=h, reference=own.film) for h in others), default=None) if own else None
     swept = sweep(seat, load, speed, bench, duty)
+    thinnest = None if swept.thinnest_film is None else f.smallest_over_speeds(film=swept.thinnest_film)
     return BearingResult(
         film=hot.film,
         film_edge=edge,
-        film_double_load=doubled.film,
+        film_double_load=doubled.film if doubled else None,
         speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=swept.thinnest_film,
+        thinnest_film=thinnest,
         eccentricity=hot.eccentricity,
         attitude_angle=hot.attitude or 0.0,
         sommerfeld=hot.sommerfeld,
@@ -202,13 +211,15 @@ def _bearing(
         specific_load=p,
         heat_index=W,
         surface_speed=u,
-        length_ratio=f.length_ratio(l=l, d=d),
+        length_ratio=f.length_ratio(l=bare / 2 if inputs.supply == "groove" else bare, d=d),
         transition_speed=n_T,
+        least_speed=least,
+        least_speed_uncapped=uncapped,
         mckee_number=mckee,
         kreisle_film=kreisle,
         trumpler_film=trumpler,
         routes_spread=spread,
-        reynolds=_route(own),
+        reynolds=_route(own) if own else None,
         raimondi_boyd=_route(charts) if charts else None,
         din31652=_route(din) if din else None,
         hot=hot,
@@ -241,19 +252,20 @@ def _notes(inputs: BearingsInputs) -> tuple[str, ...]:
 
 
 def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
+    """What the source's methods give for this bearing, where they leave out or mistake what matters."""
     found = []
-    theirs = r.raimondi_boyd.film if r.raimondi_boyd else r.reynolds.film
-    found.append(
-        Erratum(
-            f"bearings.{place}.film",
-            f"Smallest film, {place}",
-            theirs * 1e6,
-            "µm",
-            "Finotti 2013, 5.5 (clearance as if always the same)",
-            f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes "
-            f"{r.clearance_hot * 1e6:.1f} µm when warm and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
+    if r.raimondi_boyd is not None:
+        found.append(
+            Erratum(
+                f"bearings.{place}.film",
+                f"Smallest film, {place}",
+                r.raimondi_boyd.film * 1e6,
+                "µm",
+                "method of Finotti 2013, 5.5.1, on the clearance as given",
+                f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes "
+                f"{r.clearance_hot * 1e6:.1f} µm when warm and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
+            )
         )
-    )
     if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
         with untraced():
             wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.length_ratio)
@@ -263,7 +275,7 @@ def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
                 f"Film by DIN 31652, {place}",
                 wrong * 1e6,
                 "µm",
-                "Finotti 2013, Table 5.4",
+                "method of Finotti 2013, Table 5.4: the branch of the first pass",
                 f"So = {r.din31652.sommerfeld:.3f} is below 1, but the thesis keeps the formula for So > 1 of its first pass.",
             )
         )

@@ -7,7 +7,7 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, modulus, total
-from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
+from ..sheet.units import Kilogram, KilogramMetre, Metre, Newton, NewtonMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
 
 TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
 
@@ -21,6 +21,16 @@ def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Ph
 @formula("C_S", TABLE_4_1)
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * total(m * e * z * cis(gamma))
+
+
+@formula("ΣU", "static unbalance: rotating force over ω²", unit="g·mm")
+def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
+    return F_S / omega**2
+
+
+@formula("Σm", "sum of the eccentric masses")
+def eccentric_mass(m: Kilogram) -> Kilogram:
+    return total(m)
 
 
 @formula("R_r", "equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from ..imbalance.solve import ImbalanceResult
-from ..sheet.check import check
+from ..sheet.check import Check, check
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Outcome, Series
 from ..sheet.trace import trace
@@ -31,6 +31,18 @@ class CountershaftResult:
     reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    slope_front: Radian | None = value("Slope of the front journal, as given", "mrad", "θ_f", default=None)
+    slope_rear: Radian | None = value("Slope of the rear journal, as given", "mrad", "θ_r", default=None)
+
+
+def _slope_checks(slopes: tuple[Radian, ...] | None) -> tuple[Check, ...]:
+    return tuple(
+        check(
+            f"countershaft.slope_{place}", f"Slope of the {place} journal", slope, "<=", 0.25e-3, "mrad",
+            "Finotti 2013, ch. 6: target of the engine's maker", "A stiffer shaft between its bearings: larger core, shorter span.",
+        )
+        for place, slope in zip(("front", "rear"), (slopes[0], slopes[-1]) if slopes else ())
+    )  # fmt: skip
 
 
 def _column(shaft: CountershaftInputs, name: str) -> Any:
@@ -38,8 +50,11 @@ def _column(shaft: CountershaftInputs, name: str) -> Any:
     return np.array([getattr(part, name) for part in shaft.masses])
 
 
-def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond) -> Outcome:
-    """Check a shaft of given masses against the couple that the engine asks for.  `omega` is the crank's rated angular speed."""
+def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, slopes: tuple[Radian, ...] | None = None) -> Outcome:
+    """Check a shaft of given masses against the couple that the engine asks for.  `omega` is the crank's rated angular speed.
+
+    `slopes` are those of the journals where they are known from elsewhere; the bending itself is not computed yet.
+    """
     m, e, gamma, z = (_column(shaft, name) for name in ("mass", "radius", "angle", "z"))
     z_f, z_r = shaft.bearing_positions
     F_forward, F_backward, C_forward, C_backward = imbalance.orders["order_1"].vectors
@@ -49,6 +64,8 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         phase = f.couple_phase(C_S=C_S)
         F_S = f.shaft_force(omega=omega, m=m, e=e, gamma=gamma)
         force = f.force(F_S=F_S)
+        together = f.eccentric_mass(m=m)
+        unbalance = f.static_unbalance(F_S=force, omega=omega)
         left = f.residual_backward(C_b=C_backward, C_S=C_S)
         residual = f.residual_couple(C_f=C_forward, C_b=left)
         residual_force = f.residual_force(F_f=F_forward, F_b=F_backward, F_S=F_S)
@@ -60,11 +77,13 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         couple_phase=phase,
         residual_order_1_couple=residual,
         residual_order_1_force=residual_force,
-        static_unbalance=force / omega**2,
+        static_unbalance=unbalance,
         force=force,
         reaction_front=front,
         reaction_rear=rear,
-        eccentric_mass=float(m.sum()),
+        eccentric_mass=together,
+        slope_front=slopes[0] if slopes else None,
+        slope_rear=slopes[-1] if slopes else None,
     )
     needed = imbalance.required_couple
     checks = (
@@ -73,12 +92,23 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
             "First-order couple left over",
             residual,
             "<=",
-            LEFT_OVER * max(needed, abs(C_forward)),
+            LEFT_OVER * (needed or imbalance.one_couple),
             "N·m",
-            "rule of this program: 5 % of the couple to be balanced",
+            "rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none",
             f"Aim at {needed:.1f} N·m at {math.degrees(imbalance.required_couple_phase):.1f}°: "
             "the couple grows with mass, radius and arm of the eccentric masses.",
         ),
+        check(
+            "countershaft.residual_force",
+            "First-order force left over",
+            residual_force,
+            "<=",
+            LEFT_OVER * imbalance.one_force,
+            "N",
+            "rule of this program: 5 % of m·r·ω² of one cylinder",
+            "Balance the masses against each other (mass times radius), so that only a couple remains.",
+        ),
+        *_slope_checks(slopes),
     )
     theta = np.radians(np.arange(0, 361, 3.0))
     forward, backward = np.exp(1j * theta), np.exp(-1j * theta)

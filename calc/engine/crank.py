@@ -7,8 +7,23 @@ from typing import Any
 import numpy as np
 
 from ..sheet.arrays import Array
+from ..sheet.formula import formula
 from ..sheet.record import record
+from ..sheet.units import Metre, Number, Radian
 from .inputs import USUAL_ORDERS, EngineInputs
+
+
+@formula("φ", "Finotti 2013, 2.4: even firing, throw k at ψ_k − i_k·180°·strokes/N", shows="φ from ψ − i·π·strokes/N, counted from throw 1")
+def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
+    """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
+    phi: Any = psi - i * math.pi * strokes / N
+    return (phi - phi[0]) % (2 * math.pi)
+
+
+@formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")
+def axial_positions(k: Number, a: Metre) -> Metre:
+    row: Any = k
+    return (row - (row.min() + row.max()) / 2) * a
 
 
 @record
@@ -33,25 +48,29 @@ def crank(engine: EngineInputs, tdc_angle: float) -> Crank:
     """
     n = engine.cylinders
     chosen: list[str] = []
-    bank = np.asarray(engine.bank_of_cylinder if engine.bank_of_cylinder is not None else _banks(engine.layout, n))
+    bank: Any = np.asarray(engine.bank_of_cylinder if engine.bank_of_cylinder is not None else _banks(engine.layout, n))
     opening = math.pi if engine.layout == "boxer" else (engine.bank_angle or 0.0)
-    psi = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
+    psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
     if engine.crank_angles is not None:
-        phi = np.asarray(engine.crank_angles)
+        phi: Any = np.asarray(engine.crank_angles)
     else:
         order = engine.firing_order or USUAL_ORDERS[n]
         if engine.firing_order is None:
             chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: the usual one of an inline engine with {n} cylinders.")
-        place = np.empty(n)
+        place: Any = np.empty(n)
         place[np.asarray(order) - 1] = np.arange(n)
-        phi = psi - place * math.pi * engine.strokes / n
-        phi = (phi - phi[0]) % (2 * math.pi)
+        phi = throw_angles(psi=psi, i=place, strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
-        z = np.asarray(engine.axial_positions)
+        z: Any = np.asarray(engine.axial_positions)
     else:
-        row = np.arange(n) // 2 if engine.layout == "vee" else np.arange(n)
-        z = (row - (row[0] + row[-1]) / 2) * engine.cylinder_pitch
+        row: Any = _rows(bank) if engine.layout == "vee" else np.arange(n)
+        z = axial_positions(k=row, a=engine.cylinder_pitch)
     return Crank(phi, z, psi, float(psi[0]) + tdc_angle, tuple(chosen))
+
+
+def _rows(bank: Any) -> Any:
+    """Cylinders of a vee engine side by side: the first of either bank, the second …; their stagger is neglected."""
+    return np.array([int(np.sum(bank[:k] == b)) for k, b in enumerate(bank)])
 
 
 def _banks(layout: str, n: int) -> Any:

@@ -96,6 +96,11 @@ def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) ->
     return cos(alpha) + delta * sin(alpha) + lam * cos(2 * alpha)
 
 
+@formula("α_min", "crank angle of the smallest acceleration", shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC")
+def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
+    return alpha
+
+
 @formula("a", "acceleration of the piston, extreme value over the turn")
 def acceleration(a_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond2:
     return a_rel * omega**2 * r

@@ -12,7 +12,7 @@ USUAL_ORDERS = {1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 
 class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
-    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n")
+    speed: float = quantity("Speed", "rpm", low=1, high=30000, symbol="n")
     oil_temperature: float = quantity("Oil temperature", "°C", low=-40, high=200, symbol="T_in")
     oil_pressure: float = quantity("Oil pressure", "bar", low=0, high=100, symbol="p_s")
 
@@ -88,7 +88,7 @@ class EngineInputs:
         "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", help="They rotate with the pin."
     )
     rated_speed: float = quantity(
-        "Rated speed", "rpm", above=0, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
+        "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
     )
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
 
@@ -107,6 +107,8 @@ class EngineInputs:
             yield "firing_order", f"must name each cylinder from 1 to {n} once"
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n not in USUAL_ORDERS):
             yield "crank_angles_deg", "needed here: give the crank angles, or the firing order of an evenly firing engine"
+        if self.layout != "vee" and self.bank_angle:
+            yield "bank_angle_deg", "belongs to a vee engine; leave it out"
         if self.layout == "vee" and self.bank_angle is None:
             yield "bank_angle_deg", "needed for a vee engine"
         if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):

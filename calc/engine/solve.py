@@ -16,7 +16,8 @@ from .crank import Crank, crank
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)
-POINTS = 720
+POINTS = 2880
+DRAWN = 8  # every eighth point
 
 
 @result
@@ -44,7 +45,7 @@ class EngineResult:
 @formula(
     "c_n",
     "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)",
-    shows="c_1 … c_8 from 720 points of a/(ω²·r)",
+    shows="c_1 … c_8 from 2880 points of a/(ω²·r)",
 )
 def harmonics(a: Number) -> Number:
     """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
@@ -81,26 +82,28 @@ def solve(engine: EngineInputs) -> Outcome:
         alpha: Any = np.arange(POINTS) * (2 * np.pi / POINTS)
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         speed = f.relative_speed(alpha=alpha, beta=beta)
-        exact = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
+        exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
         highest, _ = _peak(exact)
         lowest, angle = _peak(-exact)
         fastest = f.piston_speed(v_rel=_peak(speed)[0], omega=omega, r=engine.crank_radius)
         a_max = f.acceleration(a_rel=highest, omega=omega, r=engine.crank_radius)
         a_min = f.acceleration(a_rel=-lowest, omega=omega, r=engine.crank_radius)
+        at_lowest = f.angle_of_smallest(a_rel=exact, alpha=angle)
         spectrum: Any = harmonics(exact)
+        throws = crank(engine, phi_0)
     with untraced():
-        two_term = f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta)
+        two_term: Any = f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta)
     result = EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest, acceleration_max=a_max,
-        acceleration_min=a_min, acceleration_min_angle=angle, crank=crank(engine, phi_0),
+        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=throws,
         harmonics=tuple(complex(c) for c in spectrum), two_term=(1 - 1j * delta, complex(lam), *([0j] * (len(ORDERS) - 2))),
     )  # fmt: skip
     scale = omega**2 * engine.crank_radius
-    degrees = np.degrees(alpha)
+    degrees = np.degrees(alpha)[::DRAWN]
     curve = Curve(
         "acceleration", "Piston acceleration over one turn", "crank angle α, °", "a, m/s²",
-        (Series("exact", degrees, exact * scale), Series("two terms", degrees, two_term * scale)),
+        (Series("exact", degrees, exact[::DRAWN] * scale), Series("two terms", degrees, two_term[::DRAWN] * scale)),
     )  # fmt: skip
     checks = (
         check(

@@ -7,7 +7,7 @@ angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, conj, modulus, total
+from ..sheet.functions import argument, cis, conj, modulus, pi, sin, total
 from ..sheet.units import (
     Kilogram,
     KilogramMetre2,
@@ -99,14 +99,24 @@ def required_couple(C_b: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return -C_b
 
 
-@formula("|C_S|", "modulus of the vector")
-def length_of_couple(C_S: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(C_S)
+@formula("|F|", "length of the vector", unit="N")
+def force_length(F: PhasorNewton) -> Newton:
+    return modulus(F)
 
 
-@formula("∠C_S", "direction of the vector while cylinder 1 stands at TDC")
-def direction_of_couple(C_S: PhasorNewtonMetre) -> Radian:
-    return argument(C_S)
+@formula("∠F", "direction of the vector from up, while cylinder 1 stands at TDC")
+def force_direction(F: PhasorNewton) -> Radian:
+    return argument(F)
+
+
+@formula("|C|", "length of the vector")
+def couple_length(C: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C)
+
+
+@formula("∠C", "direction of the vector from up, while cylinder 1 stands at TDC")
+def couple_direction(C: PhasorNewtonMetre) -> Radian:
+    return argument(C)
 
 
 @formula("U·Δz", "couple over ω²: the product of unbalance and arm that the shaft needs", unit="kg·mm²")
@@ -118,3 +128,8 @@ def unbalance_product(C_S: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
 def second_order_couple_of_finotti(kappa: Number, C_2: NewtonMetre) -> NewtonMetre:
     """The thesis takes the mass that is not balanced on the crank, (1 − κ)·M_alt; the full reciprocating mass acts at order 2."""
     return (1 - kappa) * C_2
+
+
+@formula("ΔC/1°", "exact difference of two vectors one degree apart")
+def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
+    return 2 * C_S * sin(pi / 360)

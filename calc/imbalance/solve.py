@@ -8,13 +8,15 @@ import numpy as np
 from ..engine.inputs import EngineInputs
 from ..engine.solve import ORDERS, EngineResult
 from ..sheet.check import Check, check
-from ..sheet.functions import argument
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Curve, Erratum, Outcome, Series
-from ..sheet.trace import about, trace, untraced
-from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Radian
+from ..sheet.trace import about, trace
+from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Number, Radian
 from . import formulas as f
 from .inputs import ImbalanceInputs
+
+ALWAYS = (1, 2, 4, 6)  # orders that are shown even where they are zero
+FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
 
 
 @result
@@ -47,9 +49,11 @@ class ImbalanceResult:
     required_unbalance_product: KilogramMetre2 = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz")
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
     required: complex  # the vector
+    one_force: Newton  # m·r·ω² of one cylinder, and its couple over one pitch: what is left is measured against them
+    one_couple: NewtonMetre
 
 
-def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
+def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, two_term: Order | None = None) -> Order:
     crank: Any = e.crank  # arrays enter the formulas here
     common: dict[str, Any] = dict(
         omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
@@ -64,19 +68,20 @@ def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e
         F_f = _clean(f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common)), dust)
         C_f = _clean(f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common)), dust * engine.cylinder_pitch)
     return Order(
-        force_forward=abs(F_f),
-        force_forward_phase=argument(F_f),
-        force_backward=abs(F_b),
-        force_backward_phase=argument(F_b),
+        force_forward=f.force_length(F=F_f),
+        force_forward_phase=f.force_direction(F=F_f),
+        force_backward=f.force_length(F=F_b),
+        force_backward_phase=f.force_direction(F=F_b),
         force_peak_vertical=f.force_peak_vertical(F_f, F_b),
         force_peak_horizontal=f.force_peak_horizontal(F_f, F_b),
-        couple_forward=abs(C_f),
-        couple_forward_phase=argument(C_f),
-        couple_backward=abs(C_b),
-        couple_backward_phase=argument(C_b),
+        couple_forward=f.couple_length(C=C_f),
+        couple_forward_phase=f.couple_direction(C=C_f),
+        couple_backward=f.couple_length(C=C_b),
+        couple_backward_phase=f.couple_direction(C=C_b),
         couple_peak_vertical=f.couple_peak_vertical(C_f, C_b),
         couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
         vectors=(F_f, F_b, C_f, C_b),
+        two_term=two_term,
     )
 
 
@@ -91,35 +96,34 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> 
     judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
     with trace() as lines:
         for n in ORDERS:
-            with about(f"order {n}"):
-                c_n = judged[n - 1]
-                two_term = None
-                if n <= 2:
-                    with untraced():
-                        two_term = _order(n, e.two_term[n - 1], imbalance, engine, e)
-                solved = _order(n, c_n, imbalance, engine, e) if c_n else None
-            if solved is None:
-                continue
-            orders[f"order_{n}"] = Order(
-                **{k: getattr(solved, k) for k in Order.__dataclass_fields__ if k != "two_term"}, two_term=two_term
-            )
+            c_n, two_term = judged[n - 1], None
+            if n <= 2:
+                with about(f"order {n}, two terms"):
+                    two_term = _order(n, e.two_term[n - 1], imbalance, engine, e)
+            if c_n or n in ALWAYS:
+                with about(f"order {n}"):
+                    orders[f"order_{n}"] = _order(n, c_n, imbalance, engine, e, two_term)
         with about("counter-shaft"):
             required = f.required_couple(orders["order_1"].vectors[3])
-            length = f.length_of_couple(required)
-            phase = f.direction_of_couple(required)
+            length = f.couple_length(C=required)
+            phase = f.couple_direction(C=required)
             product = f.unbalance_product(C_S=length, omega=e.angular_speed)
+            mistiming = f.couple_per_degree(C_S=length)
+    one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     result = ImbalanceResult(
         orders=orders,
         required_couple=length,
         required_couple_phase=phase,
         required_unbalance_product=product,
-        mistiming_per_degree=2 * length * np.sin(np.radians(0.5)).item(),
+        mistiming_per_degree=mistiming,
         required=required,
+        one_force=one_force,
+        one_couple=one_force * engine.cylinder_pitch,
     )
     return Outcome(
         "imbalance",
         result=result,
-        checks=_checks(result),
+        checks=_checks(result, e.lambda_),
         lines=tuple(lines),
         curves=_curves(result),
         errata=_errata(imbalance, result),
@@ -130,53 +134,33 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> 
     )
 
 
-def _checks(result: ImbalanceResult) -> tuple[Check, ...]:
-    first = result.orders["order_1"]
-    found = []
-    own = "rule of this program"
-    if result.required_couple:
-        found.append(
-            check(
-                "imbalance.order_1.forward",
-                "First-order couple turning forward",
-                first.couple_forward,
-                "<=",
-                0.05 * result.required_couple,
-                "N·m",
-                own,
-                "The backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5).",
-                kind="advice",
-            )
-        )
-        if second := result.orders.get("order_2"):
-            found.append(
-                check(
-                    "imbalance.order_2.couple",
-                    "Second-order couple left",
-                    second.couple_peak_vertical,
-                    "<=",
-                    0.5 * result.required_couple,
-                    "N·m",
-                    own,
-                    "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it.",
-                    kind="advice",
-                )
-            )
-    else:
-        found.append(
-            check(
-                "imbalance.order_1.backward_force",
-                "First-order force turning backward",
-                first.force_backward,
-                "<=",
-                0.0,
-                "N",
-                own,
-                "One shaft at −ω with this force, in the plane of the engine's middle, takes it.",
-                kind="advice",
-            )
-        )
-    return tuple(found)
+def _checks(result: ImbalanceResult, lam: Number) -> tuple[Check, ...]:
+    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
+    force, couple = result.one_force, result.one_couple
+    first, second = result.orders["order_1"], result.orders["order_2"]
+    own = "rule of this program, against m·r·ω² of one cylinder (couples: over one pitch)"
+    forward = "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
+    backward = "A couple-free shaft at −ω with this force, in the plane of the engine's middle, takes it."
+    two = "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it."
+
+    def advice(name: str, label: str, value: float, limit: float, unit: str, what: str) -> Check:
+        return check(f"imbalance.{name}", label, value, "<=", limit, unit, own, what, kind="advice")
+
+    return (
+        advice("order_1.forward", "First-order couple turning forward", first.couple_forward, FIRST * couple, "N·m", forward),
+        advice("order_1.forward_force", "First-order force turning forward", first.force_forward, FIRST * force, "N", forward),
+        advice("order_1.backward_force", "First-order force turning backward", first.force_backward, FIRST * force, "N", backward),
+        advice("order_2.couple", "Second-order couple left", _peak_couple(second), SECOND * lam * couple, "N·m", two),
+        advice("order_2.force", "Second-order force left", _peak_force(second), SECOND * lam * force, "N", two),
+    )
+
+
+def _peak_couple(order: Order) -> float:
+    return max(order.couple_peak_vertical, order.couple_peak_horizontal)
+
+
+def _peak_force(order: Order) -> float:
+    return max(order.force_peak_vertical, order.force_peak_horizontal)
 
 
 def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
@@ -190,7 +174,7 @@ def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratu
             "Second-order couple",
             float(theirs),
             "N·m",
-            "Finotti 2013, 2.5.3.4",
+            "method of Finotti 2013, 2.5.3.4",
             "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
             "untouched: the whole reciprocating mass acts.",
         ),

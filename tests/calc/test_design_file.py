@@ -205,3 +205,17 @@ def test_every_quantity_of_a_design_is_described(gamma):
     assert "gears.wheels.idler.tip_shortening_mm" in found and "bearings.rear.clearance_factor" in found
     assert all(q.label and q.allowed() for q in found.values())
     assert isinstance(gamma, Document)
+
+
+@pytest.mark.parametrize("key, value", [
+    ("bearings.front.length_mm", "9" * 5000), ("gears.wheels.².teeth", "3"), ("bearings.front.length_mm", "34\nfoo = 3"),
+])  # fmt: skip
+def test_nasty_assignments_are_named(gamma, key, value):
+    with pytest.raises(BadInput):
+        design(gamma.with_value(*parse_assignment(f"{key}={value}")))
+
+
+@pytest.mark.parametrize("text", ["nu100_mm2_s = 0.39", "nu100_mm2_s = 200.0"])
+def test_an_oil_outside_its_law_is_named(text):
+    own = f'[[oil]]\nname = "thin"\nnu40_mm2_s = 100.0\n{text}\nrho15_kgm3 = 850.0\nbase = "mineral"\n'
+    assert any("oil.0.nu100_mm2_s" in e for e in errors(TEXT + own))

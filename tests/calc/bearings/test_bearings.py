@@ -146,3 +146,47 @@ def test_all_heat_leaves_with_the_oil(gamma, length, clearance, temperature):
     hot = outcome(changed, bearings__front__length_mm=length, bearings__supply_temperature_C=temperature).result.bearings["front"].hot
     assert hot.mean_temperature == pytest.approx(temperature + hot.temperature_rise / 2, abs=1e-8)
     assert hot.friction_power == pytest.approx(hot.oil.rho * hot.oil.cp * hot.oil_flow * hot.temperature_rise, rel=1e-9)
+
+
+def test_no_film_at_twice_the_load_is_a_failed_check_and_not_the_end_of_the_step(gamma):
+    found = outcome(gamma, bearings__front__length_mm=8.0)
+    r = found.result.bearings["front"]
+    assert found.state == "solved" and r.film > 0 and r.film_double_load is None
+    assert verdicts(found)["bearings.front.film_double_load"] == "fail"
+
+
+def test_a_row_of_the_bench_that_hardly_loads_the_film_is_a_gap(gamma):
+    rows = [*gamma.data["engine"]["bench"], {"speed_rpm": 300.0, "oil_temperature_C": 20.0, "oil_pressure_bar": 3.0}]
+    document = replace(gamma, data={**gamma.data, "engine": {**gamma.data["engine"], "bench": rows}})
+    r = outcome(document).result.bearings["front"]
+    assert r.speed_of_thinnest_film * 60 == pytest.approx(2497)
+
+
+def test_rows_above_the_rated_speed_never_govern(gamma):
+    r = outcome(gamma, engine__rated_speed_rpm=800.0).result.bearings["front"]
+    assert r.speed_of_thinnest_film * 60 <= 800 + 1e-6
+
+
+def test_a_housing_held_back_by_three_quarters_still_has_its_balance(gamma):
+    """The bracket passes temperatures at which the journal would seize; the balance itself does not."""
+    document = gamma.with_value("bearings.expansion_restraint", 0.75).with_value("bearings.rear.clearance_factor", 0.8)
+    r = outcome(document).result.bearings["front"]
+    assert r.film * 1e6 == pytest.approx(9.548, rel=1e-3)
+    assert r.temperature_rise == pytest.approx(27.45, rel=1e-3)
+
+
+def test_too_little_load_is_told_from_too_much(gamma):
+    light = gamma.with_value("bearings.supply_temperature_C", -40.0)
+    assert "nearly centred" in outcome(light).reason and "thinner or warmer oil" in outcome(light).reason
+
+
+def test_no_supply_pressure_takes_a_route_away_and_not_the_program(gamma):
+    found = outcome(gamma, bearings__supply_pressure_bar=0.0)
+    assert found.state == "solved"
+    assert found.result.bearings["front"].raimondi_boyd is None
+    assert any("no oil flows" in note for note in found.notes)
+
+
+def test_a_hole_outside_the_range_of_its_factor_warns(gamma):
+    assert verdicts(outcome(gamma, bearings__hole_diameter_mm=26.0))["bearings.front.supply_range"] == "warn"
+    assert verdicts(outcome(gamma))["bearings.front.supply_range"] == "pass"

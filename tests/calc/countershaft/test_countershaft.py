@@ -51,3 +51,14 @@ def test_a_shaft_without_mass_leaves_bearings_without_a_film(gamma):
     results = solve(design(bare))
     assert results.outcomes["bearings"].state == "no_solution"
     assert "no load" in results.outcomes["bearings"].reason
+
+
+def test_a_shaft_out_of_static_balance_fails(gamma):
+    outcome = shaft(gamma.with_value("countershaft.masses.front.radius_mm", 30.0))
+    assert {c.id: c.verdict for c in outcome.checks}["countershaft.residual_force"] == "fail"
+
+
+def test_the_slopes_that_are_given_are_judged(gamma):
+    assert {c.id: c.verdict for c in shaft(gamma).checks}["countershaft.slope_front"] == "pass"
+    outcome = shaft(gamma.with_value("bearings.slope_mrad", 0.3))
+    assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "fail"

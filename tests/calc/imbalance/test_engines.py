@@ -150,3 +150,23 @@ def test_doubling_the_speed_quadruples_everything(factor):
     one, other = solved()[2], solved(rated_speed=factor * 2600 / 60)[2]
     for name, order in one.orders.items():
         assert other.orders[name].couple_peak_vertical == pytest.approx(factor**2 * order.couple_peak_vertical, rel=1e-9, abs=1e-9)
+
+
+def test_what_an_inline_four_leaves_is_seen():
+    """Its second-order force is whole; the couples are zero."""
+    engine = EngineInputs(**{**R753, "cylinders": 4, "firing_order": (1, 3, 4, 2)})
+    outcome = solve_imbalance(ImbalanceInputs(), engine, solve_engine(engine).result)
+    verdicts = {c.id: c.verdict for c in outcome.checks}
+    assert verdicts["imbalance.order_2.force"] == "warn" and verdicts["imbalance.order_2.couple"] == "pass"
+
+
+def test_a_vee_engine_pairs_its_cylinders_by_bank():
+    """V6 90°, three pins: √3 and no backward couple, however the cylinders are numbered."""
+    degrees = (0, 240, 120, 0, 240, 120)
+    _, e, i = solved(
+        ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=6, bank_angle=math.pi / 2, firing_order=None,
+        crank_angles=tuple(map(math.radians, degrees)), bank_of_cylinder=(0, 0, 0, 1, 1, 1),
+    )  # fmt: skip
+    first = i.orders["order_1"]
+    assert first.couple_forward / i.one_couple == pytest.approx(math.sqrt(3))
+    assert first.couple_backward == pytest.approx(0, abs=1e-6)
