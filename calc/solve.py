@@ -107,6 +107,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
         g = gears.merge(g, rated) if rated.state == "solved" else rated
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
+    if g.state == "solved" and design.countershaft is not None:
+        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio)
     if g.state == "solved":
         g = replace(g, curves=curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}

@@ -16,7 +16,7 @@ WORDS: dict[str, dict[str, str]] = {
         "check": "Check", "unit": "Unit", "quantity": "Quantity", "symbol": "Symbol", "key": "Key in the design file",
         "id": "Name of the value", "source": "Source", "advice": "advice",
         "steps": "Steps", "attention": "Failures and warnings", "errata": "Where the source is wrong",
-        "source_value": "Source", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
+        "source_value": "Its method", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
         "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results", "checks": "Checks",
         "figures": "Figures", "figure": "Figure", "summary": "Summary",
         "defaults": "* default of the program, not given in the design file.",

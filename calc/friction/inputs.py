@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction of the meshes needs beyond the gears themselves."""
 
+from collections.abc import Iterable
+
 from ..sheet.quantity import choice, inputs, quantity, series, tables, text
 
 
@@ -41,5 +43,14 @@ class FrictionInputs:
     )  # fmt: skip
     specific_fuel_consumption: float = quantity("Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e")
     other_losses: tuple[OtherLoss, ...] = tables(
-        "Other losses", OtherLoss, optional=True, help="Idler bearings, seals … carried by the train."
+        "Other losses",
+        OtherLoss,
+        optional=True,
+        help='Idler bearings, seals …; the wheel that the name begins with carries it ("idler bearing"), else the last.',
     )
+
+
+def carrier(loss: str, wheels: Iterable[str], last: str) -> str:
+    """The wheel that carries a loss: whose name it has, or begins with before a separator ("idler-seal"); else the last wheel."""
+    named = [name for name in wheels if loss == name or (loss.startswith(name) and not loss[len(name)].isalnum())]
+    return max(named, key=len, default=last)

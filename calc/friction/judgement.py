@@ -6,10 +6,11 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..sheet.check import Check, check
+from ..sheet.errors import NoSolution
 from ..sheet.number import short
 from ..sheet.step import Curve, Erratum, Series
 from .film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .inputs import FrictionInputs
+from .inputs import FrictionInputs, carrier
 from .loss import THESIS, MeshLoss, loss_factor, solve_mesh
 from .path import array, line_load
 from .result import FrictionResult, MeshResult
@@ -37,11 +38,25 @@ def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...
         "friction.train.balance", "Power balance of the train: what is left over", abs(result.residual), "<=", BALANCE_LIMIT, "W",
         "conservation of energy", "A fault of the program, not of the design: please report it.",
     )  # fmt: skip
-    return (balance, *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)))
+    delivered = () if result.delivered_power is None else (_delivers(result.delivered_power),)
+    return (balance, *delivered, *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)))
+
+
+def _delivers(power: float) -> Check:
+    return check(
+        "friction.train.delivered", "Power that the last wheel delivers: more than nothing", power, ">", 0.0, "W", "conservation of energy",
+        "Windage, other losses and the meshes eat all of the power: give more gears.power_kW, or less speed, mist or face width.",
+    )  # fmt: skip
 
 
 def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
-    """Advice: where the model leaves its range, and what the flanks would like."""
+    """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would like."""
+    yield check(
+        f"{id}.power_out", f"Mesh {mesh.case.mesh.title} passes on more than nothing", mesh.power_out, ">", 0.0, "W",
+        "conservation of energy",
+        "The loss, whose rolling part is an upper bound, comes up to the power: "
+        "give more power (gears.power_kW), less speed, a narrower face, or a thinner oil.",
+    )  # fmt: skip
     yield check(
         f"{id}.regime", "EHL film over rigid isoviscous film at the pitch point", by_regime(mesh).lead_at_pitch, ">=", 1.0, "",
         "Johnson 1970, regimes of fluid-film lubrication",
@@ -76,14 +91,14 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
     if not mesh.case.mesh.spur:
         return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
     loss_ratio = Erratum(
-        f"friction.{name}.efficiency", "Efficiency of the mesh", 1 - mesh.judged.efficiency, "", f"{THESIS}, eq. 1",
+        f"friction.{name}.efficiency", "Efficiency of the mesh", 1 - mesh.judged.efficiency, "", f"method of the {THESIS}, eq. 1",
         "The printed quotient is the share that is lost, not the efficiency.",
     )  # fmt: skip
     printed = PRINTED_VISCOSITY.get(oil.lubricant.oil.name, {}).get(oil.T_m)
     if printed is None:
         return (*meshes, loss_ratio)
     viscosity = Erratum(
-        "friction.oil_viscosity", "Viscosity of the oil between the teeth", printed, "mPa·s", f"{THESIS}, table of oils",
+        "friction.oil_viscosity", "Viscosity of the oil between the teeth", printed, "mPa·s", f"printed in the {THESIS}, table of oils",
         "The printed value does not go with the kinematic viscosity and density printed beside it, nor with the oil's SAE grade.",
     )  # fmt: skip
     return (*meshes, loss_ratio, viscosity)
@@ -93,23 +108,27 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
     c, P = mesh.case, mesh.judged.load
     if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
         yield Erratum(
-            f"{id}.film_min", "Thinnest film", mesh.source.film_min * 1e6, "µm", f"{THESIS}, section on film thickness",
+            f"{id}.film_min", "Thinnest film", mesh.source.film_min * 1e6, "µm", f"method of the {THESIS}, section on film thickness",
             "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
             "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count.",
         )  # fmt: skip
     if not c.mesh.spur:
         return
-    elliptical = solve_mesh(c, P, False, ELLIPTICAL)
-    yield Erratum(
-        f"{id}.source.loss", "Power lost in the mesh, EHL film", elliptical.loss, "W", f"{THESIS}, eq. 26",
-        "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56.",
-    )  # fmt: skip
+    try:
+        elliptical = solve_mesh(c, P, False, ELLIPTICAL)
+    except NoSolution:  # the thinner film of the source can get too hot where the right one does not: then it has no value
+        elliptical = None
+    if elliptical is not None:
+        yield Erratum(
+            f"{id}.source.loss", "Power lost in the mesh, EHL film", elliptical.loss, "W", f"method of the {THESIS}, eq. 26",
+            "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56.",
+        )  # fmt: skip
     if friction.load_sharing == "linear":
         share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
         w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
         short_of_load = loss_factor(s=c.path.weight, w=array(share * w), V_s=c.motion.V_s, P=P)
         yield Erratum(
-            f"{id}.loss_factor", "Loss factor", short_of_load, "", f"{THESIS}, load sharing",
+            f"{id}.loss_factor", "Loss factor", short_of_load, "", f"method of the {THESIS}, load sharing",
             "Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.",
         )  # fmt: skip
 
@@ -130,13 +149,18 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
         found.append("The rolling loss of the rigid film supposes a full inlet: it is an upper bound.")
     if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
-        found.append("Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together.")
+        found.append(
+            "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, nor for any pressure."
+        )
     Lambda, base = short(oil.lubricant.limiting_shear), oil.lubricant.oil.base
     found.append(f"Limiting shear {Lambda} of the pressure ({base}) is an assumption, ±40 %; steel is taken to conduct 46 W/(m·K).")
     found.append("Churning of wheels that dip into oil and rolling bearings are not counted, unless given as other losses.")
     found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
-    if friction.other_losses:
-        found.append("Another loss is carried by the wheel with whose name its own begins, else by the last wheel, through all meshes.")
+    last = list(result.meshes.values())[-1].case.mesh.driven.name
+    for other in friction.other_losses:
+        wheel = carrier(other.name, result.wheels, last)
+        why = "" if carrier(other.name, result.wheels, "") else ", the last: its name begins with that of no wheel"
+        found.append(f'Other loss "{other.name}", {short(other.power)} W: carried by wheel {wheel}{why}.')
     return tuple(found)
 
 

@@ -4,8 +4,10 @@
 
 import numpy as np
 
+from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, total
+from ..sheet.number import short
 from ..sheet.quantity import result, value
 from ..sheet.record import record
 from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, Radian, RevPerSecond, Watt, WattPerMetre
@@ -21,6 +23,7 @@ THESIS = "gear friction thesis"
 BULK: Kelvin = 7400.0
 KILOWATT: Watt = 1e3
 MILLIMETRE: Metre = 1e-3
+MICROMETRE: Metre = 1e-6
 
 
 @formula("P_s", f"{THESIS}: mean over a mesh cycle of the friction power of all lines in contact", names={"s": "Δs"})
@@ -59,6 +62,42 @@ def efficiency(P_VZ: Watt, P: Watt) -> Number:
     return 1 - P_VZ / P
 
 
+# --- single numbers of a whole path ------------------------------------------------------------------------------------------
+@formula("P_R", "without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film")
+def no_rolling_loss() -> Watt:
+    return float("0")
+
+
+@formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
+def thinnest_film(h: Metre) -> Metre:
+    return float(np.min(h))
+
+
+@formula("λ_min", "definition: smallest along the path", shows="smallest λ along the path")
+def least_film_ratio(lam: Number) -> Number:
+    return float(np.min(lam))
+
+
+@formula("p_H,max", "definition: largest along the path", unit="MPa", shows="largest p_H along the path")
+def largest_pressure(p_H: Pascal) -> Pascal:
+    return float(np.max(p_H))
+
+
+@formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
+def hottest_film(T_f: Celsius) -> Celsius:
+    return float(np.max(T_f))
+
+
+@formula("De_max", "definition: largest along the path", shows="largest De along the path")
+def largest_deborah(De: Number) -> Number:
+    return float(np.max(De))
+
+
+@formula("s_IR", "share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
+def rigid_share(s: Metre, r: Number) -> Number:
+    return total(s * r) / total(s)
+
+
 @formula("ΔT_b", "AGMA 925-A03, as generally published: teeth above oil; splash lubrication, no tip relief: X_S/(1.2·X_Ca) = 1")
 def bulk_rise(P: Watt, mu_m: Number, H_VL: Number, a: Metre, b: Metre) -> Kelvin:
     return BULK * (P / KILOWATT * mu_m * H_VL / (a / MILLIMETRE * b / MILLIMETRE)) ** 0.72
@@ -89,6 +128,9 @@ def case(friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: RevPerSeco
     for Ra in (Ra_1, Ra_2):
         require("flank roughness", Ra)
     sigma = combined_roughness(Ra_1=Ra_1, Ra_2=Ra_2)
+    if sigma == 0:
+        smooth = f"{short(Ra_1 / MICROMETRE)} µm is so small that its square is 0"
+        raise NoSolution("flank roughness", smooth, "give friction.flank_roughness_um of a real flank: 0.1 to 2 µm")
     mu_s = require("friction of the solids", friction.solid_friction, zero=True)
     return Case(mesh, way, motion(mesh, way, n_1), oil, (Ra_1 + Ra_2) / 2, sigma, mu_s)
 
@@ -138,9 +180,10 @@ def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -
     f = film(by_regime, c.oil, m, w_f, p_H, exponent)
     t = traction(c.oil, m, f, w, w_f, mean_pressure(p_H=p_H), b_H, c.sigma, c.mu_s, c.path.x, f"mesh {c.mesh.title}")
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    P_R = 0.0
     estimate = None
-    if np.any(f.rigid):
+    if not np.any(f.rigid):
+        P_R = no_rolling_loss()
+    else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=c.oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
     if not by_regime:
         estimate = rolling_estimate(s=s, q_E=ehl_rolling_power(alpha=c.oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e))
@@ -148,19 +191,13 @@ def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -
     H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
     return MeshLoss(
         loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,
-        friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL), film_min=_least(f.h), lambda_min=_least(t.lam), pressure_max=_most(p_H),
-        temperature_max=_most(t.T_f), deborah_max=_most(t.De), rigid_share=total(s * f.rigid) / total(s),
+        friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL), film_min=thinnest_film(h=f.h), lambda_min=least_film_ratio(lam=t.lam),
+        pressure_max=largest_pressure(p_H=p_H),
+        temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
+        rigid_share=rigid_share(s=s, r=f.rigid),
         load=P, local=_local(c.path, f.h, t.lam, t.mu, t.q, t.T_f), lead_at_pitch=at_pitch_point(f.lead),
-        thermal_reduction_min=_least(f.Phi),
+        thermal_reduction_min=float(np.min(f.Phi)),
     )  # fmt: skip
-
-
-def _least(x: float) -> float:
-    return float(np.min(x))
-
-
-def _most(x: float) -> float:
-    return float(np.max(x))
 
 
 def _local(path: Path, *columns: float) -> Local:

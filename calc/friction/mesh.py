@@ -8,6 +8,7 @@ import math
 from dataclasses import fields
 
 from ..sheet.errors import NoSolution
+from ..sheet.number import short
 from ..sheet.record import record
 from ..sheet.units import Metre, Number, Pascal, Radian
 
@@ -67,5 +68,9 @@ def sound(mesh: MeshGeometry) -> None:
 def require(what: str, number: float, *, zero: bool = False) -> float:
     """The number, if it is finite and positive (or zero, where zero has a meaning)."""
     if not math.isfinite(number) or number < 0 or (number == 0 and not zero):
-        raise NoSolution(what, f"is {number}", "a finite number " + ("of zero or more" if zero else "above zero") + " is needed")
+        raise NoSolution(
+            what,
+            f"is {number if math.isfinite(number) else short(number)}",
+            "a finite number " + ("of zero or more" if zero else "above zero") + " is needed",
+        )
     return number

@@ -15,6 +15,7 @@ from .mesh import MeshGeometry, require
 
 TOLERANCE = 1e-10  # of the power
 PASSES = 40
+MORE_POWER = "give more gears.power_kW, less speed, a narrower face, or a thinner oil"
 LEFT: Number = 1e-3  # of the power: what a jump of the loss may leave
 
 Loss = Callable[[str, Watt], Watt]
@@ -28,6 +29,44 @@ def power_in(P_out: Watt, P_VZ: Watt) -> Watt:
 @formula("P_out", "conservation of energy")
 def power_out(P_in: Watt, P_VZ: Watt) -> Watt:
     return P_in - P_VZ
+
+
+@formula(
+    "P_in", "conservation of energy: what the mesh before passes on, less what the wheel between them needs itself", names={"P": "P_Σ"}
+)
+def passed_on(P_out: Watt, P: Watt) -> Watt:
+    return P_out - P
+
+
+@formula("P_out", "conservation of energy: what the last mesh passes on, less what the last wheel needs itself", names={"P": "P_Σ"})
+def delivered(P_out: Watt, P: Watt) -> Watt:
+    return P_out - P
+
+
+# --- what a wheel needs ------------------------------------------------------------------------------------------------------
+@formula("P_Σ", "windage and other losses of the wheel")
+def own_need(P_W: Watt, P_X: Watt) -> Watt:
+    return P_W + P_X
+
+
+@formula("P_Σ", "the last wheel also carries the bearings of the counter-shaft", names={"P": "P_Σ"})
+def with_bearings(P: Watt, P_B: Watt) -> Watt:
+    return P + P_B
+
+
+@formula("P_Σ", "the wheel also drives a mesh", names={"P": "P_Σ"})
+def with_mesh(P: Watt, P_in: Watt) -> Watt:
+    return P + P_in
+
+
+@formula("P_X", "no other loss is carried by the wheel", shows="0")
+def no_other_loss() -> Watt:
+    return float("0")
+
+
+@formula("P_X", "the wheel also carries the other loss P")
+def with_other_loss(P_X: Watt, P: Watt) -> Watt:
+    return P_X + P
 
 
 def settled(name: str, P_out: Watt, loss: Loss) -> tuple[Watt, Watt]:
@@ -70,6 +109,9 @@ def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[s
         if mesh.driver.name != wheel:
             branches = "the train branches, and the power of its first driver does not say how it divides"
             raise NoSolution(f"mesh {mesh.title}", branches, "give one chain of wheels")
+        if P <= 0:
+            nothing = f"{P:.4g} W come in: what lies before it loses more than it gets"
+            raise NoSolution(f"mesh {mesh.title}: power", nothing, MORE_POWER)
         loads[name] = require(f"mesh {mesh.title}: power", P)
         wheel = mesh.driven.name
         P = loads[name] - loss(name, loads[name]) - needed[wheel]

@@ -8,6 +8,8 @@ Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 A train that only drives a counter-shaft carries far less than any of the three was fitted to.
 """
 
+import math
+
 from ..sheet.formula import formula
 from ..sheet.functions import exp, largest, log10, smallest
 from ..sheet.quantity import result, value
@@ -89,13 +91,14 @@ def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
 
 
 def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
-    """None for flanks so rough that its exponential of the roughness runs away."""
+    """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
     if c.sigma > ROUGHEST:
         return None
     w, w_f = _load(c, P)
     p_H = hertz_pressure(w=w_f, E_r=c.motion.E_r, R=c.motion.R)
     f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=c.oil.eta_0, sigma=c.sigma)
-    return _summed(c, P, w, xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=c.oil.eta_0, R=c.motion.R))
+    found = _summed(c, P, w, xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=c.oil.eta_0, R=c.motion.R))
+    return found if math.isfinite(found.loss) else None
 
 
 def of_benedict_kelley(c: Case, P: Watt) -> Regression:

@@ -14,6 +14,21 @@ KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
 
 
+@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ"})
+def and_mesh(P: Watt, P_VZ: Watt) -> Watt:
+    return P + P_VZ
+
+
+@formula("ΣP_W", "sum over the wheels, one after the other", names={"P": "ΣP_W"})
+def and_windage(P: Watt, P_W: Watt) -> Watt:
+    return P + P_W
+
+
+@formula("ΣP_X", "sum over the wheels, one after the other", names={"P": "ΣP_X"})
+def and_other_loss(P: Watt, P_X: Watt) -> Watt:
+    return P + P_X
+
+
 @formula("P", "sum of all losses of the train")
 def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_X: Watt) -> Watt:
     return P_B + P_VZ + P_W + P_X

@@ -46,6 +46,7 @@ SHEAR_MODULUS: Pascal = 1e9  # of an oil under pressure
 STEEPEST: Number = 60.0  # of α·p in the exponent
 
 TOLERANCE = 1e-7  # K
+HOTTEST: Celsius = 1500.0  # above, the law of the oil's density ends: it comes to 0 at 1553 °C
 PASSES = 60
 
 THESIS = "gear friction thesis"
@@ -131,20 +132,27 @@ def film_temperature(T_m: Celsius, q: WattPerMetre, R_th: KelvinMetrePerWatt) ->
     return T_m + q * R_th
 
 
+ADVICE = "less power or speed, wider or smoother flanks, or another oil in this mesh"
+
+
 def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
     """The temperature T = warmed(T) at every position, each by itself.
 
     Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside the bracket;
     a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position.
     """
-    low, high = np.full_like(x, T_m), np.asarray(highest) + TOLERANCE
+    low, high = np.full_like(x, T_m), np.minimum(np.asarray(highest) + TOLERANCE, HOTTEST)
     before: Array = low
     gap_before = np.asarray(warmed(array(before))) - before
-    T: Array = before + gap_before
+    T: Array = np.minimum(before + gap_before, HOTTEST)
     for _ in range(PASSES):
         gap = np.asarray(warmed(array(T))) - T
         if float(np.max(np.abs(gap))) <= TOLERANCE:  # NaN never is
             return array(T)
+        if np.any((gap > 0) & (T >= HOTTEST)):
+            place = float(np.ravel(x)[int(np.argmax(np.where(T >= HOTTEST, gap, -np.inf)))]) * 1e3
+            tried = f"{place:.4g} mm from T₁ it would be above {HOTTEST:g} °C, where the laws of the oil end"
+            raise NoSolution(f"{subject}: temperature of the film", tried, ADVICE)
         low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
         step = T - before
         slope = np.minimum((gap - gap_before) / np.where(step == 0, 1.0, step), -1.0)
@@ -153,8 +161,8 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
         T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
     place, left = float(np.ravel(x)[worst]) * 1e3, float(np.ravel(gap)[worst])
-    tried = f"{place:.4g} mm from T₁: off by {left:.3g} K after {PASSES} passes"
-    raise NoSolution(f"{subject}: temperature of the film", tried, "check load, speed and oil of this mesh")
+    off = f"off by {left:.3g} K after {PASSES} passes" if np.isfinite(left) else "the formulas give no number there"
+    raise NoSolution(f"{subject}: temperature of the film", f"{place:.4g} mm from T₁: {off}", ADVICE)
 
 
 # --- together --------------------------------------------------------------------------------------------------------------

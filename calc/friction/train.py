@@ -51,4 +51,13 @@ def solve(
         friction, meshes_of(train, materials), lubricant, oil_temperature, shaft_power, first_speed,
         power=gears.power if bearings is None else None,
     )  # fmt: skip
-    return replace(outcome, lines=(*lines, *outcome.lines))
+    return replace(outcome, lines=(*lines, *outcome.lines), notes=(*outcome.notes, *_notes(gears, bearings is not None)))
+
+
+def _notes(gears: GearsInputs, closed: bool) -> tuple[str, ...]:
+    """What the given power means."""
+    if not closed:
+        return ("The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage and other losses.",)
+    if gears.power is not None:
+        return ("gears.power_kW rates the teeth only; the losses are those of the closed balance.",)
+    return ()

@@ -51,6 +51,11 @@ def normal_backlash(j_wt: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
     return j_wt * cos(alpha_wt) * cos(beta_b)
 
 
+@formula("j_bn", "rule of this program: a backlash below 10⁻⁶ µm is that of the last digits, and none", unit="µm", shows="0")
+def no_backlash(j_bn: Metre) -> Metre:
+    return 0.0 * abs(j_bn)
+
+
 @formula("φ_j", "free turn of the driven wheel")
 def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
     return j_wt / (d_w2 / 2)
@@ -59,6 +64,11 @@ def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
 @formula("Δφ", "free turns along the train, each reduced to the last wheel by the ratio of the teeth")
 def reduced_play(phi_before: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
     return phi_before + phi_j * z / z_last
+
+
+@formula("Δφ", "where the sum over the train begins: the first driver stands", shows="0")
+def no_play() -> Radian:
+    return float("0")
 
 
 @formula("C_Δφ", "exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
@@ -123,7 +133,7 @@ def _backlash_at(system: ToothSystem, pair: Pair, a: Metre, allowances: list[Met
         s_w.append(f.thickness_at(d_w[-1], s_t, wheel.pitch_diameter, system.transverse_pressure_angle, alpha_wt))
     j_wt = circumferential_backlash(d_w[0], pair.driver.teeth, *s_w)
     j_bn = normal_backlash(j_wt, alpha_wt, system.base_helix_angle)
-    return (j_bn, j_wt, d_w[1]) if abs(j_bn) > DUST else (0.0, 0.0, d_w[1])
+    return (j_bn, j_wt, d_w[1]) if abs(j_bn) > DUST else (no_backlash(j_bn), 0.0, d_w[1])
 
 
 def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
@@ -137,7 +147,7 @@ def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, Me
     while wheel in above:
         way.insert(0, above[wheel])
         wheel = above[wheel].driver
-    angle = 0.0
+    angle = no_play()
     for mesh in way:
         if mesh.play_angle > 0:
             angle = reduced_play(angle, mesh.play_angle, wheels[mesh.driven].teeth, wheels[last_wheel].teeth)

@@ -4,11 +4,13 @@
 import math
 
 from ..sheet.check import Check, check
+from ..sheet.units import Number
 from . import measures as m
 from .formulas import diameter_at
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 ISO = "ISO 21771:2007, as generally published"
+SAME_RATIO = 1e-9
 PRACTICE = "practice for cylindrical gears, as generally published"
 
 
@@ -23,6 +25,27 @@ def checks(train: TrainResult) -> tuple[Check, ...]:
         found += _tooth(train.system, wheel)
         found += _measures(train.system, wheel)
     return tuple(found)
+
+
+# --- the train -------------------------------------------------------------------------------------------------------------
+def speed_ratio(train: TrainResult, wanted: Number) -> Check:
+    """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the wanted one."""
+    along = list(train.meshes.values())
+    first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
+    above = {mesh.driven: mesh for mesh in along}
+    way = [last]
+    while way[0].name in above:
+        way.insert(0, train.wheels[above[way[0].name].driver])
+    ratio, parity = last.speed / first.speed, "an odd" if wanted < 0 else "an even"
+    teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth / abs(wanted)
+    enough = f"{needed:g} teeth" if needed == round(needed) else f"{abs(1 / wanted):g} times the teeth of {first.name}"
+    return check(
+        "gears.train.speed_ratio", f"Speed ratio {last.name} to {first.name}, {ratio:+.6g}: off the wanted {wanted:+g} by",
+        abs(ratio - wanted), "<=", SAME_RATIO, "",
+        f"counter-rotating shaft: product of the tooth ratios {abs(wanted):g} and {parity} number of meshes",
+        f"The teeth {teeth} give {ratio:+.6g} by {len(way) - 1} meshes: give {last.name} {enough} "
+        f"and {parity} number of meshes from {first.name} to {last.name}.",
+    )  # fmt: skip
 
 
 # --- meshes ----------------------------------------------------------------------------------------------------------------

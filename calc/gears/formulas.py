@@ -128,6 +128,11 @@ def working_diameter(a_w: Metre, z: Number, z_m: Number) -> Metre:
     return 2 * a_w * z / (z + z_m)
 
 
+@formula("x", "rule of this program: the first wheel whose shift nothing gives has none", shows="0")
+def no_shift() -> Number:
+    return float("0")
+
+
 @formula("Σx", f"{ISO}: sum of the shifts without backlash")
 def shift_sum(z_1: Number, z_2: Number, alpha_wt: Radian, alpha_t: Radian, alpha_n: Radian) -> Number:
     return (z_1 + z_2) * (inv(alpha_wt) - inv(alpha_t)) / (2 * tan(alpha_n))

@@ -26,6 +26,11 @@ def span_teeth(z: Number, alpha_yt: Radian, beta_b: Radian, alpha_t: Radian, x: 
     return z / pi * (tan(alpha_yt) / cos(beta_b) ** 2 - inv(alpha_t) - 2 * x * tan(alpha_n) / z) + 0.5
 
 
+@formula("K", "the nearest whole number of teeth, of two that are equally near the smaller", shows="K rounded, at least 1")
+def whole_span_teeth(K: Number) -> Number:
+    return float(max(1, math.ceil(K - 0.5 - 1e-9)))  # whatever the last digits say
+
+
 @formula("W_K", f"{ISO}: base tangent length over K teeth", unit="mm")
 def span(m_n: Metre, alpha_n: Radian, K: Number, z: Number, alpha_t: Radian, x: Number) -> Metre:
     return m_n * cos(alpha_n) * (pi * (K - 0.5) + z * inv(alpha_t)) + 2 * x * m_n * sin(alpha_n)

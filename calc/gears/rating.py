@@ -11,6 +11,7 @@ from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import UNITS, Newton, NewtonMetre, Number, Pascal
 from . import stress as s
+from .finite import finite
 from .inputs import GearsInputs
 from .result import MeshRating, MeshResult, ToothSystem, TrainResult, WheelResult
 from .source_sheet import sheet_contact, sheet_root
@@ -62,7 +63,9 @@ def rating(
     edition = gears.iso_6336_edition
     note = f"Stresses by ISO 6336:{edition}, method B, nominal: every influence factor K is 1, nothing is said yet about safety."
     errata = _errata(train, torques[next(iter(train.meshes))], rated)
-    return Outcome("gears", result=RatingResult(meshes=rated), checks=tuple(found), lines=tuple(lines), errata=errata, notes=(note,))
+    return finite(
+        Outcome("gears", result=RatingResult(meshes=rated), checks=tuple(found), lines=tuple(lines), errata=errata, notes=(note,))
+    )
 
 
 def _torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre) -> dict[str, NewtonMetre]:
@@ -134,5 +137,5 @@ def _errata(train: TrainResult, T: NewtonMetre, rated: Mapping[str, MeshRating])
 
 
 def _erratum(about: str, label: str, sigma: Pascal, why: str) -> Erratum:
-    source = "Finotti 2013, Tables 4.5 and 4.6"
+    source = "method of Finotti 2013, Tables 4.5 and 4.6"
     return Erratum(about, f"{label} by the sheet of Finotti 2013", UNITS["MPa"].shown(sigma), "MPa", source, why)

@@ -8,10 +8,11 @@ from dataclasses import replace
 
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace
-from ..sheet.units import NewtonMetre, RevPerSecond
+from ..sheet.units import NewtonMetre, Number, RevPerSecond
 from .backlash import backlash_at_shaft
 from .backlash import residual_couple as _couple_of_phase_error
-from .checks import checks
+from .checks import checks, speed_ratio
+from .finite import finite
 from .inputs import GearsInputs
 from .pair import solve_mesh
 from .rating import RatingResult, rating
@@ -19,7 +20,7 @@ from .result import TrainResult
 from .train import Train, mesh_key, settle, speeds, tooth_system
 from .wheel import solve_wheel
 
-__all__ = ["geometry", "merge", "rating", "residual_couple", "with_residual_couple"]
+__all__ = ["geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
 
 
 def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
@@ -42,9 +43,8 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
         with about(f"train, to {last}"):
             play = backlash_at_shaft(wheels, meshes, last)
     result = TrainResult(system=system, wheels=wheels, meshes=meshes, phase_error=play)
-    return Outcome(
-        "gears", result=result, checks=checks(result), lines=tuple(lines), errata=_errata(result), notes=_notes(gears, train, result)
-    )  # fmt: skip
+    judged, notes = checks(result), _notes(gears, train, result)
+    return finite(Outcome("gears", result=result, checks=judged, lines=tuple(lines), errata=_errata(result), notes=notes))
 
 
 def merge(geometry: Outcome, rated: Outcome) -> Outcome:
@@ -68,6 +68,13 @@ def with_residual_couple(outcome: Outcome, couple: NewtonMetre) -> Outcome:
     with trace() as lines, about("train, by its backlash"):
         left = residual_couple(outcome, couple)
     return replace(outcome, result=replace(outcome.result, residual_couple=left), lines=outcome.lines + tuple(lines))
+
+
+def with_speed_ratio(outcome: Outcome, wanted: Number) -> Outcome:
+    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the first, the other way."""
+    if outcome.state != "solved" or outcome.result is None:
+        return outcome
+    return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted)))
 
 
 def _notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[str, ...]:
@@ -97,7 +104,7 @@ def _errata(result: TrainResult) -> tuple[Erratum, ...]:
             found.append(
                 Erratum(
                     f"gears.{wheel.name}.speed", f"Speed of {wheel.name} by the sheet of Finotti 2013", abs(first.speed) * 60, "rpm",
-                    "Finotti 2013, Tables 4.5 and 4.6",
+                    "method of Finotti 2013, Tables 4.5 and 4.6",
                     f"The sheet enters the speed of the train's first wheel for {wheel.name} too; with {wheel.teeth} teeth against "
                     f"{first.teeth} it turns at {abs(wheel.speed) * 60:.1f} rpm.",
                 )

@@ -122,7 +122,8 @@ def _choose(train: Train, still_open: list[Wheel]) -> None:
                 train.shifts[wheel.name] = x
                 train.notes.append(f"Profile shift of {wheel.name}: not given; chosen: {x:.6g}, that of {name}, which has as many teeth.")
                 return
-    train.shifts[still_open[0].name] = 0.0
+    with about(f"wheel {still_open[0].name}"):
+        train.shifts[still_open[0].name] = f.no_shift()
     train.notes.append(f"Profile shift of {still_open[0].name}: not given; chosen: 0.")
 
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
-import math
 from typing import Any
 
 from ..sheet.errors import NoSolution
@@ -43,13 +42,13 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         alpha_m = _mid_flank(bare, d_a, d_Ff)
         chord = m.virtual_teeth(wheel.teeth, system.beta)
         psi = m.half_tooth_angle(chord, x, alpha_n)
-        K = wheel.span_teeth or _best_span(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n))
+        K = wheel.span_teeth or m.whole_span_teeth(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n))
         W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
         ball = gears.ball_diameter or ideal
         return WheelResult(
             profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
-            form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, K, W_K),
+            form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
             ideal_ball=ideal, ball_diameter=ball, over_balls=_over_balls(bare, s_t, ball),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
@@ -91,11 +90,6 @@ def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
 
 def _allowance(wheel: Wheel) -> tuple[Metre, Metre] | None:
     return None if wheel.span_allowance is None else (wheel.span_allowance[0], wheel.span_allowance[1])
-
-
-def _best_span(K: Number) -> int:
-    """The nearest whole number of teeth; of two that are equally near, the smaller, whatever the last digits say."""
-    return max(1, math.ceil(K - 0.5 - 1e-9))
 
 
 def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:

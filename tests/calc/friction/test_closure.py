@@ -2,20 +2,24 @@
 """The power balance of the train: it closes, up and down, and refuses what has no meaning."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.design_file import design, read
 from calc.friction import power
-from calc.friction.inputs import OtherLoss
+from calc.friction.inputs import OtherLoss, carrier
 from calc.sheet.errors import NoSolution
 from calc.sheet.expression import line_text
+from calc.solve import solve
 
 from .pairs import CRANK_SPEED, SHAFT_POWER, closed, r753, recorded, shown, spur_pair
 
 RECORDED = recorded("friction_r753.json")
+DESIGNS = Path(__file__).parents[3] / "designs"
 TRAIN = closed()
 VALUES = shown(TRAIN)
 
@@ -159,7 +163,9 @@ def test_checks_warn_of_the_regime_and_of_rough_flanks():
         assert verdicts[f"friction.{name}.regime"] == "warn"
         assert verdicts[f"friction.{name}.lambda"] == "warn"
         assert verdicts[f"friction.{name}.deborah"] == "pass"
-    assert all(c.kind == "advice" for c in TRAIN.checks if c.id != "friction.train.balance")
+        assert verdicts[f"friction.{name}.power_out"] == "pass"
+    limits = {"friction.train.balance", *(f"friction.{name}.power_out" for name in r753())}
+    assert {c.id for c in TRAIN.checks if c.kind == "limit"} == limits
     assert all(c.advice and c.source for c in TRAIN.checks)
 
 
@@ -212,6 +218,72 @@ def test_curves_run_along_the_path():
     assert curves["idler_shaft.film"].limits[0][1] == pytest.approx(0.8 * 2**0.5)
 
 
+# --- the mesh that eats its power ------------------------------------------------------------------------------------------------
+def failing(outcome):
+    return {c.id for c in outcome.checks if c.verdict == "fail"}
+
+
+def test_a_train_that_delivers_nothing_fails():
+    pair = only(spur_pair())
+    much, little, none = (closed(shaft_power=None, power=P, speed=25.0, T=40.0, meshes=pair) for P in (100.0, 1.0, 1e-9))
+    assert not failing(much)
+    assert failing(little) == {"friction.train.delivered"}
+    assert failing(none) == {"friction.train.delivered", "friction.pinion_gear.power_out"}
+    assert all("gears.power_kW" in c.advice for c in none.checks if c.verdict == "fail")
+
+
+def test_a_chain_that_runs_dry_on_the_way_says_so():
+    with pytest.raises(NoSolution, match=r"mesh central–idler: power; −?-?[0-9.]+ W come in.*gears\.power_kW"):
+        closed(shaft_power=None, power=0.2)
+
+
+# --- who carries what ----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "loss, wheel",
+    [
+        ("crank", "crank"), ("crank seal", "crank"), ("crank-seal", "crank"), ("crank: seal", "crank"), ("crankcase-seal", "shaft"),
+        ("crank2 seal", "shaft"), ("pump", "shaft"), ("seal of crank", "shaft"), ("idler-2 bearing", "idler-2"), ("idler-3", "idler"),
+    ],
+)  # fmt: skip
+def test_the_carrier_of_a_loss(loss, wheel):
+    assert carrier(loss, ("crank", "idler", "idler-2", "shaft"), "shaft") == wheel
+
+
+def test_a_note_says_which_wheel_carries_a_loss():
+    losses = (OtherLoss(name="idler seal", power=5.0), OtherLoss(name="crankcase-seal", power=7.0), OtherLoss(name="idler: oil", power=1.0))
+    outcome = closed(other_losses=losses)
+    notes = [n for n in outcome.notes if n.startswith("Other loss")]
+    assert notes[0] == 'Other loss "idler seal", 5 W: carried by wheel idler.'
+    assert notes[1].startswith('Other loss "crankcase-seal", 7 W: carried by wheel shaft, the last')
+    assert (shown(outcome)["idler.other_loss"], shown(outcome)["shaft.other_loss"], shown(outcome)["other_loss"]) == (6, 7, 13)
+
+
+# --- every value can be explained ------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
+def test_every_value_is_what_a_line_returned_or_an_input(name):
+    drawn = design(read(DESIGNS / name))
+    outcome = solve(drawn).outcomes["friction"]
+    made = {id(line.value) for line in outcome.lines} | {id(x) for x in (drawn.gears.power, drawn.gears.speed)}
+    made |= {id(drawn.engine.rated_speed)} if drawn.engine else set()
+    assert [v.id for v in outcome.values() if id(v.inside) not in made] == []
+
+
+def test_what_the_given_power_means_is_said():
+    document = read(DESIGNS / "r753ie4_gamma.toml")
+    rates = "gears.power_kW rates the teeth only; the losses are those of the closed balance."
+    assert rates not in solve(design(document)).outcomes["friction"].notes
+    assert rates in solve(design(document.with_value("gears.power_kW", 1.35))).outcomes["friction"].notes
+    alone = solve(design(read(DESIGNS / "timing_pair.toml"))).outcomes["friction"].notes
+    assert any("plus its own windage" in n for n in alone)
+
+
+def test_errata_are_methods_save_what_is_printed():
+    found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), oil="friction thesis 10W40")
+    sources = {e.about: e.source for e in found.errata}
+    assert sources.pop("friction.oil_viscosity").startswith("printed in ")
+    assert len(sources) == 4 and all(s.startswith("method of the gear friction thesis") for s in sources.values())
+
+
 # --- what has no meaning -------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("value", [float("nan"), float("inf"), -1.0])
 @pytest.mark.parametrize("what", ["shaft_power", "speed", "T"])
@@ -232,6 +304,41 @@ def test_numbers_without_meaning_are_refused(what, value):
 def test_inputs_without_meaning_are_refused(said):
     with pytest.raises(NoSolution):
         closed(**said)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize(
+    "said, words",
+    [
+        ({"power": 1e8}, "above 1500 °C, where the laws of the oil end"), ({"power": 1e300}, "no number|above 1500"),
+        ({"flank_roughness": (1e-306,)}, r"1·10⁻³⁰⁰ µm is so small.*friction\.flank_roughness_um"),
+        ({"power": float("nan")}, "is not a number"), ({"power": float("inf")}, "is ∞"),
+    ],
+)  # fmt: skip
+def test_numbers_far_outside_give_words_and_no_warning(said, words):
+    with pytest.raises(NoSolution, match=words) as caught:
+        closed(**{"shaft_power": None, "power": 100.0, "speed": 25.0, "T": 40.0, "meshes": only(spur_pair()), **said})
+    assert caught.value.advice and "nan" not in str(caught.value)
+
+
+@pytest.mark.filterwarnings("error")
+@settings(max_examples=40, deadline=None)
+@given(
+    power=st.floats(-15, 9), speed=st.floats(-3, 3.3), T=st.floats(-40, 200), Ra=st.floats(-200, -5), b=st.floats(-9, 0.3),
+    film=st.sampled_from(["judged", "source"]),
+)  # fmt: skip
+def test_any_numbers_give_finite_values_or_words(power, speed, T, Ra, b, film):
+    pair = spur_pair()
+    pair = replace(pair, driver=replace(pair.driver, face_width=10**b), driven=replace(pair.driven, face_width=10**b))
+    try:
+        outcome = closed(
+            shaft_power=None, power=10**power, speed=10**speed, T=T, meshes=only(pair), flank_roughness=(10**Ra,), film=film
+        )  # fmt: skip
+    except NoSolution as none:
+        assert none.what and none.advice and "nan" not in str(none)
+        return
+    assert all(np.isfinite(v.shown) for v in outcome.values())
+    assert all(np.isfinite(c.value) for c in outcome.checks)
 
 
 def test_a_mesh_that_nothing_drives_is_refused():

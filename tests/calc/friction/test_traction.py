@@ -94,7 +94,7 @@ def test_no_settling_names_position_and_residual(monkeypatch):
 
 def test_a_response_without_a_number_is_not_an_answer():
     x = np.array([0.01, 0.02])
-    with pytest.raises(NoSolution, match="20 mm from T₁: off by nan K"):
+    with pytest.raises(NoSolution, match="20 mm from T₁: the formulas give no number there"):
         t.settled(lambda T: np.where(x > 0.015, np.nan, 40.0), 40.0, np.array([50.0, 50.0]), x, "mesh")
 
 

@@ -4,14 +4,18 @@ import math
 import pickle
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
 from calc.catalogue import materials
+from calc.design_file import design, read
 from calc.gears import solve
 from calc.gears.curves import curves
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
+from calc.sheet.step import Outcome
+from calc.solve import solve as whole_solve
 
 from .trains import SPEED, mesh, r753, shown, solved, train, wheel
 
@@ -26,6 +30,7 @@ OF_A_MESH = (
     "tip_clearance_driven", "specific_sliding_driver", "specific_sliding_driven", "specific_sliding_lpstc_driver",
     "specific_sliding_lpstc_driven", "backlash_min", "backlash_nominal", "backlash_max", "tangential_force", "contact_stress",
 )  # fmt: skip
+DESIGNS = Path(__file__).parents[3] / "designs"
 TORQUE = 1350 / (2 * math.pi * SPEED)
 
 
@@ -101,6 +106,45 @@ def test_every_value_is_what_a_line_returned(whole):
     loose = {v.id for v in whole.values() if id(v.inside) not in made and not v.id.endswith(("ball_diameter", "span_teeth"))}
     distances = {"gears.central_idler.centre_distance", "gears.idler_shaft.centre_distance"}
     assert loose == {"gears.crank.speed", "gears.central.profile_shift", *distances}
+
+
+@pytest.mark.parametrize("name", ["r753ie4_gamma.toml", "timing_pair.toml"])
+def test_every_value_of_a_shipped_design_is_what_a_line_returned_or_an_input(name):
+    drawn = design(read(DESIGNS / name))
+    results = whole_solve(drawn)
+    made = {id(line.value) for outcome in results.outcomes.values() for line in outcome.lines}
+    made |= {id(x) for part in (drawn.gears, *drawn.gears.wheels, *drawn.gears.meshes) for x in vars(part).values()}
+    made |= {id(drawn.engine.rated_speed)} if drawn.engine else set()
+    assert [v.id for v in results.outcomes["gears"].values() if id(v.inside) not in made] == []
+
+
+@pytest.mark.parametrize("teeth, wanted, verdict", [(25, -1.0, "pass"), (26, -1.0, "fail"), (25, 1.0, "fail"), (50, -0.5, "pass")])
+def test_the_shaft_turns_as_it_must(teeth, wanted, verdict):
+    wheels = [wheel("crank", 25, 0.0), wheel("central", 36, 0.0), wheel("idler", 39, 0.0), wheel("shaft", teeth, 0.0)]
+    outcome = solve.geometry(train(wheels, [mesh("crank", "central"), mesh("central", "idler"), mesh("idler", "shaft")]), SPEED)
+    (found,) = [c for c in solve.with_speed_ratio(outcome, wanted).checks if c.id == "gears.train.speed_ratio"]
+    assert (found.verdict, found.kind) == (verdict, "limit")
+    assert f"crank 25 → central 36 → idler 39 → shaft {teeth}" in found.advice
+
+
+def test_an_even_number_of_meshes_turns_the_shaft_the_wrong_way():
+    wheels = [wheel("crank", 25, 0.0), wheel("idler", 36, 0.0), wheel("shaft", 25, 0.0)]
+    outcome = solve.geometry(train(wheels, [mesh("crank", "idler"), mesh("idler", "shaft")]), SPEED)
+    found = solve.with_speed_ratio(outcome, -1.0).checks[-1]
+    assert found.verdict == "fail" and found.value == pytest.approx(2.0)
+    assert "an odd number of meshes from crank to shaft" in found.advice
+    blocked = Outcome("gears", "no_solution", reason="none")
+    assert solve.with_speed_ratio(blocked, -1.0) is blocked
+
+
+def test_errata_name_the_method_of_the_source(whole):
+    assert whole.errata and all(e.source == "method of Finotti 2013, Tables 4.5 and 4.6" for e in whole.errata)
+
+
+def test_numbers_far_outside_any_gear_are_refused_with_words():
+    gears = r753(b=1e-303)
+    with pytest.raises(NoSolution, match=r"gears\..* is ∞.*give usual ones"):
+        solve.rating(gears, solve.geometry(gears, SPEED).result, 1e9, materials())
 
 
 def test_wrong_speeds_of_the_source(whole):

@@ -163,7 +163,7 @@ def test_what_an_inline_four_leaves_is_seen():
 def test_a_vee_engine_pairs_its_cylinders_by_bank():
     """V6 90°, three pins: √3 and no backward couple, however the cylinders are numbered."""
     degrees = (0, 240, 120, 0, 240, 120)
-    _, e, i = solved(
+    _, _, i = solved(
         ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=6, bank_angle=math.pi / 2, firing_order=None,
         crank_angles=tuple(map(math.radians, degrees)), bank_of_cylinder=(0, 0, 0, 1, 1, 1),
     )  # fmt: skip
