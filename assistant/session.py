@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from calc.design import Design
 from calc.design_file import Document, Table, address, design, parse, read
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.quantity import Quantity, keys
+from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
 from .places import Place, changed, content_at, described, error_place, without_empty
@@ -58,6 +58,7 @@ class Session:
         self.solved = 0  # the generation of the results
         self.autosaved: datetime | None = None
         self.autosave_failure = ""
+        self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
         self._state = State(self.document.data, {})
         self._saved: Table = self.document.data
@@ -160,6 +161,12 @@ class Session:
     def current(self) -> bool:
         """The results belong to what the fields say."""
         return self.valid and self.solved == self.generation
+
+    def values(self) -> dict[str, Published]:
+        """Every value of the results, by its id."""
+        if self._values[0] is not self.results:
+            self._values = (self.results, self.results.values() if self.results is not None else {})
+        return self._values[1]
 
     def place(self, key: str | Place) -> Place:
         """Where a dotted key stands; a place is taken as it is."""

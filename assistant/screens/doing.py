@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING, Any
 
 from textual import work
 
-
 from calc.design import STEPS
 from calc.sheet.errors import BadInput
 

@@ -10,6 +10,7 @@ from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.content import Content
 from textual.message import Message
+from textual.reactive import Reactive
 from textual.screen import Screen
 from textual.style import Style
 from textual.timer import Timer
@@ -61,6 +62,7 @@ class Workbench(Doing, Screen[None]):
     HORIZONTAL_BREAKPOINTS: ClassVar[list[tuple[int, str]] | None] = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]
     BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.call, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
     AUTO_FOCUS = ""
+    focused = Reactive(None, repaint=False)  # a change of the focus is drawn by the two widgets; the whole screen need not be
 
     @dataclass
     class Solved(Message):

@@ -49,6 +49,15 @@ class ArrayHeading(Widget, can_focus=True):
         super().__init__()
         self.row = row
         self.session = session
+        self._looks: tuple[object, ...] = ()
+
+    def redraw(self, row: Row) -> None:
+        """Draw anew if there is something new to draw."""
+        looks = (row.shown, self.names())
+        self.row = row
+        if looks != self._looks:
+            self._looks = looks
+            self.refresh()
 
     def names(self) -> list[str]:
         return [str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])]

@@ -36,8 +36,9 @@ class Choice(Widget, can_focus=True):
 
     def show(self, text: str) -> None:
         """Put a word in; nobody is told."""
-        self.value = text
-        self.refresh()
+        if text != self.value:
+            self.value = text
+            self.refresh()
 
     def take(self, word: str) -> None:
         """Choose a word, or none."""

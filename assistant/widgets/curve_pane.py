@@ -30,6 +30,7 @@ class CurvePane(Pane, can_focus=True):
         self.chosen: dict[str, str] = {}  # step → id of the curve that was chosen
         self.step = ""
         self._plot: Any = None
+        self._written = ""
         self._drawn: Curve | None = None
         self._looks: tuple[Any, ...] = ()
 
@@ -69,6 +70,7 @@ class CurvePane(Pane, can_focus=True):
         self._drawn, self._looks = curve, looks
         if curve is None:
             self.set_title("Curve", "none in this step")
+            self._written = ""
             self.legend.update("")
             if self._plot is not None:
                 self._plot.display = False
@@ -97,7 +99,10 @@ class CurvePane(Pane, can_focus=True):
         axes = fit(f"{curve.y_label} over {curve.x_label}", width)
         line = Content.assemble(*parts)
         gap = width - line.cell_length - len(axes)
-        self.legend.update(Content.assemble(" ", line, "\n " if gap < 0 and parts else " " * max(0, gap), (axes, "dim")))
+        made = Content.assemble(" ", line, "\n " if gap < 0 and parts else " " * max(0, gap), (axes, "dim"))
+        if made.markup != self._written:
+            self._written = made.markup
+            self.legend.update(made)
 
     def _fill(self, curve: Curve) -> None:
         if curve is self.curve and self._plot is not None:

@@ -2,6 +2,7 @@
 """The place where a value is typed.  What it means is the session's business: `3,5` must not become 35."""
 
 from textual.geometry import Size
+from textual.reactive import Reactive
 from textual.widgets import Input
 from textual.widgets.input import Selection
 
@@ -12,6 +13,8 @@ class Entry(Input):
     A form has thirty of them, so the text and the compact look are put in without waking up the watchers of `Input`, each of
     which would style the field anew and report the first text as an edit.
     """
+
+    virtual_size = Reactive(Size(0, 0), layout=False)  # the box keeps its size whatever is typed; nothing else has to move
 
     def __init__(self, value: str, placeholder: str = "") -> None:
         super().__init__(select_on_focus=True, validate_on=[])

@@ -52,6 +52,7 @@ class Field(Widget):
         self.words = words or row.about.choices
         self.reason = ""
         self.default = default_of(row)
+        self._looks: tuple[object, ...] = ()
         self._box = self._made()
 
     @property
@@ -78,9 +79,10 @@ class Field(Widget):
     # --- the user
     def on_input_changed(self, event: Input.Changed) -> None:
         event.stop()
-        self.refresh()  # the note says how the text is understood
         if event.value != self.session.text(self.place):
             self.post_message(self.Edited(self, event.value))
+        else:
+            self.redraw()
 
     def on_choice_changed(self, event: Choice.Changed) -> None:
         event.stop()
@@ -103,7 +105,14 @@ class Field(Widget):
         if changed:
             self.set_class(bool(reason), "-invalid")
             self.refresh(layout=True)
-        self.refresh()
+        self.redraw()
+
+    def redraw(self) -> None:
+        """Draw anew if there is something new to draw."""
+        looks = (self.note(), self.reason, self.box.has_focus)
+        if looks != self._looks:
+            self._looks = looks
+            self.refresh()
 
     def rewrite(self) -> None:
         """The text as it was understood: 3,5 becomes 3.5, and 3.7 in a number of mm."""

@@ -94,8 +94,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 child.row = by_place[child.place]
                 child.show(reasons.get(child.place, ""))
             elif isinstance(child, ArrayHeading):
-                child.row = by_place[child.row.place]
-                child.refresh()
+                child.redraw(by_place[child.row.place])
         headings = [row for row in found if row.kind == "heading"]
         for row, heading in zip(headings, self.query(".heading").results(Static)):
             made = self._heading(row)
@@ -178,14 +177,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         if (field := self.field) is not None:
             self.last = field.place
-            field.refresh()
+            field.redraw()
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         owner = event.widget.parent
         if isinstance(owner, Field):
             self.session.seal()
             owner.rewrite()
-            owner.refresh()
+            owner.redraw()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Enter accepts and goes on."""

@@ -87,7 +87,11 @@ class ItemList(ScrollView, can_focus=True):
         if width < 2:
             return
         key = self.key
-        self.items = self.build(width - 1)
+        made = self.build(width - 1)
+        if made is self.items or (width == self._built and _same(made, self.items)):
+            self.items = made
+            return
+        self.items = made
         self._built = width
         self._rows = [(i, row) for i, item in enumerate(self.items) for row in item.rows]
         self._first = []
@@ -218,3 +222,10 @@ class ItemList(ScrollView, can_focus=True):
 
     def selection_updated(self, selection: Selection | None) -> None:
         self.refresh()
+
+
+def _same(some: list[Item], others: list[Item]) -> bool:
+    """The same rows in the same styles."""
+    return len(some) == len(others) and all(
+        a.key == b.key and len(a.rows) == len(b.rows) and all(p.is_same(q) for p, q in zip(a.rows, b.rows)) for a, b in zip(some, others)
+    )

@@ -30,7 +30,7 @@ def headline(session: Session, key: str) -> str:
         return text
     if outcome.state == "no_solution":
         return "no solution"
-    values = {v.id: v for v in outcome.values()}
+    values = session.values()
     found = next((values[id] for id in HEADLINES.get(key, ()) if id in values), None)
     if found is None:
         return ""

@@ -28,8 +28,7 @@ class Taken(ItemList):
 
     def build(self, width: int) -> list[Item]:
         found = []
-        results = self.session.results
-        values = results.values() if results is not None else {}
+        values = self.session.values()
         label_width = max(20, width - 26)
         for id in TAKEN.get(self.step, ()):
             owner = id.partition(".")[0]

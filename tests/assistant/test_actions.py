@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The one table of what the user can do."""
+
+import re
+from typing import Any
+
+import pytest
+from textual.widgets import Input
+
+from assistant.actions import ACTIONS, BY_ID, key_name
+from assistant.screens.doing import Doing
+from assistant.screens.workbench import Workbench
+
+from .conftest import Screen
+
+ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down", "pageup", "pagedown"}
+
+
+def test_every_action_has_words_and_a_method() -> None:
+    assert len(BY_ID) == len(ACTIONS)
+    for action in ACTIONS:
+        assert action.title and action.help.endswith("."), action.id
+        assert action.binding, action.id
+        assert hasattr(Doing, "action_" + action.call.partition("(")[0]), action.id
+
+
+def test_no_key_is_given_twice() -> None:
+    keys = [key for action in ACTIONS for key in action.binding.split(",")]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_keys_of_the_proposal_are_there() -> None:
+    keys = {key for action in ACTIONS for key in action.binding.split(",")}
+    wanted = "f1 f2 f3 f4 f6 f7 f8 pageup pagedown 1 2 3 4 5 6 up down enter shift+f6 ctrl+z ctrl+y ctrl+s ctrl+o ctrl+p shift+up shift+down escape ctrl+q"
+    letters = "question_mark left_square_bracket right_square_bracket j k v h l n p u r w o colon q y Y"
+    assert set(wanted.split() + letters.split()) <= keys
+
+
+def test_nothing_needs_alt_or_a_modern_terminal() -> None:
+    for action in ACTIONS:
+        assert not re.search(r"alt\+|super\+|ctrl\+shift", action.binding)
+
+
+def test_letters_are_no_keys_of_a_field() -> None:
+    """What acts anywhere is not a character that can be typed."""
+    for action in ACTIONS:
+        for key in filter(None, action.keys.split(",")):
+            assert len(key) > 1 and (key[0] == "f" or "+" in key or key in ALLOWED_IN_A_FIELD), action.id
+
+
+def test_a_field_takes_none_of_our_control_keys() -> None:
+    own = {key for binding in Input.BINDINGS for key in (binding.key if hasattr(binding, "key") else binding[0]).split(",")}
+    ours = {key for action in ACTIONS for key in action.keys.split(",")} - {"", "enter"}
+    assert not own & ours
+
+
+def test_keys_are_named_as_on_the_keyboard() -> None:
+    assert [key_name(k) for k in ("f1", "ctrl+z", "shift+f6", "question_mark", "pagedown", "Y")] == ["F1", "^z", "Shift+F6", "?", "PgDn", "Y"]
+
+
+@pytest.mark.parametrize(("size", "shown"), [((80, 24), "F1 Help F2 Back F3 Next F4 View F6 Pane F8 PDF ^z Undo ^s Save"), ((120, 40), "^p palette")])
+async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str) -> None:
+    async with screen(size=size) as pilot:
+        footer = pilot.app.screen.query_one("#footer-line")
+        text: Any = footer.render()
+        assert shown in text.plain
+        assert text.cell_length <= size[0]
+
+
+async def test_help_and_palette_know_every_action(screen: Screen) -> None:
+    from assistant.screens.help import HelpScreen
+    from assistant.screens.palette import HIDDEN, Palette
+
+    async with screen() as pilot:
+        work = pilot.app.screen
+        assert isinstance(work, Workbench)
+        provider = Palette(work)
+        found = [hit.text or "" async for hit in provider.discover()]
+        for action in ACTIONS:
+            assert action.id in HIDDEN or any(action.title in text for text in found), action.id
+        await pilot.press("f1")
+        await pilot.pause()
+        help = pilot.app.screen
+        assert isinstance(help, HelpScreen)
+        text = re.sub(r"\s+", " ", help.keys().plain)
+        for action in ACTIONS:
+            assert action.help in text, action.id
+
+
+async def test_a_key_of_the_user_s_own(session: Any) -> None:
+    from assistant.app import ContralberoApp
+
+    app = ContralberoApp(session, key_map={"next": "f5", "nonsense": "f11"})
+    async with app.run_test(size=(80, 24)) as pilot:
+        work = app.screen
+        assert isinstance(work, Workbench)
+        await pilot.press("f3")
+        assert work.number == 1
+        await pilot.press("f5")
+        assert work.number == 2
+        assert "F5 Next" in work.query_one("#footer-line").render().plain  # type: ignore[union-attr]

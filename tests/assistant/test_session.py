@@ -1,0 +1,401 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The session, without a screen."""
+
+import json
+import os
+import subprocess
+import sys
+import tomllib
+from dataclasses import replace
+from datetime import datetime
+from pathlib import Path
+
+import pytest
+
+from assistant.recovery import Edits, Memory, state_dir
+from assistant.saving import ChangedOnDisk, SaveError
+from assistant.session import EXAMPLE, SHIPPED, Session
+from assistant.solving import Answer, run
+from calc.design_file import load
+from calc.sheet.errors import BadInput
+
+BORE = "engine.bore_mm"
+
+
+def reopened(session: Session) -> Session:
+    assert session.path is not None
+    return Session.open(session.path, memory=session.memory, now=session.now)
+
+
+# --- editing
+def test_an_edit_changes_the_value(session: Session) -> None:
+    assert session.edit(BORE, "3,7 in") == ""
+    assert session.value(BORE) == 93.98
+    assert session.text(BORE) == "93.98"
+    assert session.dirty and session.valid
+    assert session.generation == 2
+
+
+def test_the_same_text_is_no_edit(session: Session) -> None:
+    session.edit(BORE, "94.0")
+    assert not session.dirty
+    assert session.generation == 1
+    assert session.undo() is None
+
+
+def test_keys_of_elements_by_name_and_by_place(session: Session) -> None:
+    session.edit("countershaft.masses.rear.mass_kg", "3")
+    assert session.value(("countershaft", "masses", 1, "mass_kg")) == 3.0
+
+
+def test_an_empty_field_leaves_the_key_out(session: Session) -> None:
+    assert session.edit("gears.ball_diameter_mm", "") == ""
+    assert session.value("gears.ball_diameter_mm") is None
+    assert "ball_diameter_mm" not in session.data["gears"]
+    assert "is empty" in session.edit(BORE, " ")
+
+
+def test_a_single_number_in_a_list_stays_a_number(session: Session) -> None:
+    session.edit("friction.flank_roughness_um", "0.9")
+    assert session.value("friction.flank_roughness_um") == 0.9
+    session.edit("friction.flank_roughness_um", "0.9; 0.7")
+    assert session.value("friction.flank_roughness_um") == [0.9, 0.7]
+
+
+def test_renaming_an_element_letter_by_letter(session: Session) -> None:
+    place = ("countershaft", "masses", 0, "name")
+    for text in ("", "r", "re", "rear", "rear-2"):
+        session.edit(place, text)
+    assert session.valid
+    assert [m["name"] for m in session.data["countershaft"]["masses"]] == ["rear-2", "rear"]
+
+
+# --- undo
+def test_edits_of_one_field_in_a_row_are_one_step(session: Session) -> None:
+    for text in ("9", "95", "95.5"):
+        session.edit(BORE, text)
+    session.edit("engine.rod_length_mm", "170")
+    assert session.undo() == ("engine", "rod_length_mm")
+    assert session.value(BORE) == 95.5
+    assert session.undo() == ("engine", "bore_mm")
+    assert session.value(BORE) == 94.0 and not session.dirty
+    assert session.undo() is None
+    assert session.redo() == ("engine", "bore_mm") and session.value(BORE) == 95.5
+    assert session.redo() and session.value("engine.rod_length_mm") == 170.0
+    assert session.redo() is None
+
+
+def test_leaving_the_field_ends_the_step(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.seal()
+    session.edit(BORE, "96")
+    session.undo()
+    assert session.value(BORE) == 95.0
+
+
+def test_a_new_edit_forgets_what_was_undone(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.undo()
+    session.edit(BORE, "96")
+    assert session.redo() is None
+
+
+def test_typing_back_to_the_start_leaves_nothing_to_undo(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.edit(BORE, "94")
+    assert not session.dirty
+    assert session.undo() is None
+
+
+def test_undo_takes_back_a_text_that_was_not_understood(session: Session) -> None:
+    session.edit(BORE, "9x")
+    assert session.text(BORE) == "9x"
+    session.undo()
+    assert session.text(BORE) == "94" and session.valid
+
+
+# --- invalid input
+@pytest.mark.parametrize(("text", "reason"), [("1,234.5", "ambiguous"), ("-5", "above 0"), ("", "is empty"), ("much", "no number")])
+def test_invalid_input_keeps_the_last_valid_results(session: Session, text: str, reason: str) -> None:
+    session.solve()
+    before = session.results
+    assert reason in session.edit(BORE, text)
+    assert session.text(BORE) == text
+    assert not session.valid and session.job() is None
+    assert session.results is before
+    assert session.design.engine is not None and session.design.engine.bore == 0.094
+    with pytest.raises(SaveError, match="not saved"):
+        session.save()
+
+
+def test_a_mistake_that_only_the_whole_shows_stands_at_its_field(session: Session) -> None:
+    session.edit("engine.cylinders", "4")
+    assert "has 3 entries" in session.reason("engine.firing_order")
+    session.edit("engine.firing_order", "1, 3, 4, 2")
+    assert session.valid
+
+
+def test_mistakes_in_elements_stand_at_the_element(session: Session) -> None:
+    session.edit("gears.wheels.idler.teeth", "2")
+    assert "5" in session.reason(("gears", "wheels", 2, "teeth"))
+    assert list(session.reasons()) == [("gears", "wheels", 2, "teeth")]
+
+
+# --- solving
+def test_answers_to_older_questions_are_dropped(session: Session) -> None:
+    old = session.job()
+    assert old is not None
+    answer = run(old)
+    session.edit(BORE, "95")
+    assert not session.accept(answer)
+    assert session.results is None
+    session.solve()
+    assert session.current and session.results is not None
+    assert session.job() is None
+
+
+def test_a_mistake_of_the_program_is_a_message(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    session.solve()
+    before = session.results
+    monkeypatch.setattr("calc.solve.solve", lambda *_: 1 / 0)
+    session.edit(BORE, "95")
+    session.solve()
+    assert "ZeroDivisionError" in session.failure
+    assert session.results is before
+
+
+def test_an_answer_without_results_is_taken_once(session: Session) -> None:
+    assert session.accept(Answer(session.generation, None, 0.0, "broken"))
+    assert session.job() is None
+
+
+# --- arrays and steps
+def test_elements_are_added_and_removed(session: Session) -> None:
+    place = ("countershaft", "masses")
+    assert session.add(place) == 2
+    assert session.data["countershaft"]["masses"][2]["name"] == "rear-2"
+    assert session.valid
+    session.remove(place, 0)
+    assert [m["name"] for m in session.data["countershaft"]["masses"]] == ["rear", "rear-2"]
+    session.undo()
+    session.undo()
+    assert not session.dirty
+
+
+def test_removing_the_last_element_leaves_the_key_out(session: Session) -> None:
+    for _ in range(16):
+        session.remove(("engine", "bench"), 0)
+    assert "bench" not in session.data["engine"] and session.valid
+
+
+def test_a_step_that_is_not_asked_can_be_asked(session: Session) -> None:
+    data = {key: value for key, value in session.data.items() if key != "friction"}
+    assert session.path is not None
+    import tomli_w
+
+    session.path.write_text(tomli_w.dumps(data), encoding="utf-8")
+    other = reopened(session)
+    assert "friction" not in other.data
+    other.ask("friction")
+    assert other.valid and other.data["friction"]["load_sharing"] == "linear"
+
+
+# --- saving
+def test_saving_keeps_comments_and_the_old_file(session: Session) -> None:
+    assert session.path is not None
+    old = session.path.read_text(encoding="utf-8")
+    session.edit("imbalance.crank_balance_fraction", "0.4")
+    path = session.save()
+    new = path.read_text(encoding="utf-8")
+    assert [b for a, b in zip(old.splitlines(), new.splitlines(), strict=True) if a != b] == [
+        "crank_balance_fraction = 0.4    # crank, pulley and flywheel together"
+    ]
+    assert path.with_name(path.name + ".bak").read_text(encoding="utf-8") == old
+    assert not session.dirty
+    assert load(path)[0].data == session.data
+
+
+def test_undo_reaches_behind_a_save(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.save()
+    session.undo()
+    assert session.value(BORE) == 94.0 and session.dirty
+    session.save()
+    assert load(session.home)[0].data["engine"]["bore_mm"] == 94.0
+
+
+def test_the_example_is_saved_under_a_name_of_its_own(memory: Memory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    shipped = EXAMPLE.read_bytes()
+    session = Session.open(None, memory=memory)
+    assert session.example and session.name == EXAMPLE.name
+    (tmp_path / EXAMPLE.name).write_text("mine")
+    session.edit(BORE, "95")
+    assert session.save() == tmp_path / f"{EXAMPLE.stem}-2.toml"
+    assert (tmp_path / EXAMPLE.name).read_text() == "mine"
+    assert EXAMPLE.read_bytes() == shipped
+    assert not session.example
+
+
+def test_the_shipped_file_is_never_overwritten(memory: Memory, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    session = Session.open(EXAMPLE, memory=memory)
+    session.edit(BORE, "95")
+    with pytest.raises(SaveError, match="shipped"):
+        session.save_as(SHIPPED / "other.toml")
+    assert session.save().parent == tmp_path
+
+
+def test_save_as_goes_on_with_the_new_file(session: Session, tmp_path: Path) -> None:
+    session.edit(BORE, "95")
+    first = session.home
+    path = session.save_as(tmp_path / "second")
+    assert path == tmp_path / "second.toml" and session.path == path
+    assert load(first)[0].data["engine"]["bore_mm"] == 94.0
+    assert session.memory.last() == path
+
+
+def test_a_file_that_another_program_changed_is_not_overwritten_at_once(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.home.write_text(session.home.read_text(encoding="utf-8") + "# theirs\n", encoding="utf-8")
+    with pytest.raises(ChangedOnDisk):
+        session.save()
+    session.save(force=True)
+    assert "# theirs" in session.home.with_name(session.name + ".bak").read_text(encoding="utf-8")
+
+
+def test_read_only(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    assert not session.read_only
+    monkeypatch.setattr(os, "access", lambda path, mode: Path(path) != session.home)
+    assert session.read_only
+
+
+# --- what is remembered
+def test_unsaved_edits_come_back_as_one_step_that_can_be_undone(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.edit("engine.rod_length_mm", "170")
+    assert not session.safe
+    session.autosave()
+    assert session.safe and session.autosaved == session.now()
+    other = reopened(session)
+    assert other.value(BORE) == 95.0 and other.dirty
+    assert "12:04" in other.message
+    other.undo()
+    assert not other.dirty
+
+
+def test_saving_forgets_the_kept_edits(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    session.save()
+    assert session.memory.kept(session.home) is None
+
+
+def test_undoing_everything_forgets_the_kept_edits(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    session.undo()
+    session.autosave()
+    assert session.memory.kept(session.home) is None
+
+
+def test_edits_of_another_version_are_not_put_back_by_themselves(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    session.home.write_text(session.home.read_text(encoding="utf-8") + "# newer\n", encoding="utf-8")
+    other = reopened(session)
+    assert not other.dirty and "changed since" in other.message
+    assert other.restore() and other.value(BORE) == 95.0
+
+
+def test_invalid_input_is_not_kept_and_not_safe(session: Session) -> None:
+    session.edit(BORE, "-1")
+    session.autosave()
+    assert not session.safe
+    assert session.memory.kept(session.home) is None
+
+
+def test_a_state_folder_that_can_not_be_written_is_said(session: Session, tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    session.memory = Memory(tmp_path / "file" / "state")
+    session.edit(BORE, "95")
+    session.autosave()
+    assert session.autosave_failure and not session.safe
+    session.save()  # nothing else depends on it
+
+
+def test_damaged_memory_is_no_memory(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    for file in (session.memory.folder / "unsaved").iterdir():
+        file.write_text("[unsaved\n")
+    assert not reopened(session).dirty
+    (session.memory.folder / "last").write_bytes(b"\xff\xfe\x00")
+    assert session.memory.last() is None
+
+
+def test_kept_edits_that_are_no_design_any_more_are_left_alone(session: Session) -> None:
+    session.memory.keep(session.home, Edits({"schema": 1, "name": 3}, datetime(2026, 1, 1), session.document.sha256))
+    assert not reopened(session).dirty
+
+
+def test_the_last_design_is_opened(session: Session) -> None:
+    assert Session.open(None, memory=session.memory).path == session.path
+    session.home.unlink()
+    assert Session.open(None, memory=session.memory).example
+
+
+def test_a_last_design_that_is_broken_gives_the_example_and_says_so(session: Session) -> None:
+    session.home.write_text("no design")
+    other = Session.open(None, memory=session.memory)
+    assert other.example and "can not be opened" in other.message
+
+
+def test_a_file_that_is_no_design_is_refused_with_every_error(design: Path, memory: Memory) -> None:
+    design.write_text(design.read_text(encoding="utf-8").replace("cylinders = 3", "cylinders = 99").replace("strokes = 4", 'strokes = "x"'), encoding="utf-8")
+    with pytest.raises(BadInput) as bad:
+        Session.open(design, memory=memory)
+    assert {"engine.cylinders", "engine.strokes"} <= {error.key for error in bad.value.errors}
+
+
+def test_where_the_state_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    assert state_dir() == tmp_path / "contralbero"
+    monkeypatch.delenv("XDG_STATE_HOME")
+    assert state_dir().parts[-3:] == (".local", "state", "contralbero")
+
+
+def test_the_user_s_own_keys(memory: Memory) -> None:
+    assert memory.keys() == {}
+    memory.folder.mkdir()
+    (memory.folder / "keys.toml").write_text('save = "ctrl+w"\nodd = 3\n')
+    assert memory.keys() == {"save": "ctrl+w"}
+
+
+# --- start-up
+def test_a_session_needs_neither_textual_nor_numpy() -> None:
+    code = (
+        "import sys, json; from pathlib import Path; from assistant.session import Session, EXAMPLE; from assistant.recovery import Memory\n"
+        "s = Session.open(EXAMPLE, memory=Memory(Path('/nowhere'))); s.edit('engine.bore_mm', '95')\n"
+        "print(json.dumps([m for m in ('textual', 'rich', 'numpy', 'scipy', 'tomlkit', 'tomli_w', 'reportlab') if m in sys.modules]))"
+    )
+    root = EXAMPLE.parent.parent
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=root)
+    assert json.loads(done.stdout) == []
+
+
+def test_a_notation_that_can_not_be_edited_is_written_anew_and_said(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    def refuse(*_: object) -> str:
+        raise SaveError("no")
+
+    monkeypatch.setattr("assistant.session.edited_text", refuse)
+    session.edit(BORE, "95")
+    assert load(session.save())[0].data["engine"]["bore_mm"] == 95.0
+    assert "comments" in session.message
+
+
+def test_bytes_are_what_would_be_saved(session: Session) -> None:
+    assert session.bytes() == session.home.read_bytes()
+    session.edit(BORE, "95")
+    assert tomllib.loads(session.bytes().decode())["engine"]["bore_mm"] == 95.0
+    assert replace(session.document).data == session.data
