@@ -1,0 +1,95 @@
+"""Checks: margin and verdict; numbers as they are written; records; the root finder."""
+
+import math
+from dataclasses import FrozenInstanceError, replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from calc.root import root
+from calc.sheet.check import check, worst
+from calc.sheet.number import short
+from calc.sheet.quantity import inputs, published, quantity, result, value
+from calc.sheet.units import Metre
+
+
+@pytest.mark.parametrize("number, sense, limit, kind, margin, verdict", [
+    (9.0, ">=", 9.0, "limit", 0.0, "warn"), (10.0, ">=", 9.0, "limit", 1 / 9, "pass"), (8.0, ">=", 9.0, "limit", -1 / 9, "fail"),
+    (9.2, ">=", 9.0, "limit", 0.2 / 9, "warn"), (8.0, ">=", 9.0, "advice", -1 / 9, "warn"), (9.0, ">=", 9.0, "advice", 0.0, "pass"),
+    (130.0, "<=", 135.0, "limit", 5 / 135, "warn"), (136.0, "<=", 135.0, "limit", -1 / 135, "fail"), (0.0, ">", 0.0, "limit", 0.0, "fail"),
+    (3.0, ">", 0.0, "limit", 3.0, "pass"), (-4.8, ">", 0.0, "limit", -4.8, "fail"), (0.5, "in", (0.2, 1.0), "limit", 1.5, "pass"),
+    (0.9, "in", (0.2, 1.0), "limit", 0.1, "pass"), (0.99, "in", (0.2, 1.0), "limit", 0.01, "warn"), (0.1, "in", (0.2, 1.0), "limit", -0.5, "fail"),
+    (1.5, "in", (0.2, 1.0), "advice", -0.5, "warn"), (math.nan, ">=", 1.0, "limit", math.nan, "fail"), (math.nan, ">=", 1.0, "advice", math.nan, "fail"),
+])  # fmt: skip
+def test_margin_and_verdict(number, sense, limit, kind, margin, verdict):
+    made = check("step.object.name", "A check", number, sense, limit, "", "a source", kind=kind)
+    assert made.margin == pytest.approx(margin, nan_ok=True)
+    assert made.verdict == verdict
+
+
+def test_a_check_stands_in_the_shown_unit():
+    made = check("a.b.c", "Film", 7.4e-6, ">=", 9e-6, "µm", "a source")
+    assert (made.value, made.limit, made.limit_text(), made.margin_text()) == (7.4, 9.0, "≥ 9 µm", "−18 %")
+
+
+def test_the_worst_of_several():
+    assert worst(["pass", "warn", "fail", "pass"]) == "fail"
+    assert worst([]) == "pass"
+
+
+@pytest.mark.parametrize("number, text", [
+    (0.0, "0"), (1710.0, "1710"), (0.0062, "6.2·10⁻³"), (572.932, "572.9"), (0.0595, "0.0595"), (1045072.6, "1.045·10⁶"), (-0.5, "−0.5"),
+    (99999.0, "1·10⁵"), (math.inf, "∞"), (math.nan, "not a number"), (2e-300, "2·10⁻³⁰⁰"), (1e4, "10000"), (-3e-9, "−3·10⁻⁹"),
+])  # fmt: skip
+def test_numbers_as_people_write_them(number, text):
+    assert short(number) == text
+
+
+@given(st.floats(-1e300, 1e300))
+def test_any_number_is_written_to_four_digits(number):
+    sup = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹−", "-0123456789-")
+    mantissa, _, power = short(number).partition("·10")
+    back = float(mantissa.translate(sup)) * (10.0 ** int(power.translate(sup)) if power else 1) if number else 0.0
+    assert back == pytest.approx(number, rel=6e-4, abs=1e-300)
+
+
+@inputs
+class Plate:
+    width: float = quantity("Width", "mm", above=0)
+    depth: float = quantity("Depth", "mm", default=0.002)
+
+
+@result
+class Found:
+    film: Metre = value("Film", "µm", "h")
+    other: Metre | None = value("Other", "µm", default=None)
+    lambda_: float = value("Ratio")
+
+
+def test_inputs_are_frozen_and_equal_by_value():
+    plate = Plate(width=0.1)
+    assert plate == Plate(width=0.1) and plate != replace(plate, width=0.2) and plate.depth == 0.002
+    with pytest.raises(FrozenInstanceError):
+        plate.width = 3.0
+    for wrong in ({}, {"width": 1.0, "height": 2.0}):
+        with pytest.raises(TypeError):
+            Plate(**wrong)
+
+
+def test_results_publish_what_is_there_in_its_unit():
+    found = Found(film=9.5e-6, lambda_=0.3)
+    assert [(v.id, v.shown, v.unit) for v in published(found, "a.b")] == [("a.b.film", 9.5, "µm"), ("a.b.lambda", 0.3, "")]
+    assert found != Found(film=9.5e-6, lambda_=0.3)
+
+
+@given(st.floats(-5, 5), st.floats(0.1, 3))
+def test_the_root_of_a_rising_function(zero, steepness):
+    found = root(lambda x: math.atan(steepness * (x - zero)) + (x - zero) ** 3, -7, 8)
+    assert found == pytest.approx(zero, abs=1e-9)
+
+
+def test_a_jump_through_zero_is_a_root_and_no_change_of_sign_is_an_error():
+    assert root(lambda x: 1.0 if x < 0.3 else -1.0, 0, 1) == pytest.approx(0.3)
+    with pytest.raises(ValueError, match="no change of sign"):
+        root(lambda x: x * x + 1, 0, 1)

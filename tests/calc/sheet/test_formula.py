@@ -1,0 +1,131 @@
+"""The formula mechanism: calling, recording, and rendering from the expression itself."""
+
+import numpy as np
+import pytest
+
+from calc.sheet import expression
+from calc.sheet.expression import line_json, line_text, symbol
+from calc.sheet.formula import FORMULAS, formula
+from calc.sheet.functions import cis, exp, pi, sqrt, total
+from calc.sheet.trace import about, trace, untraced
+from calc.sheet.units import Kilogram, Metre, Newton, Number, Pascal, Radian
+
+LIMIT: Metre = 1.7e-9
+
+
+@formula("p", "a formula for this test", unit="MPa")
+def pressure(F: Newton, d: Metre, l: Metre) -> Pascal:
+    return F / (d * l)
+
+
+@formula("x_1", "a formula for this test")
+def tangle(a: Number, omega: Number, alpha_wt: Number) -> Number:
+    return -(a + omega) ** 2 * sqrt(a - (omega - alpha_wt)) / (2 * pi) ** 0.56 + a / omega / 3 - exp(-a) * 1.153423
+
+
+@formula("h", "a formula for this test", governs="min")
+def thinnest(h: Metre, k: Number) -> Metre:
+    return h * k
+
+
+@formula("U", "a formula for this test")
+def vector(m: Kilogram, e: Metre, gamma: Radian) -> Number:
+    return total(m * e * cis(gamma))
+
+
+@formula("n", "a formula for this test")
+def rule(u: Metre) -> Number:
+    return u / LIMIT
+
+
+@formula("ε", "a formula for this test", shows="ε from a table at S")
+def looked_up(S: Number) -> Number:
+    for _ in range(3):
+        S = S / 2
+    return S
+
+
+def only(call, *args, **kwargs):
+    with trace() as lines:
+        call(*args, **kwargs)
+    (line,) = lines
+    return line
+
+
+@pytest.fixture(autouse=True, scope="module")
+def _forget_the_formulas_of_this_file():
+    yield
+    for name in [name for name in FORMULAS if name.startswith(__name__)]:
+        del FORMULAS[name]
+
+
+def test_a_call_returns_the_plain_number_and_records_nothing_outside_a_trace():
+    assert pressure(1000.0, 0.1, 0.05) == pytest.approx(200000.0)
+    assert pressure(F=1000.0, d=0.1, l=0.05) == pressure(1000.0, d=0.1, l=0.05)
+
+
+@pytest.mark.parametrize("call", [lambda: pressure(1710.0, 0.0595, 0.0275), lambda: pressure(l=0.0275, d=0.0595, F=1710.0)])
+def test_positional_and_keyword_calls_render_alike(call):
+    assert line_text(only(call)) == ("p = F/(d·l)", "= 1710/(0.0595·0.0275) = 1.045 MPa", "a formula for this test")
+
+
+def test_precedence_signs_roots_powers_and_written_constants():
+    formula_text, numbers, _ = line_text(only(tangle, 2.0, -3.0, 0.5))
+    assert formula_text == "x₁ = −(a + ω)²·√(a − (ω − α_wt))/(2·π)^0.56 + a/ω/3 − exp(−a)·1.153423"
+    assert "(2 + (−3))²" in numbers and "√(2 − ((−3) − 0.5))" in numbers
+
+
+def test_an_array_is_shown_by_its_governing_value_and_where_it_occurs():
+    line = only(thinnest, np.array([3e-6, 1e-6, 2e-6]), 2.0)
+    assert line_text(line)[1] == "= 1·10⁻⁶·2 = 2·10⁻⁶ m   (smallest of 3, number 2)"
+
+
+def test_a_sum_shows_its_terms_and_a_vector_its_length_and_angle():
+    formula_text, numbers, _ = line_text(only(vector, np.array([1.0, 2.0]), np.array([0.5, 0.5]), np.array([0.0, np.pi / 2])))
+    assert formula_text == "U = Σ(m·e·e^(i·γ))"
+    assert numbers.startswith("= Σ((1; 2)·(0.5; 0.5)·e^(i·(0; 1.571))) = 1.118∠63.43°")
+
+
+def test_a_named_constant_stands_as_its_number():
+    assert line_text(only(rule, 1.0))[0] == "n = u/(1.7·10⁻⁹)"
+
+
+def test_an_algorithm_is_shown_by_its_words():
+    assert line_text(only(looked_up, 8.0))[:2] == ("ε: ε from a table at S", "= 1")
+
+
+def test_where_the_source_text_is_not_at_hand_name_and_arguments_stand_for_it(monkeypatch):
+    def no_source(_):
+        raise OSError("could not get source code")
+
+    monkeypatch.setattr(expression.inspect, "getsource", no_source)
+    expression.expression.cache_clear()
+    try:
+        assert line_text(only(pressure, 1000.0, 0.1, 0.05))[:2] == ("p: pressure(F = 1000, d = 0.1, l = 0.05)", "= 0.2 MPa")
+    finally:
+        expression.expression.cache_clear()
+
+
+def test_json_has_what_the_terminal_has():
+    assert line_json(only(pressure, 1000.0, 0.1, 0.05)) == {
+        "symbol": "p", "formula": "F/(d·l)", "substituted": "1000/(0.1·0.05)", "value": "0.2", "unit": "MPa",
+        "source": "a formula for this test", "about": "",
+    }  # fmt: skip
+
+
+def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
+    with trace() as lines:
+        with about("front bearing"):
+            first = pressure(1.0, 1.0, 1.0)
+        with untraced():
+            pressure(2.0, 1.0, 1.0)
+        pressure(first, 1.0, 1.0)
+    assert [(line.about, line.value) for line in lines] == [("front bearing", 1.0), ("", 1.0)]
+    assert lines[1].arguments["F"] is lines[0].value
+
+
+@pytest.mark.parametrize("name, shown", [
+    ("alpha_wt", "α_wt"), ("omega", "ω"), ("d1", "d_1"), ("F_t", "F_t"), ("lambda_", "lambda"), ("lam", "λ"), ("h_aP0", "h_aP0"), ("Delta_T", "Δ_T"),
+])  # fmt: skip
+def test_symbols(name, shown):
+    assert symbol(name) == shown
