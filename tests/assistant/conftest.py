@@ -14,7 +14,7 @@ from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory
-from assistant.screens import workbench
+from assistant.screens import live
 from assistant.session import EXAMPLE, Session
 
 NOON = datetime(2026, 3, 14, 12, 4)
@@ -55,7 +55,7 @@ def light(design: Path, memory: Memory) -> Session:
 @pytest.fixture
 def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     """Opens the screen over a session, which is solved; `async with screen(size=(80, 24)) as pilot`."""
-    monkeypatch.setattr(workbench, "AHEAD", 1000.0)  # nothing goes on behind the test
+    monkeypatch.setattr(live, "AHEAD", 1000.0)  # nothing goes on behind the test
     gc.set_threshold(50_000, 20, 50)
 
     @asynccontextmanager

@@ -19,23 +19,24 @@ for path in Path(calc.__file__).parent.rglob("*.py"):
     if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
         import_module(".".join(path.relative_to(Path(calc.__file__).parent.parent).with_suffix("").parts))
 
-EXPRESSIONS = {name: f for name, f in FORMULAS.items() if not f.shows}
+OURS = {name: f for name, f in FORMULAS.items() if name.startswith("calc.")}  # other tests make formulas of their own
+EXPRESSIONS = {name: f for name, f in OURS.items() if not f.shows}
 
 
 def test_there_are_formulas():
-    assert len(FORMULAS) > 100
+    assert len(OURS) > 100
 
 
-@pytest.mark.parametrize("name", FORMULAS)
+@pytest.mark.parametrize("name", OURS)
 def test_names_its_source(name):
-    assert len(FORMULAS[name].source) >= 8
+    assert len(OURS[name].source) >= 8
 
 
-@pytest.mark.parametrize("name", FORMULAS)
+@pytest.mark.parametrize("name", OURS)
 def test_every_argument_and_the_result_have_a_unit(name):
-    found = units(FORMULAS[name])
-    assert set(found) == {*FORMULAS[name].parameters, "return"}
-    assert not FORMULAS[name].unit or FORMULAS[name].unit in UNITS
+    found = units(OURS[name])
+    assert set(found) == {*OURS[name].parameters, "return"}
+    assert not OURS[name].unit or OURS[name].unit in UNITS
 
 
 @pytest.mark.parametrize("name", EXPRESSIONS)

@@ -5,7 +5,7 @@ import pytest
 
 from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
-from calc.sheet.formula import FORMULAS, formula
+from calc.sheet.formula import formula
 from calc.sheet.functions import cis, exp, pi, sqrt, total
 from calc.sheet.trace import about, trace, untraced
 from calc.sheet.units import Kilogram, Metre, Newton, Number, Pascal, Radian
@@ -20,7 +20,7 @@ def pressure(F: Newton, d: Metre, l: Metre) -> Pascal:
 
 @formula("x_1", "a formula for this test")
 def tangle(a: Number, omega: Number, alpha_wt: Number) -> Number:
-    return -(a + omega) ** 2 * sqrt(a - (omega - alpha_wt)) / (2 * pi) ** 0.56 + a / omega / 3 - exp(-a) * 1.153423
+    return -((a + omega) ** 2) * sqrt(a - (omega - alpha_wt)) / (2 * pi) ** 0.56 + a / omega / 3 - exp(-a) * 1.153423
 
 
 @formula("h", "a formula for this test", governs="min")
@@ -50,13 +50,6 @@ def only(call, *args, **kwargs):
         call(*args, **kwargs)
     (line,) = lines
     return line
-
-
-@pytest.fixture(autouse=True, scope="module")
-def _forget_the_formulas_of_this_file():
-    yield
-    for name in [name for name in FORMULAS if name.startswith(__name__)]:
-        del FORMULAS[name]
 
 
 def test_a_call_returns_the_plain_number_and_records_nothing_outside_a_trace():
