@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Start-up as ratios: each command in turn with its baseline, A B A B …, so that a slower moment of the machine hits both.
 
-    python -m bench.startup [RUNS]
+    python bench/startup.py [RUNS]
 
 Budgets: `--help` under 60 ms over bare Python; `check` at most 2.5 × `python -c "import numpy"`; `report` under 3 s.  Run it on a quiet
 machine, with the program installed (`pip install .`): an installation in place compiles its modules anew where the environment

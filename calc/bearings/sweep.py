@@ -54,7 +54,7 @@ def sweep(seat: Seat, load: float, rated: float, bench: tuple[BenchPoint, ...], 
                 supply_pressure=pressure,
             )
             try:
-                found.append((speed, balanced(own_warm, seat, at, tolerance=1e-7).film))
+                found.append((speed, balanced(own_warm, seat, at, tolerance=1e-5).film))
             except NoSolution:
                 found.append((speed, math.nan))  # shown as a gap: overloaded, or hardly loaded
     governing = [row for row in found if row[0] <= rated * (1 + 1e-9) and math.isfinite(row[1])]
