@@ -14,7 +14,7 @@ from calc.version import VERSION
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
 friction it costs.  Without a command: the guided session."""
 COMMANDS = {
-    "new": "write a complete design from a shipped engine",
+    "new": "write a design from a shipped engine",
     "check": "solve a design and print values, checks and verdicts",
     "explain": "the chain of formulas that leads to one value",
     "report": "write the PDF calculation report",
@@ -50,7 +50,7 @@ def parser() -> argparse.ArgumentParser:
 
     add["report"].add_argument("file")
     add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
-    add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer")
+    add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
     add["report"].add_argument("--lang", choices=("en",), default="en")
 
     add["replay"].add_argument("files", nargs="+", metavar="FILE")

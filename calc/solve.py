@@ -86,7 +86,16 @@ def solve(design: Design, before: Results | None = None) -> Results:
     oils, materials = design.oils, design.materials
 
     e = part("engine", design.engine, engine.solve, design.engine)
-    i = part("imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, after=(e,))
+    i = part(
+        "imbalance",
+        design.imbalance,
+        imbalance.solve,
+        design.imbalance,
+        design.engine,
+        e.result,
+        design.countershaft is not None,
+        after=(e,),
+    )
     first_speed = _first_speed(design)
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None

@@ -2,8 +2,9 @@
 """`contralbero explain`: the chain of formulas that leads to one value, back to the inputs."""
 
 from argparse import Namespace
+from typing import Any
 
-from calc.design_file import load
+from calc.design_file import load, value_at
 from calc.explain import chain, origin
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
@@ -14,6 +15,9 @@ def run(asked: Namespace) -> int:
     document, design = load(asked.file)
     results = solve(design)
     values = results.values()
+    if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
+        print(f"{asked.value} = {given}   an input of the design file")
+        return 0
     if asked.value not in values:
         from difflib import get_close_matches
 
@@ -33,9 +37,17 @@ def run(asked: Namespace) -> int:
     for link in lines:
         formula, numbers, source = line_text(link.line)
         print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
-        for key in link.inputs:
+        for key in dict.fromkeys(link.inputs):
             print(f"    ← {key}")
     if not lines:
         source = origin(results, asked.value)
         print(f"taken from the inputs: {source}" if source else "no recorded formula returns this number itself")
     return 0
+
+
+def _given(data: dict[str, Any], key: str) -> Any:
+    """What the design file says under a key, None where it is no key or is left out."""
+    try:
+        return value_at(data, key)
+    except BadInput:
+        return None

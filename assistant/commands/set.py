@@ -22,4 +22,5 @@ def run(asked: Namespace) -> int:
     except OSError as error:
         raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
     print_summary(solve(made))
+    print(f"\n{path} is written; as it was before: {path}.bak")
     return 0

@@ -27,7 +27,7 @@ def run(asked: Namespace) -> int:
             print(f"\n{source}")
         print(
             f"  {sign(row.verdict):<7} {row.what:<52} published {short(row.published, 6):>10} ± {short(row.tolerance, 2):<8} "
-            f"ours {short(row.ours, 6):>10} {row.unit:<8} {row.deviation * 100:+.3f} %".replace("+-", "−")
+            f"ours {short(row.ours, 6):>10} {row.unit:<8} {row.deviation * 100:+.3f} %".replace("-", "−")
         )
     print(f"\n{len(found) - len(failed)} of {len(found)} published values are met within the tolerance of their source.")
     return 1 if failed else 0

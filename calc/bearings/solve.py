@@ -130,7 +130,7 @@ def solve(
                 results[place] = _bearing(place, bearings, bearing, load, slope, speed, bench, lubricant, journal, housing, notes)
     found = tuple(c for place, r in results.items() for c in checks(place, bearings, getattr(bearings, place), r, slopes, speed))
     errata = tuple(e for place, r in results.items() for e in _errata(place, r))
-    curves = tuple(r.sweep.curve(place, r.kreisle_film) for place, r in results.items())
+    curves = tuple(r.sweep.curve(place, r.kreisle_film, r.film - r.film_edge) for place, r in results.items())
     return Outcome(
         "bearings",
         result=BearingsResult(bearings=results),
@@ -138,7 +138,7 @@ def solve(
         lines=tuple(lines),
         curves=curves,
         errata=errata,
-        notes=tuple(dict.fromkeys(notes)),
+        notes=tuple(dict.fromkeys([*notes, *_bench_note(results)])),
     )
 
 
@@ -249,6 +249,15 @@ def _notes(inputs: BearingsInputs) -> tuple[str, ...]:
     if inputs.supply == "shaft":
         found.append("The feed hole turns with the shaft and is taken to lie opposite the load.")
     return tuple(found)
+
+
+def _bench_note(results: dict[str, BearingResult]) -> tuple[str, ...]:
+    if all(r.thinnest_film is None or r.thinnest_film <= r.film for r in results.values()):
+        return ()
+    return (
+        "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or whose load is smaller: "
+        "the design's supply is the harder case, and it is judged.",
+    )
 
 
 def _errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:

@@ -24,11 +24,12 @@ class Sweep:
     thinnest_speed: float | None  # None where no row has a film in the range of the table
     thinnest_film: float | None
 
-    def curve(self, place: str, limit: float) -> Curve:
+    def curve(self, place: str, limit: float, edge: float) -> Curve:
+        """`edge`: what the journal's slope takes from the film at the bearing's edge."""
         rpm, film = np.array(self.speeds) * 60, np.array(self.films) * 1e6
         return Curve(
             f"film_{place}", f"Smallest film of the {place} bearing over speed, warm", "speed, rpm", "h_0, µm",
-            (Series("film", rpm, film),), limits=(("Kreisle", limit * 1e6),),
+            (Series("mid-bearing", rpm, film), Series("at the edge", rpm, film - edge * 1e6)), limits=(("Kreisle", limit * 1e6),),
         )  # fmt: skip
 
 

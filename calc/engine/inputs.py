@@ -95,6 +95,8 @@ class EngineInputs:
     def problems(self) -> Iterable[tuple[str, str]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
+        if n != n:  # not given as a number: nothing to compare with
+            return
         if self.strokes == 3:
             yield "strokes", "must be 2 or 4"
         for key, given in (

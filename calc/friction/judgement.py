@@ -35,53 +35,102 @@ def by_regime(mesh: MeshResult) -> MeshLoss:
 # --- checks ----------------------------------------------------------------------------------------------------------------
 def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...]:
     balance = check(
-        "friction.train.balance", "Power balance of the train: what is left over", abs(result.residual), "<=", BALANCE_LIMIT, "W",
-        "conservation of energy", "A fault of the program, not of the design: please report it.",
-    )  # fmt: skip
+        "friction.train.balance",
+        "Power balance of the train: what is left over",
+        abs(result.residual),
+        "<=",
+        BALANCE_LIMIT,
+        "W",
+        "conservation of energy",
+        "A fault of the program, not of the design: please report it.",
+    )
     delivered = () if result.delivered_power is None else (_delivers(result.delivered_power),)
     return (balance, *delivered, *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)))
 
 
 def _delivers(power: float) -> Check:
     return check(
-        "friction.train.delivered", "Power that the last wheel delivers: more than nothing", power, ">", 0.0, "W", "conservation of energy",
+        "friction.train.delivered",
+        "Power that the last wheel delivers: more than nothing",
+        power,
+        ">",
+        0.0,
+        "W",
+        "conservation of energy",
         "Windage, other losses and the meshes eat all of the power: give more gears.power_kW, or less speed, mist or face width.",
-    )  # fmt: skip
+    )
 
 
 def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
     """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would like."""
     yield check(
-        f"{id}.power_out", f"Mesh {mesh.case.mesh.title} passes on more than nothing", mesh.power_out, ">", 0.0, "W",
+        f"{id}.power_out",
+        f"Mesh {mesh.case.mesh.title} passes on more than nothing",
+        mesh.power_out,
+        ">",
+        0.0,
+        "W",
         "conservation of energy",
         "The loss, whose rolling part is an upper bound, comes up to the power: "
         "give more power (gears.power_kW), less speed, a narrower face, or a thinner oil.",
-    )  # fmt: skip
+    )
     yield check(
-        f"{id}.regime", "EHL film over rigid isoviscous film at the pitch point", by_regime(mesh).lead_at_pitch, ">=", 1.0, "",
+        f"{id}.regime",
+        f"EHL film over rigid isoviscous film at the pitch point, {mesh.case.mesh.title}",
+        by_regime(mesh).lead_at_pitch,
+        ">=",
+        1.0,
+        "",
         "Johnson 1970, regimes of fluid-film lubrication",
         "EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. "
-        + ("The rolling loss is an upper bound." if friction.film == "judged" else 'Choose film = "judged".'), kind="advice",
-    )  # fmt: skip
+        + ("The rolling loss is an upper bound." if friction.film == "judged" else 'Choose film = "judged".'),
+        kind="advice",
+    )
     yield check(
-        f"{id}.lambda", "Smallest film over roughness", mesh.judged.lambda_min, ">=", 1.0, "",
+        f"{id}.lambda",
+        f"Smallest film over roughness, {mesh.case.mesh.title}",
+        mesh.judged.lambda_min,
+        ">=",
+        1.0,
+        "",
         "mixed friction below about 1 (AGMA 925-A03, as generally published)",
         "The flanks touch: smoother flanks, thicker or cooler oil, more speed. Below 0.8 the mixed law is harsher than Schlenk's tests.",
         kind="advice",
-    )  # fmt: skip
+    )
     yield check(
-        f"{id}.deborah", "Largest Deborah number", mesh.judged.deborah_max, "<=", 1.0, "", f"{THESIS}: range of Eyring's law",
-        "The oil answers as a solid: its friction is overestimated.", kind="advice",
-    )  # fmt: skip
+        f"{id}.deborah",
+        f"Largest Deborah number, {mesh.case.mesh.title}",
+        mesh.judged.deborah_max,
+        "<=",
+        1.0,
+        "",
+        f"{THESIS}: range of Eyring's law",
+        "The oil answers as a solid: its friction is overestimated.",
+        kind="advice",
+    )
     yield check(
-        f"{id}.inlet_heating", "Smallest thermal reduction of the film", mesh.judged.thermal_reduction_min, ">", LEAST_FACTOR, "", OWN,
-        "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil.", kind="advice",
-    )  # fmt: skip
+        f"{id}.inlet_heating",
+        f"Smallest thermal reduction of the film, {mesh.case.mesh.title}",
+        mesh.judged.thermal_reduction_min,
+        ">",
+        LEAST_FACTOR,
+        "",
+        OWN,
+        "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil.",
+        kind="advice",
+    )
     if friction.bulk_temperature is None:
         yield check(
-            f"{id}.bulk", "Estimated warming of the teeth above the oil", mesh.bulk_rise, "<=", BULK_LIMIT, "K", OWN,
-            "The teeth run hotter than the oil: give bulk_temperature_C.", kind="advice",
-        )  # fmt: skip
+            f"{id}.bulk",
+            f"Estimated warming of the teeth above the oil, {mesh.case.mesh.title}",
+            mesh.bulk_rise,
+            "<=",
+            BULK_LIMIT,
+            "K",
+            OWN,
+            "The teeth run hotter than the oil: give bulk_temperature_C.",
+            kind="advice",
+        )
 
 
 # --- where the source is wrong ---------------------------------------------------------------------------------------------
@@ -91,16 +140,24 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
     if not mesh.case.mesh.spur:
         return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
     loss_ratio = Erratum(
-        f"friction.{name}.efficiency", "Efficiency of the mesh", 1 - mesh.judged.efficiency, "", f"method of the {THESIS}, eq. 1",
+        f"friction.{name}.efficiency",
+        "Efficiency of the mesh",
+        1 - mesh.judged.efficiency,
+        "",
+        f"method of the {THESIS}, eq. 1",
         "The printed quotient is the share that is lost, not the efficiency.",
-    )  # fmt: skip
+    )
     printed = PRINTED_VISCOSITY.get(oil.lubricant.oil.name, {}).get(oil.T_m)
     if printed is None:
         return (*meshes, loss_ratio)
     viscosity = Erratum(
-        "friction.oil_viscosity", "Viscosity of the oil between the teeth", printed, "mPa·s", f"printed in the {THESIS}, table of oils",
+        "friction.oil_viscosity",
+        "Viscosity of the oil between the teeth",
+        printed,
+        "mPa·s",
+        f"printed in the {THESIS}, table of oils",
         "The printed value does not go with the kinematic viscosity and density printed beside it, nor with the oil's SAE grade.",
-    )  # fmt: skip
+    )
     return (*meshes, loss_ratio, viscosity)
 
 
@@ -108,10 +165,14 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
     c, P = mesh.case, mesh.judged.load
     if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
         yield Erratum(
-            f"{id}.film_min", "Thinnest film", mesh.source.film_min * 1e6, "µm", f"method of the {THESIS}, section on film thickness",
+            f"{id}.film_min",
+            "Thinnest film",
+            mesh.source.film_min * 1e6,
+            "µm",
+            f"method of the {THESIS}, section on film thickness",
             "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
             "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count.",
-        )  # fmt: skip
+        )
     if not c.mesh.spur:
         return
     try:
@@ -120,17 +181,25 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
         elliptical = None
     if elliptical is not None:
         yield Erratum(
-            f"{id}.source.loss", "Power lost in the mesh, EHL film", elliptical.loss, "W", f"method of the {THESIS}, eq. 26",
+            f"{id}.source.loss",
+            "Power lost in the mesh, EHL film",
+            elliptical.loss,
+            "W",
+            f"method of the {THESIS}, eq. 26",
             "The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56.",
-        )  # fmt: skip
+        )
     if friction.load_sharing == "linear":
         share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
         w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
         short_of_load = loss_factor(s=c.path.weight, w=array(share * w), V_s=c.motion.V_s, P=P)
         yield Erratum(
-            f"{id}.loss_factor", "Loss factor", short_of_load, "", f"method of the {THESIS}, load sharing",
+            f"{id}.loss_factor",
+            "Loss factor",
+            short_of_load,
+            "",
+            f"method of the {THESIS}, load sharing",
             "Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.",
-        )  # fmt: skip
+        )
 
 
 # --- notes -----------------------------------------------------------------------------------------------------------------

@@ -61,11 +61,11 @@ def _backlash_advice(system: ToothSystem, place: str, mesh: MeshResult, driver: 
     """What would just pass: an allowance of the span acts micrometre for micrometre, the tolerance by 2·sin α_wt·cos β_b."""
     missing = -mesh.backlash_min
     if missing <= 0:
-        return ""
+        return "Give the span an allowance (gears.wheels.NAME.span_allowance_um), so that backlash remains."
     less = math.ceil(missing * 1e6 - 1e-6)
     thick = max((driver, driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
     upper, lower = (round(end * 1e6, 6) for end in thick.allowance or (0.0, 0.0))
-    new = f"[{upper - less:g}, {min(lower, upper - less):g}]"
+    new = f"[{upper - less:g}, {lower - less:g}]"  # the field of the allowance stays as wide as it is
     advice = f"Take {less} µm more off the span of the teeth, for example gears.wheels.{thick.name}.span_allowance_um = {new}"
     held = mesh.centre_tolerance - missing / (2 * math.sin(mesh.working_pressure_angle) * math.cos(system.base_helix_angle))
     if held > 1e-6:

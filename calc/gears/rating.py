@@ -26,6 +26,8 @@ ROOT_OF_SHEET = (
     "its form factor is too high."
 )
 
+ALIKE = 0.01  # a value of the sheet that comes this near is not called wrong
+
 
 @result
 class RatingResult:
@@ -131,6 +133,8 @@ def _errata(train: TrainResult, T: NewtonMetre, rated: Mapping[str, MeshRating])
             try:
                 sigma_F = sheet_root(train.system, mesh, wheel, rho, F_t)
             except NoSolution:  # the sheet's load circle can miss the tooth where the right one does not: then it has no value
+                continue
+            if abs(sigma_F / rated[key].root_stress[f"root_stress_{wheel.name}"].number - 1) < ALIKE:
                 continue
             found.append(_erratum(f"{id}.root_stress_{wheel.name}", f"Root stress of {wheel.name}", sigma_F, ROOT_OF_SHEET + speed))
     return tuple(found)

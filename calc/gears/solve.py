@@ -4,6 +4,7 @@
 `rating` stands in its own file and is offered here, so that the step has one door.
 """
 
+import math
 from dataclasses import replace
 
 from ..sheet.step import Erratum, Outcome
@@ -34,7 +35,7 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
         n = speeds(gears, first_speed)
         wheels = {
             w.name: solve_wheel(gears, system, w, train.shifts[w.name], train.d[w.name], train.d_b[w.name], n[w.name]) for w in gears.wheels
-        }  # fmt: skip
+        }
         meshes = {}
         for i, mesh in enumerate(gears.meshes):
             a_w = train.distances[key := mesh_key(mesh)]
@@ -53,9 +54,13 @@ def merge(geometry: Outcome, rated: Outcome) -> Outcome:
     assert isinstance(train, TrainResult) and isinstance(stresses, RatingResult)
     meshes = {key: replace(mesh, rating=stresses.meshes.get(key)) for key, mesh in train.meshes.items()}
     return replace(
-        geometry, result=replace(train, meshes=meshes), checks=geometry.checks + rated.checks, lines=geometry.lines + rated.lines,
-        errata=geometry.errata + rated.errata, notes=geometry.notes + rated.notes,
-    )  # fmt: skip
+        geometry,
+        result=replace(train, meshes=meshes),
+        checks=geometry.checks + rated.checks,
+        lines=geometry.lines + rated.lines,
+        errata=geometry.errata + rated.errata,
+        notes=geometry.notes + rated.notes,
+    )
 
 
 def residual_couple(outcome: Outcome, couple: NewtonMetre) -> NewtonMetre:
@@ -103,10 +108,13 @@ def _errata(result: TrainResult) -> tuple[Erratum, ...]:
         if wheel.teeth != first.teeth:
             found.append(
                 Erratum(
-                    f"gears.{wheel.name}.speed", f"Speed of {wheel.name} by the sheet of Finotti 2013", abs(first.speed) * 60, "rpm",
+                    f"gears.{wheel.name}.speed",
+                    f"Speed of {wheel.name} by the sheet of Finotti 2013",
+                    math.copysign(first.speed, wheel.speed) * 60,
+                    "rpm",
                     "method of Finotti 2013, Tables 4.5 and 4.6",
                     f"The sheet enters the speed of the train's first wheel for {wheel.name} too; with {wheel.teeth} teeth against "
                     f"{first.teeth} it turns at {abs(wheel.speed) * 60:.1f} rpm.",
                 )
-            )  # fmt: skip
+            )
     return tuple(found)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of orders 1 to 8, what the crank takes of them, and what the counter-shaft must supply."""
 
+import math
 from typing import Any
 
 import numpy as np
@@ -90,8 +91,11 @@ def _clean(vector: complex, dust: float) -> complex:
     return vector if abs(vector) > dust else 0j
 
 
-def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Outcome:
-    """The imbalance of an engine whose crank carries the given share of the reciprocating masses."""
+def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, shaft: bool = True) -> Outcome:
+    """The imbalance of an engine whose crank carries the given share of the reciprocating masses.
+
+    `shaft`: the design has a counter-shaft, whose own step judges what is left of the backward couple.
+    """
     orders: dict[str, Order] = {}
     judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
     with trace() as lines:
@@ -123,7 +127,7 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> 
     return Outcome(
         "imbalance",
         result=result,
-        checks=_checks(result, e.lambda_),
+        checks=_checks(result, e.lambda_, shaft),
         lines=tuple(lines),
         curves=_curves(result),
         errata=_errata(imbalance, result),
@@ -134,19 +138,23 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> 
     )
 
 
-def _checks(result: ImbalanceResult, lam: Number) -> tuple[Check, ...]:
+def _checks(result: ImbalanceResult, lam: Number, shaft: bool) -> tuple[Check, ...]:
     """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
     own = "rule of this program, against m·r·ω² of one cylinder (couples: over one pitch)"
     forward = "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
     backward = "A couple-free shaft at −ω with this force, in the plane of the engine's middle, takes it."
+    phase = math.degrees(result.required_couple_phase)
+    counter = f"One shaft at −ω takes it: {result.required_couple:.1f} N·m at {phase:.1f}°; add [countershaft]."
     two = "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it."
 
     def advice(name: str, label: str, value: float, limit: float, unit: str, what: str) -> Check:
         return check(f"imbalance.{name}", label, value, "<=", limit, unit, own, what, kind="advice")
 
+    alone = advice("order_1.backward", "First-order couple turning backward", first.couple_backward, FIRST * couple, "N·m", counter)
     return (
+        *(() if shaft else (alone,)),
         advice("order_1.forward", "First-order couple turning forward", first.couple_forward, FIRST * couple, "N·m", forward),
         advice("order_1.forward_force", "First-order force turning forward", first.force_forward, FIRST * force, "N", forward),
         advice("order_1.backward_force", "First-order force turning backward", first.force_backward, FIRST * force, "N", backward),
