@@ -12,16 +12,20 @@ from calc.design import STEPS
 
 @dataclass(frozen=True)
 class Action:
-    """`id` names the binding, in a key map too; `call` is the method `action_…` of the main screen, with its argument."""
+    """`id` names the binding, in a key map too.  `call` is the method `action_…` of the main screen; left out, it is called like the id."""
 
     id: str
-    call: str
     keys: str
     letters: str
     footer: str  # empty: not in the footer
     title: str
     help: str
+    call: str = ""
     wide: bool = False  # in the footer only where there is room
+
+    @property
+    def does(self) -> str:
+        return self.call or self.id
 
     @property
     def binding(self) -> str:
@@ -29,41 +33,48 @@ class Action:
 
 
 ACTIONS: tuple[Action, ...] = (
-    Action("help", "help", "f1", "question_mark", "Help", "Help", "Explains the field, the check or the step that you are at, and lists all keys."),
-    Action("back", "back", "f2,pageup", "left_square_bracket", "Back", "Previous step", "Goes to the step before. Page up scrolls inside a long list."),
-    Action("next", "next", "f3,pagedown", "right_square_bracket", "Next", "Next step", "Goes to the step after. Page down scrolls inside a long list."),
-    Action("view", "view", "f4", "v", "View", "Other view", "Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again."),
-    Action("pane", "pane(1)", "f6", "l", "Pane", "Next pane", "Moves to the next pane."),
-    Action("pane_back", "pane(-1)", "shift+f6", "h", "", "Previous pane", "Moves to the pane before."),
-    Action("trouble", "trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step.", True),
-    Action("report", "report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
-    Action("curve", "curve", "f9", "c", "Curve", "Next curve", "Shows the next curve of the step.", True),
-    Action("undo", "undo", "ctrl+z", "u", "Undo", "Undo", "Takes back the last edit of the design; the edits of one field in a row are one."),
-    Action("redo", "redo", "ctrl+y", "r", "", "Redo", "Makes the edit again that was taken back."),
-    Action("save", "save", "ctrl+s", "w", "Save", "Save", "Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder."),
-    Action("save_as", "save_as", "f12", "W", "", "Save as …", "Saves the design under another name and goes on with that file."),
-    Action("open", "open", "ctrl+o", "o", "", "Open …", "Opens another design."),
-    Action("palette", "palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters.", True),
-    Action("down", "down", "down", "j", "", "Next field or line", "Moves down: to the next field, check or line."),
-    Action("up", "up", "up", "k", "", "Previous field or line", "Moves up: to the field, check or line before."),
-    Action("go_on", "go_on", "enter", "", "", "Accept, go there", "In a field: accepts it and goes on. On a check: goes to its line in the calculation. On a step: opens it."),
-    Action("more", "nudge(1)", "shift+up", "", "", "One step more", "In a field: raises the number by one increment."),
-    Action("less", "nudge(-1)", "shift+down", "", "", "One step less", "In a field: lowers the number by one increment."),
-    Action("leave", "leave", "escape", "", "", "Leave the field", "Leaves the field, so that letters act as keys. Takes nothing back; undo does that."),
-    Action("copy", "copy", "", "y", "", "Copy the value", "Copies the value that you are at: of the field, the check or the line."),
-    Action("copy_line", "copy_line", "", "Y", "", "Copy the line", "Copies the whole line: of the formula with its numbers and source, or of the check."),
-    Action("quit", "quit", "ctrl+q", "q", "Quit", "Quit", "Ends the program. Unsaved edits are kept and come back with the next start.", True),
-    *(
-        Action(f"step_{n}", f"step({n})", "", str(n), "", f"Step {n}: {step.title}", f"Goes to step {n}, {step.title}.")
-        for n, step in enumerate(STEPS, 1)
-    ),
+    Action("help", "f1", "question_mark", "Help", "Help",
+           "Explains the field, the check or the step that you are at, and lists all keys."),
+    Action("back", "f2,pageup", "left_square_bracket", "Back", "Previous step",
+           "Goes to the step before. Page up scrolls inside a long list."),
+    Action("next", "f3,pagedown", "right_square_bracket", "Next", "Next step",
+           "Goes to the step after. Page down scrolls inside a long list."),
+    Action("view", "f4", "v", "View", "Other view",
+           "Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again."),
+    Action("pane", "f6", "l", "Pane", "Next pane", "Moves to the next pane.", call="pane(1)"),
+    Action("pane_back", "shift+f6", "h", "", "Previous pane", "Moves to the pane before.", call="pane(-1)"),
+    Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step.", wide=True),
+    Action("report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
+    Action("curve", "f9", "c", "Curve", "Next curve", "Shows the next curve of the step.", wide=True),
+    Action("undo", "ctrl+z", "u", "Undo", "Undo", "Takes back the last edit of the design; the edits of one field in a row are one."),
+    Action("redo", "ctrl+y", "r", "", "Redo", "Makes the edit again that was taken back."),
+    Action("save", "ctrl+s", "w", "Save", "Save",
+           "Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder."),
+    Action("save_as", "f12", "W", "", "Save as …", "Saves the design under another name and goes on with that file."),
+    Action("open", "ctrl+o", "o", "", "Open …", "Opens another design."),
+    Action("palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters.", wide=True),
+    Action("down", "down", "j", "", "Next field or line", "Moves down: to the next field, check or line."),
+    Action("up", "up", "k", "", "Previous field or line", "Moves up: to the field, check or line before."),
+    Action("go_on", "enter", "", "", "Accept, go there",
+           "In a field: accepts it and goes on. On a check: goes to its line in the calculation. On a step: opens it."),
+    Action("more", "shift+up", "", "", "One step more", "In a field: raises the number by one increment.", call="nudge(1)"),
+    Action("less", "shift+down", "", "", "One step less", "In a field: lowers the number by one increment.", call="nudge(-1)"),
+    Action("leave", "escape", "", "", "Leave the field",
+           "Leaves the field, so that letters act as keys. Takes nothing back; undo does that."),
+    Action("copy", "", "y", "", "Copy the value", "Copies the value that you are at: of the field, the check or the line."),
+    Action("copy_line", "", "Y", "", "Copy the line",
+           "Copies the whole line: of the formula with its numbers and source, or of the check."),
+    Action("quit", "ctrl+q", "q", "Quit", "Quit",
+           "Ends the program. Unsaved edits are kept and come back with the next start.", wide=True),
+    *(Action(f"step_{n}", "", str(n), "", f"Step {n}: {step.title}", f"Goes to step {n}, {step.title}.", call=f"step({n})")
+      for n, step in enumerate(STEPS, 1)),
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}
 
 KEY_NAMES = {
-    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "escape": "Esc", "enter": "Enter", "pageup": "PgUp",
-    "pagedown": "PgDn", "up": "↑", "down": "↓", "tab": "Tab", "left": "←", "right": "→", "delete": "Del", "plus": "+", "minus": "-",
+    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "escape": "Esc", "enter": "Enter",
+    "pageup": "PgUp", "pagedown": "PgDn", "up": "↑", "down": "↓", "left": "←", "right": "→",
 }  # fmt: skip
 
 
@@ -78,8 +89,3 @@ def key_name(key: str) -> str:
 
 def key_names(keys: str) -> str:
     return " ".join(key_name(key) for key in keys.split(",") if key)
-
-
-def bindings() -> list[tuple[str, str, str, str]]:
-    """(keys, call, title, id) of every action, for the main screen."""
-    return [(action.binding, action.call, action.title, action.id) for action in ACTIONS]

@@ -37,7 +37,7 @@ class ContralberoApp(App[int]):
 
     def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None) -> None:
         self.ascii = ascii
-        self.signs = Signs(ascii, colour=not os.environ.get("NO_COLOR"))
+        self.signs = Signs(ascii)
         self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
         super().__init__()
         self.session = session
@@ -47,26 +47,28 @@ class ContralberoApp(App[int]):
     def on_mount(self) -> None:
         if self.key_map:
             self.set_keymap(self.key_map)
+        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
-        self.push_screen(Workbench(self.session))
+
+    def get_default_screen(self) -> Screen[None]:
+        """The main screen from the start: there is no other one below it that would be styled and painted for nothing."""
+        return Workbench(self.session)
 
     def _theme_changed(self, theme: Any) -> None:
         self.signs = Signs(self.ascii, theme.dark, not self.no_color)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
 
-    def enter(self, session: Session) -> None:
-        """Go on with another design."""
+    async def enter(self, session: Session) -> None:
+        """Go on with another design; unsaved edits of this one are kept aside."""
         self.session.autosave()
         self.session = session
-        self.switch_screen(Workbench(session))
+        if isinstance(self.screen, Workbench):
+            await self.screen.enter(session)
 
     def tell(self, text: str, severity: Any = "information") -> None:
         """Say something for a moment; the text is never read as markup."""
         self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
-
-    def solved_once(self) -> None:
-        self.solves += 1
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         yield SystemCommand("Theme", "Other colours; ansi-dark and ansi-light take those of the terminal", self.action_change_theme)
@@ -90,8 +92,11 @@ class ContralberoApp(App[int]):
 
 def run(path: Path | None, ascii: bool = False) -> int:
     """Open a design, or the last one, or the example; gives the exit code."""
+    import gc
+
     from .recovery import Memory
 
+    gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
     memory = Memory()
     try:
         session = Session.open(path, memory=memory)

@@ -23,7 +23,7 @@ class ChangedOnDisk(SaveError):
 
 # --- text ---------------------------------------------------------------------------------------------------------------
 def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, Any]]) -> str:
-    """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key goes to the end of its table.
+    """The TOML text with some keys changed: comments, order and spacing stay.  None takes a key out; a new key ends its table.
 
     A key is dotted, elements of arrays by name, else by index (`gears.wheels.shaft.teeth`), or a tuple of names and indices.
     """
@@ -74,6 +74,7 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
     """Change one key of nested tables, of plain ones or (`kept`) of tomlkit's; tables on the way are made where they are missing."""
     part: Any
     outer: Any = None
+    last: Any = place[-1]
     for i, part in enumerate(place[:-1]):
         if isinstance(here, list) and part == len(here):
             here.append(_new_table(kept))
@@ -82,7 +83,6 @@ def _set(here: Any, place: Place, value: Any, kept: bool = False) -> None:
                 return
             here[part] = _new_array(kept) if isinstance(place[i + 1], int) else _new_table(kept)
         outer, here = here, here[part]
-    last = place[-1]
     if value is None:
         if isinstance(here, list):
             if isinstance(last, int) and last < len(here):
@@ -208,7 +208,7 @@ def free_name(path: Path) -> Path:
 
 
 def save_document(path: Path, changes: Mapping[str, Any], original_text: str | None = None) -> bytes:
-    """Edit a design file in place, with its `.bak`; gives the bytes that were written.  `original_text`: what the file held when it was read."""
+    """Edit a design file in place, with its `.bak`; gives the bytes that were written.  `original_text`: what the file held when read."""
     if original_text is None:
         original_text = path.read_bytes().decode("utf-8")
     data = edited_text(original_text, changes).encode("utf-8")

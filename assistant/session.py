@@ -7,7 +7,7 @@ field while the last valid design and its results stay as they were.
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,6 +18,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
+from .history import History, State
 from .places import Place, changed, content_at, described, error_place, without_empty
 from .recovery import Edits, Memory
 from .saving import ChangedOnDisk, SaveError, differences, edited_text, free_name, fresh_text, write_atomic
@@ -28,15 +29,6 @@ if TYPE_CHECKING:
 
 SHIPPED = Path(__file__).resolve().parent.parent / "designs"
 EXAMPLE = SHIPPED / "r753ie4_gamma.toml"
-DEEPEST = 1000  # steps that can be undone
-
-
-@dataclass(frozen=True)
-class State:
-    """One state of the design: its tables, and the entries that could not be understood, by field."""
-
-    data: Table
-    texts: dict[Place, tuple[str, str]]  # place → (what was typed, why it is not understood)
 
 
 class Session:
@@ -60,12 +52,10 @@ class Session:
         self.autosave_failure = ""
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
-        self._state = State(self.document.data, {})
+        self._history = History(State(self.document.data, {}))
         self._saved: Table = self.document.data
+        self._valid: Table = self.document.data  # the last tables that were a valid design
         self._kept: Table | None = None
-        self._undo: list[tuple[State, Place | None]] = []
-        self._redo: list[tuple[State, Place | None]] = []
-        self._editing: Place | None = None
 
     # --- opening
     @classmethod
@@ -105,7 +95,9 @@ class Session:
             return
         when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
-            self.message = f"Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette."
+            self.message = (
+                f"Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette."
+            )
             return
         self.restore()
         self.message = f"Edits of {when} that were not saved are back. Undo returns to the file."
@@ -123,6 +115,10 @@ class Session:
         return True
 
     # --- what is shown
+    @property
+    def _state(self) -> State:
+        return self._history.state
+
     @property
     def home(self) -> Path:
         """The file of this design: that which is saved to, or the shipped one that it started from."""
@@ -221,7 +217,7 @@ class Session:
 
     def seal(self) -> None:
         """The next edit is a step of its own."""
-        self._editing = None
+        self._history.seal()
 
     def add(self, key: str | Place) -> int:
         """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
@@ -257,43 +253,35 @@ class Session:
 
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
-        return self._travel(self._undo, self._redo)
+        before = self._state
+        where = self._history.undo()
+        self._entered(before)
+        return where
 
     def redo(self) -> Place | None:
-        return self._travel(self._redo, self._undo)
-
-    def _travel(self, back: list[tuple[State, Place | None]], forth: list[tuple[State, Place | None]]) -> Place | None:
-        while back and back[-1][0] == self._state:
-            back.pop()
-        if not back:
-            return None
-        state, where = back.pop()
-        forth.append((self._state, where))
-        self._editing = None
-        self._enter(state)
-        return where or ()
+        before = self._state
+        where = self._history.redo()
+        self._entered(before)
+        return where
 
     def _step(self, state: State, where: Place | None) -> None:
-        if state == self._state:
-            return
-        if where is None or where != self._editing:
-            self._undo.append((self._state, where))
-            del self._undo[:-DEEPEST]
-        self._redo.clear()
-        self._editing = where
-        self._enter(state)
+        before = self._state
+        if self._history.go(state, where):
+            self._entered(before)
 
-    def _enter(self, state: State) -> None:
-        changed = state.data != self._state.data
-        self._state = state
-        if changed:
-            self.document = replace(self.document, data=state.data)
-            self.generation += 1
-            try:
-                self.design = design(self.document)
-                self.errors = ()
-            except BadInput as bad:
-                self.errors = tuple(bad.errors)
+    def _entered(self, before: State) -> None:
+        """The design is another one than before: check it whole."""
+        data = self._state.data
+        if data == before.data:
+            return
+        self.document = replace(self.document, data=data)
+        self.generation += 1
+        try:
+            self.design = design(self.document)
+            self.errors = ()
+            self._valid = data
+        except BadInput as bad:
+            self.errors = tuple(bad.errors)
 
     # --- solving
     def job(self) -> Job | None:
@@ -342,7 +330,9 @@ class Session:
             except OSError as error:
                 raise SaveError(f"{self.path} can not be read: {error.strerror or error}; save under another name") from None
             if there != self._raw:
-                raise ChangedOnDisk(f"{self.path.name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)")
+                raise ChangedOnDisk(
+                    f"{self.path.name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)"
+                )
         return self._write(self.path or free_name(Path.cwd() / self.origin.name))
 
     def save_as(self, path: Path) -> Path:
@@ -366,8 +356,8 @@ class Session:
         self.memory.drop(path)
         self.path, self._raw, self._kept = path, raw, None
         self.document = parse(raw, str(path))
-        self._saved = self.document.data
-        self._state = State(self.document.data, {})
+        self._saved = self._valid = self.document.data
+        self._history.state = State(self.document.data, {})
         self.autosaved = None
         self.autosave_failure = ""
         self.seal()
@@ -375,14 +365,14 @@ class Session:
         return path
 
     def autosave(self) -> None:
-        """Keep unsaved edits beside the file, so that neither a crash nor a closed window loses them; a failure is remembered."""
-        data, path = self._state.data, self.home
+        """Keep the last valid state aside, so that neither a crash nor a closed window loses it; a failure is remembered."""
+        data, path = self._valid, self.home
         if data == self._saved:
             if self._kept is not None:
                 self.memory.drop(path)
                 self._kept, self.autosaved = None, None
             return
-        if data is self._kept or self.errors:
+        if data is self._kept:
             return
         now = self.now()
         try:

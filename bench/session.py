@@ -30,7 +30,13 @@ class Terminal:
 
     def __init__(self, arguments: list[str], columns: int = 120, rows: int = 40) -> None:
         self.state = tempfile.TemporaryDirectory()
-        environment = {**os.environ, "XDG_STATE_HOME": self.state.name, "TERM": "xterm-256color", "COLUMNS": str(columns), "LINES": str(rows)}
+        environment = {
+            **os.environ,
+            "XDG_STATE_HOME": self.state.name,
+            "TERM": "xterm-256color",
+            "COLUMNS": str(columns),
+            "LINES": str(rows),
+        }
         self.started = time.perf_counter()
         self.pid, self.file = pty.fork()
         if self.pid == 0:
@@ -98,7 +104,8 @@ def bare() -> float:
 
 
 def report(name: str, seconds: list[float]) -> None:
-    print(f"{name:<34} median {statistics.median(seconds) * 1000:7.0f} ms   best {min(seconds) * 1000:7.0f}   worst {max(seconds) * 1000:7.0f}   n = {len(seconds)}")
+    median, best, worst = (1000 * f(seconds) for f in (statistics.median, min, max))
+    print(f"{name:<34} median {median:7.0f} ms   best {best:7.0f}   worst {worst:7.0f}   n = {len(seconds)}")
 
 
 def main(rounds: int = 5) -> None:

@@ -40,8 +40,8 @@ def run(asked: Namespace) -> int:
         for key in dict.fromkeys(link.inputs):
             print(f"    ← {key}")
     if not lines:
-        source = origin(results, asked.value)
-        print(f"taken from the inputs: {source}" if source else "no recorded formula returns this number itself")
+        taken = origin(results, asked.value)
+        print(f"taken from the inputs: {taken}" if taken else "no recorded formula returns this number itself")
     return 0
 
 

@@ -50,7 +50,9 @@ class Choose(ModalScreen[str | None]):
         event.stop()
         event.prevent_default()
         low = [word.lower() for word in self.words]
-        found = next((n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(low) if self._typed in w), None))
+        found = next(
+            (n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(low) if self._typed in w), None)
+        )
         if found is not None:
             self.query_one(OptionList).highlighted = found
         else:

@@ -197,7 +197,9 @@ class Doing:
         text = field.nudge(by)
         if isinstance(field.box, Entry) and text != field.box.value:
             if text == self.session.text(field.place):
-                me.app.tell("A list, or a text, has no increment." if field.about.kind not in ("number", "integer") else "There is no step further.")
+                me.app.tell(
+                    "A list, or a text, has no increment." if field.about.kind not in ("number", "integer") else "There is no step further."
+                )
                 return
             field.box.value = text
             field.box.cursor_position = len(text)
@@ -268,7 +270,7 @@ class Doing:
         me = self._me
         session = await me.app.push_screen_wait(OpenDialog(self.session))
         if session is not None:
-            me.app.enter(session)
+            await me.app.enter(session)
 
     def action_restore(self) -> None:
         """Put back edits that were kept aside for another version of the file."""
@@ -359,5 +361,4 @@ class Doing:
 
 
 for _action in BY_ID.values():  # a key without its method would be a dead key
-    assert hasattr(Doing, "action_" + _action.call.partition("(")[0]), _action.id
-
+    assert hasattr(Doing, "action_" + _action.does.partition("(")[0]), _action.id

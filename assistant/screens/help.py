@@ -24,8 +24,8 @@ if TYPE_CHECKING:
     from .workbench import Workbench
 
 SCREEN = (
-    "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, the calculation line by line, and curves.",
-    "Everything is solved again while you type. A step can be opened at any time; one that lacks the numbers of another says which it waits for.",
+    "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its calculation, and curves.",
+    "Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says what it waits for.",
     "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), and a list with semicolons (-167.5; 167.5).",
     "(auto) stands where the program chooses because a field is empty.",
     "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input.",
@@ -111,7 +111,11 @@ class HelpScreen(ModalScreen[None]):
         check = next((c for c in results.checks() if c.id == id), None) if results is not None else None
         if check is None:
             return []
-        kind = "Limit: passed over it fails, and less than 5 % of margin is a warning." if check.kind == "limit" else "Advice: passed over it warns."
+        kind = (
+            "Limit: passed over it fails, and less than 5 % of margin is a warning."
+            if check.kind == "limit"
+            else "Advice: passed over it warns."
+        )
         value = f"{short(check.value)} {check.unit}".rstrip()
         return [
             Content.assemble((check.name, "bold"), (f"   {check.id}", "dim")),
@@ -129,7 +133,13 @@ class HelpScreen(ModalScreen[None]):
             keys, letters = (key_names(mapped), "") if mapped else (key_names(action.keys), key_names(action.letters))
             lines.append(self.described(keys, letters, f"{action.title}. {action.help}"))
         lines.append(self.described("Tab Shift+Tab", "", "Next, previous field or pane."))
-        lines.append(self.described("← →", "", "On the heading of a list of elements: leaf through them; + adds one, − takes it out. On the curve: the next one."))
+        lines.append(
+            self.described(
+                "← →",
+                "",
+                "On the heading of a list of elements: leaf through them; + adds one, − takes it out. On the curve: the next one.",
+            )
+        )
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

@@ -26,7 +26,7 @@ class Palette(Provider):
         for action in ACTIONS:
             if action.id not in HIDDEN:
                 keys = key_names(action.binding)
-                yield f"{action.title}  ({keys})" if keys else action.title, action.help, partial(work.run_action, action.call)
+                yield f"{action.title}  ({keys})" if keys else action.title, action.help, partial(work.run_action, action.does)
         yield "Put back unsaved edits", "Edits that were kept aside for another version of this file.", work.action_restore
 
     async def discover(self) -> Hits:
@@ -43,4 +43,9 @@ class Palette(Provider):
             for key, about in quantities(work.session.data):
                 title = f"Field: {about.label}  {key}"
                 if (score := matcher.match(title)) > 0:
-                    yield Hit(score * 0.9, matcher.highlight(title), partial(work.to_field, work.session.place(key)), help=about.help or about.allowed())
+                    yield Hit(
+                        score * 0.9,
+                        matcher.highlight(title),
+                        partial(work.to_field, work.session.place(key)),
+                        help=about.help or about.allowed(),
+                    )

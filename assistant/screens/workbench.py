@@ -1,17 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from textual import events, work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal, Vertical
 from textual.content import Content
-from textual.message import Message
 from textual.reactive import Reactive
-from textual.screen import Screen
 from textual.style import Style
 from textual.timer import Timer
 from textual.widget import Widget
@@ -22,8 +19,6 @@ from calc.sheet.step import Step
 from ..actions import ACTIONS
 from ..places import Place
 from ..session import Session
-from ..sheets import Sheet
-from ..solving import Answer, Job, run
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -41,48 +36,39 @@ from ..widgets.steps import Steps
 from ..widgets.taken import Taken
 from ..widgets.top_line import TopLine
 from .doing import VIEWS, Doing
+from .live import Live
 
 if TYPE_CHECKING:
-    from calc.solve import Results
-
     from ..app import ContralberoApp
 
-DEBOUNCE = 0.1  # seconds after the last key
-SLOW = 0.15  # a solve that takes longer says so
 KEEP = 1.5  # seconds after the last edit until it is kept aside
 COMPLAIN = 0.6  # seconds until a field that is being typed into says what is wrong with it
-AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
 PANES = ("steps", "inputs", "checks", "calculation", "curve")
 
 
-class Workbench(Doing, Screen[None]):
-    """What is shown, and when it is made anew; what the keys do stands in `Doing`."""
+class Workbench(Doing, Live):
+    """What is shown, and when it is made anew.  What the keys do stands in `Doing`, how it is solved in `Live`."""
 
     app: "ContralberoApp"
-    HORIZONTAL_BREAKPOINTS: ClassVar[list[tuple[int, str]] | None] = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]
-    BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.call, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
+    HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]  # noqa: RUF012
+    BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
     AUTO_FOCUS = ""
-    focused = Reactive(None, repaint=False)  # a change of the focus is drawn by the two widgets; the whole screen need not be
-
-    @dataclass
-    class Solved(Message):
-        """A solve in the other thread is done."""
-
-        answer: Answer
+    focused: Reactive[Widget | None] = Reactive(
+        None, repaint=False
+    )  # a change of the focus is drawn by the two widgets; the whole screen need not be
 
     def __init__(self, session: Session) -> None:
         super().__init__()
-        self.session = session
-        self.step: Step = next((s for s in STEPS if s.key in session.data), STEPS[0])
-        self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
-        self.pane = "inputs"  # the pane that has, or had last, the focus
-        self.large = False  # that pane alone, on a wide screen
-        self._solving = False
-        self._debounce: Timer | None = None
-        self._slow: Timer | None = None
         self._keep: Timer | None = None
         self._complain: Timer | None = None
-        self._ahead: Timer | None = None
+        self._begin(session)
+
+    def _begin(self, session: Session) -> None:
+        self.session = session
+        self.step = next((s for s in STEPS if s.key in session.data), STEPS[0])
+        self.sheets = {}
+        self.pane = "inputs"  # the pane that has, or had last, the focus
+        self.large = False  # that pane alone, on a wide screen
         self._saw: set[Place] = set()  # fields whose mistake has been said
 
     # --- the parts
@@ -101,6 +87,15 @@ class Workbench(Doing, Screen[None]):
                 yield CurvePane()
         yield MessageLine(self.session)
         yield FooterLine()
+
+    async def enter(self, session: Session) -> None:
+        """Go on with another design."""
+        for timer in (self._debounce, self._keep, self._complain, self._ahead):
+            if timer is not None:
+                timer.stop()
+        self._begin(session)
+        await self.recompose()
+        self.on_mount()
 
     def on_mount(self) -> None:
         self.set_out()
@@ -149,9 +144,7 @@ class Workbench(Doing, Screen[None]):
     def edited(self) -> None:
         """The design has changed: say what is not accepted, solve, and keep the edit aside, each in its time."""
         self.show_state()
-        if self._debounce is not None:
-            self._debounce.stop()
-        self._debounce = self.set_timer(DEBOUNCE, self.solve)
+        self.solve_soon()
         if self._keep is not None:
             self._keep.stop()
         self._keep = self.set_timer(KEEP, self.keep)
@@ -186,82 +179,6 @@ class Workbench(Doing, Screen[None]):
         self.session.autosave()
         self.app.call_from_thread(self.query_one(TopLine).refresh)
 
-    # --- solving
-    def solve(self) -> None:
-        """Solve what is to be solved, one at a time; an edit in the meantime makes it solve once more."""
-        if self._solving:
-            return
-        job = self.session.job()
-        if job is None:
-            self.query_one(TopLine).slow = False
-            self.show_state()
-            return
-        self._solving = True
-        self._slow = self.set_timer(SLOW, self._say_slow)
-        self._solve_aside(job)
-
-    def set_stale(self, stale: bool) -> None:
-        """Dim the results that do not belong to what the fields say."""
-        for results in (*self.query(Checks), *self.query(Calculation)):
-            results.set_stale(stale)
-
-    def _say_slow(self) -> None:
-        if self._solving:
-            self.query_one(TopLine).slow = True
-            self.query_one(TopLine).refresh()
-            self.set_stale(True)
-
-    @work(thread=True, group="solve", exit_on_error=False, description="solve")
-    def _solve_aside(self, job: Job) -> None:
-        answer = run(job)
-        from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
-
-        if answer.results is not None:
-            self._prepare(answer.results, self.step)
-        self.post_message(self.Solved(answer))
-
-    def _prepare(self, results: "Results", step: Step) -> Sheet:
-        """The calculation of a step, written out and broken into rows; kept as long as its outcome is the same.  Runs in any thread."""
-        from ..sheets import sheet
-
-        outcome = results.outcomes[step.key]
-        known, made = self.sheets.get(step.key, (None, Sheet()))
-        if known is not outcome:
-            try:
-                made = sheet(outcome, STEPS.index(step) + 1)
-            except Exception as error:  # a line that can not be written must not stop the session
-                made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
-            self.sheets[step.key] = (outcome, made)
-        self.query_one(Calculation).prepare(made)
-        return made
-
-    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="prepare")
-    def _prepare_ahead(self) -> None:
-        """The calculations of the other steps, while nothing else is to be done."""
-        for step in STEPS:
-            results = self.session.results
-            if results is None or self._solving or not self.is_attached:
-                return
-            self._prepare(results, step)
-
-    def on_workbench_solved(self, event: Solved) -> None:
-        event.stop()
-        self._solving = False
-        if self._slow is not None:
-            self._slow.stop()
-        if self.session.accept(event.answer):
-            self.query_one(TopLine).slow = False
-            self.show_results()
-        if self.session.job() is not None:
-            self.solve()
-        else:
-            self.query_one(TopLine).slow = False
-            self.show_state()
-            self.app.solved_once()
-            if self._ahead is not None:
-                self._ahead.stop()
-            self._ahead = self.set_timer(AHEAD, self._prepare_ahead)
-
     # --- showing
     def show_results(self) -> None:
         """The results of the current step."""
@@ -269,7 +186,7 @@ class Workbench(Doing, Screen[None]):
         outcome = results.outcomes[self.step.key] if results is not None else None
         self.query_one(Checks).show(outcome)
         if results is not None:
-            self.query_one(Calculation).show(self._prepare(results, self.step))
+            self.query_one(Calculation).show(self.prepare(results, self.step))
             self.query_one(CurvePane).show(self.step.key, outcome.curves if outcome is not None else ())
         self.form.refresh_taken()
         if outcome is not None:
@@ -347,7 +264,9 @@ class Workbench(Doing, Screen[None]):
     def _views(self, shown: str) -> Content:
         """The names of the views, for a narrow screen."""
         parts = [
-            Content.styled(word, "bold" if name == shown else "not bold dim").stylize(Style.from_meta({"@click": f"screen.to_view('{name}')"}))
+            Content.styled(word, "bold" if name == shown else "not bold dim").stylize(
+                Style.from_meta({"@click": f"screen.to_view('{name}')"})
+            )
             for name, word in VIEWS.items()
         ]
         return Content(" · ").join(parts)

@@ -73,10 +73,15 @@ class ArrayHeading(Widget, can_focus=True):
         else:
             name = f" {names[shown]}" if names[shown] != str(shown + 1) else ""
             text = f" {shown + 1} of {len(names)}{name} "
-            middle = ["  ", self._link(before, "leaf(-1)"), fit(text, max(8, self.size.width - len(title) - 16)), self._link(after, "leaf(1)")]
-        buttons = [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link("+ add", "add")]
+            middle = [
+                "  ",
+                self._link(before, "leaf(-1)"),
+                fit(text, max(8, self.size.width - len(title) - 16)),
+                self._link(after, "leaf(1)"),
+            ]
+        buttons: list[Content | str] = [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link("+ add", "add")]
         left = Content.assemble((" " + title, "bold"), *middle)
-        gap = max(1, self.size.width - left.cell_length - sum(len(b) for b in buttons) - 1)
+        gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content.assemble(left, " " * gap, *buttons)
 
     def _link(self, text: str, action: str) -> Content:

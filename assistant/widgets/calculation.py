@@ -11,6 +11,8 @@ from .item_list import Item, ItemList
 from .signs import WORDS, Signs
 from .wrap import wrap
 
+BOUND = "\u00a0"  # a space at which no row is broken
+
 
 class Typesetter:
     """Breaks a calculation into rows.  Knows no screen, so that a long one can be set in another thread."""
@@ -33,7 +35,9 @@ class Typesetter:
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
         if sheet.notes:
             items.append(Item("", [Content(""), Content.styled("Assumed", "bold")]))
-            items += [Item(f"note {n}", [Content(row) for row in wrap(f"· {note}", width, 2)], line=note) for n, note in enumerate(sheet.notes)]
+            items += [
+                Item(f"note {n}", [Content(row) for row in wrap(f"· {note}", width, 2)], line=note) for n, note in enumerate(sheet.notes)
+            ]
         return items
 
     def _entry(self, entry: Entry) -> Item:
@@ -43,11 +47,12 @@ class Typesetter:
         rows = [Content.assemble((number, "dim"), entry_rows[0].lstrip()) if n == 0 else Content(text)
                 for entry_rows in [wrap(" " * indent + entry.formula, width, indent + 2)] for n, text in enumerate(entry_rows)]  # fmt: skip
         before, equals, after = entry.numbers.rpartition("= ")
-        numbers = before + equals + after.replace(" ", "\u00a0", 1)  # a number and its unit stay together
+        numbers = before + equals + after.replace(" ", BOUND, 1)  # a number and its unit stay together
         rows += [Content(text) for text in wrap(" " * (indent + 2) + numbers, width, indent + 4)]
         signs = self.signs
         for check in entry.checks:
-            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name} {check.limit_text()}"
+            limit = check.limit_text().replace(" ", BOUND)
+            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name} {limit}"
             rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
         for erratum in entry.errata:
             rows += self._erratum(erratum, indent + 2)

@@ -48,14 +48,16 @@ class Checks(ItemList):
         name_width = width - VERDICT - value_width - limit_width - MARGIN - 2 * GAP
         roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
         if roomy:
-            head = f"{'':<{VERDICT}}{'Check':<{name_width}}{'':{GAP}}{'Value':>{value_width}}{'':{GAP}}{'Limit':<{limit_width}}{'Margin':>{MARGIN}}"
+            start = " " * VERDICT + "Check".ljust(name_width)
+            head = f"{start}{'':{GAP}}{'Value':>{value_width}}{'':{GAP}}{'Limit':<{limit_width}}{'Margin':>{MARGIN}}"
         else:
             head = f"{'':<{VERDICT}}{'Check, value and limit':<{width - VERDICT - MARGIN}}{'Margin':>{MARGIN}}"
         items = [Item("", [Content.styled(head, "dim")])]
         for check in checks:
             rows = self._wide(check, name_width, value_width, limit_width) if roomy else self._two(check, width)
             value = f"{short(check.value)} {check.unit}".rstrip()
-            line = f"{WORDS[check.verdict]}: {check.name} {value}, limit {check.limit_text()}, margin {check.margin_text()} [{check.source}]"
+            judged = f"limit {check.limit_text()}, margin {check.margin_text()}"
+            line = f"{WORDS[check.verdict]}: {check.name} {value}, {judged} [{check.source}]"
             items.append(Item(check.id, rows, value, line))
         return items
 
@@ -82,5 +84,7 @@ class Checks(ItemList):
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble((start, style), pad(names[0], room), (f"{check.margin_text():>{MARGIN}}", style))
         limit = check.limit_text()
-        numbers = Content.assemble(" " * VERDICT, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim"))
+        numbers = Content.assemble(
+            " " * VERDICT, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim")
+        )
         return [first, *(Content(" " * VERDICT + name) for name in names[1:]), numbers]

@@ -70,7 +70,9 @@ class Field(Widget):
     def _made(self) -> Entry | Choice:
         text, optional = self.session.text(self.place), self.about.optional
         if self.words:
-            return Choice(self.words, text, optional=optional, prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else "choose")
+            return Choice(
+                self.words, text, optional=optional, prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else "choose"
+            )
         return Entry(text, self.default or ("(auto)" if optional else "" if self.row.required else "left out"))
 
     def compose(self) -> ComposeResult:

@@ -42,4 +42,4 @@ class FooterLine(Widget):
 
     def _part(self, action: Action) -> Content:
         made = Content.assemble((self.shown_key(action), "bold $footer-key-foreground"), " ", action.footer)
-        return made.stylize(Style.from_meta({"@click": f"screen.{action.call}"}))
+        return made.stylize(Style.from_meta({"@click": f"screen.{action.does}"}))

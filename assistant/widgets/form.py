@@ -10,6 +10,7 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, Static
+from textual.worker import Worker
 
 from calc.sheet.step import Step
 
@@ -53,7 +54,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def _widgets(self) -> list[Widget]:
         if self.step.key not in self.session.data:
             self._shape = []
-            return [Static(Content(f" This design has no step {self.step.title}.\n\n Enter adds it, with the values of the example; undo takes it out again."))]
+            text = f" This design has no step {self.step.title}.\n\n Enter adds it, with the values of the example; undo takes it out."
+            return [Static(Content(text))]
         found = rows(self.step, self.session.data, self.chosen)
         self._shape = _shape(found)
         made: list[Widget] = []
@@ -120,7 +122,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
         if inside:
             self.focus(scroll_visible=False)
-        self.run_worker(again, exclusive=True, group=f"form-{self.step.key}")
+        _: Worker[None] = self.run_worker(again, exclusive=True, group=f"form-{self.step.key}")
 
     # --- focus
     def stops(self) -> list[Widget]:

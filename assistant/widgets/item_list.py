@@ -3,9 +3,10 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, ClassVar, cast
 
 from textual import events
+from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.geometry import Region, Size
 from textual.message import Message
@@ -16,6 +17,8 @@ from textual.style import Style
 from textual.visual import RenderOptions
 
 if TYPE_CHECKING:
+    from textual.css.styles import RulesMap
+
     from ..app import ContralberoApp
 
 
@@ -29,10 +32,19 @@ class Item:
     line: str = ""
 
 
-class ItemList(ScrollView, can_focus=True):
-    """Subclasses say what the items are for a width; this class draws, scrolls and moves the cursor."""
+class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
+    """Subclasses say what the items are for a width; this class draws, scrolls and moves the cursor.
+
+    Up and down are the main screen's, as everywhere.
+    """
 
     app: "ContralberoApp"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("pagedown", "page(1)", "A screenful down", show=False),
+        Binding("pageup", "page(-1)", "A screenful up", show=False),
+        Binding("home", "page(-1000)", "To the beginning", show=False),
+        Binding("end", "page(1000)", "To the end", show=False),
+    ]
     COMPONENT_CLASSES: ClassVar[set[str]] = {"item-list--cursor"}
     ALLOW_SELECT = True
 
@@ -157,13 +169,16 @@ class ItemList(ScrollView, can_focus=True):
         if i != self.cursor:
             self._move(i)
 
-    def page(self, by: int) -> None:
-        """Move by a screenful."""
+    def action_page(self, by: int) -> None:
+        """Move by a screenful, or by many."""
         if not self._first or self.cursor < 0:
             return
         wanted = self._first[self.cursor] + by * max(1, self.size.height - 1)
         choosable = [i for i, item in enumerate(self.items) if item.key]
-        self._move(min(choosable, key=lambda i: abs(self._first[i] - wanted)))
+        found = min(choosable, key=lambda i: abs(self._first[i] - wanted))
+        if found == self.cursor:  # an item higher than the list
+            found = choosable[max(0, min(len(choosable) - 1, choosable.index(found) + (1 if by > 0 else -1)))]
+        self._move(found)
 
     def _move(self, index: int, *, top: bool = False) -> None:
         self.cursor = index
@@ -213,7 +228,7 @@ class ItemList(ScrollView, can_focus=True):
             start, end = span
             chosen = self.screen.get_visual_style("screen--selection")
             content = content.stylize(chosen, start, len(content) if end == -1 else end)
-        strips = content.render_strips(width, 1, style, RenderOptions(self._get_style, self.styles))
+        strips = content.render_strips(width, 1, style, RenderOptions(self._get_style, cast("RulesMap", self.styles)))
         strip = strips[0] if strips else Strip.blank(width, style.rich_style)
         return strip.adjust_cell_length(width, style.rich_style).apply_offsets(0, line)
 

@@ -50,18 +50,17 @@ class MessageLine(Widget):
         if checks and checks[0].verdict != "pass":
             bad = sum(c.verdict != "pass" for c in checks)
             return checks[0].verdict, self._check(checks[0]) + (f"  ({bad} of {len(checks)} checks here)" if bad > 1 else "")
-        for step in STEPS:
-            found = sorted_checks(session.results.outcomes[step.key].checks)
-            if found and found[0].verdict == "fail":
-                return "fail", self._title(step.key) + self._check(found[0])
-        for step in STEPS:
-            state = session.results.outcomes[step.key].state
-            if state in ("blocked", "no_solution"):
-                return state, self._title(step.key) + session.results.outcomes[step.key].reason
-        for step in STEPS:
-            found = sorted_checks(session.results.outcomes[step.key].checks)
-            if found and found[0].verdict == "warn":
-                return "warn", self._title(step.key) + self._check(found[0])
+        outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
+        worst = [(key, found[0]) for key, other in outcomes if (found := sorted_checks(other.checks))]
+        for key, check in worst:
+            if check.verdict == "fail":
+                return "fail", self._title(key) + self._check(check)
+        for key, other in outcomes:
+            if other.state in ("blocked", "no_solution"):
+                return other.state, self._title(key) + other.reason
+        for key, check in worst:
+            if check.verdict == "warn":
+                return "warn", self._title(key) + self._check(check)
         return "pass", "every check passes"
 
     def _title(self, key: str) -> str:
@@ -69,7 +68,13 @@ class MessageLine(Widget):
 
     def _check(self, check: Check) -> str:
         value = f"{short(check.value)} {check.unit}".rstrip()
-        advice = f": {check.advice[:1].lower()}{check.advice[1:]}" if check.advice[1:2].islower() else f": {check.advice}" if check.advice else ""
+        advice = (
+            f": {check.advice[:1].lower()}{check.advice[1:]}"
+            if check.advice[1:2].islower()
+            else f": {check.advice}"
+            if check.advice
+            else ""
+        )
         needs = "should be" if check.kind == "advice" else "needs"
         return f"{check.name} {value}, {needs} {check.limit_text()}{advice}"
 

@@ -26,7 +26,7 @@ class Pane(Vertical):
 
     @property
     def target(self) -> Widget:
-        return next((child for child in self.walk_children() if child.focusable), self)
+        return next((child for child in self.walk_children(Widget) if child.focusable), self)
 
     def set_title(self, title: str | None = None, right: str | None = None, views: Content | None = None) -> None:
         """The title, what is to be said beside it, and, where one pane stands for all, the names of the others."""
@@ -36,17 +36,17 @@ class Pane(Vertical):
         width = (self.title.size.width or self.size.width) - 2
         if width < 4:
             return
+        room = width - (self.views.cell_length + 2 if self.views.plain else 0)
+        parts = self.right.split(" · ") if self.right else []
+        name = fit(self.name_of, max(8, room - (len(parts[0]) + 3 if parts else 0)))
+        beside = ""
+        for part in parts:
+            if len(name) + len(beside) + len(part) + 3 <= room:
+                beside += f" · {part}"
         if self.views.plain:
-            room = width - self.views.cell_length - 2
-            name = fit(self.name_of, room)
-            beside = ""
-            for part in self.right.split(" · ") if self.right else ():
-                if len(name + beside) + len(part) + 3 <= room:
-                    beside += f" · {part}"
             end = self.views
         else:
-            name = fit(self.name_of, max(4, width - (len(self.right) + 2 if self.right else 0)))
-            beside, end = "", Content.styled(fit(self.right, max(0, width - len(name) - 1)), "not bold not underline")
+            beside, end = "", Content.styled(beside.removeprefix(" · "), "not bold")
         gap = max(1, width - len(name) - len(beside) - end.cell_length)
         made = Content.assemble(" ", name, (beside, "not bold"), (" " * gap, "not underline"), end)
         if made.markup != self._shown:

@@ -41,7 +41,11 @@ class StepBar(Widget):
             here = step.key == self.current
             mark = signs.mark(state) if outcomes or state == "invalid" else signs.mark("solving")
             text = Content.assemble(
-                "[" if here else " ", str(n), (mark, signs.style(state)), (fit(step.title, room, ""), "bold" if here else ""), "]" if here else " "
+                "[" if here else " ",
+                str(n),
+                (mark, signs.style(state)),
+                (fit(step.title, room, ""), "bold" if here else ""),
+                "]" if here else " ",
             )
             parts.append(text.stylize(Style.from_meta({"@click": f"screen.step({n})"})))
         return Content("").join(parts)

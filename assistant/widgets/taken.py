@@ -12,6 +12,7 @@ from calc.sheet.number import short
 from .. import numbers
 from ..session import Session
 from ..upstream import TAKEN
+from .field import LABEL, LABEL_NARROW, NARROW
 from .item_list import Item, ItemList
 from .wrap import fit, wrap
 
@@ -29,7 +30,7 @@ class Taken(ItemList):
     def build(self, width: int) -> list[Item]:
         found = []
         values = self.session.values()
-        label_width = max(20, width - 26)
+        label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
         for id in TAKEN.get(self.step, ()):
             owner = id.partition(".")[0]
             if (known := values.get(id)) is not None:
@@ -46,7 +47,7 @@ class Taken(ItemList):
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()
-            room = width - label_width - len(origin) - 1
+            room = min(18, width - label_width - len(origin) - 1)
             first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
             found.append(Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}"))
         if found:

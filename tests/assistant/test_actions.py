@@ -21,7 +21,7 @@ def test_every_action_has_words_and_a_method() -> None:
     for action in ACTIONS:
         assert action.title and action.help.endswith("."), action.id
         assert action.binding, action.id
-        assert hasattr(Doing, "action_" + action.call.partition("(")[0]), action.id
+        assert hasattr(Doing, "action_" + action.does.partition("(")[0]), action.id
 
 
 def test_no_key_is_given_twice() -> None:
@@ -55,10 +55,19 @@ def test_a_field_takes_none_of_our_control_keys() -> None:
 
 
 def test_keys_are_named_as_on_the_keyboard() -> None:
-    assert [key_name(k) for k in ("f1", "ctrl+z", "shift+f6", "question_mark", "pagedown", "Y")] == ["F1", "^z", "Shift+F6", "?", "PgDn", "Y"]
+    assert [key_name(k) for k in ("f1", "ctrl+z", "shift+f6", "question_mark", "pagedown", "Y")] == [
+        "F1",
+        "^z",
+        "Shift+F6",
+        "?",
+        "PgDn",
+        "Y",
+    ]
 
 
-@pytest.mark.parametrize(("size", "shown"), [((80, 24), "F1 Help F2 Back F3 Next F4 View F6 Pane F8 PDF ^z Undo ^s Save"), ((120, 40), "^p palette")])
+@pytest.mark.parametrize(
+    ("size", "shown"), [((80, 24), "F1 Help F2 Back F3 Next F4 View F6 Pane F8 PDF ^z Undo ^s Save"), ((120, 40), "^p palette")]
+)
 async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str) -> None:
     async with screen(size=size) as pilot:
         footer = pilot.app.screen.query_one("#footer-line")

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from assistant import numbers
-from assistant.numbers import DIMENSIONS, NotUnderstood
+from assistant.numbers import NotUnderstood
+from assistant.unit_words import UNIT_WORDS
 from calc.sheet.quantity import Quantity
 from calc.sheet.units import UNITS
 
@@ -43,7 +44,7 @@ def test_a_number_is_understood(text: str, unit: str, value: float) -> None:
     ],
 )  # fmt: skip
 def test_what_can_be_misread_is_refused_with_the_reason(text: str, reason: str) -> None:
-    with pytest.raises(NotUnderstood, match=".") as refused:
+    with pytest.raises(NotUnderstood) as refused:
         numbers.value(text, about())
     assert reason in str(refused.value)
 
@@ -82,7 +83,7 @@ def test_an_empty_field_leaves_the_choice_to_the_program() -> None:
 
 def test_every_unit_of_a_key_can_be_typed() -> None:
     for symbol, unit in UNITS.items():
-        known = DIMENSIONS[symbol]
+        known = UNIT_WORDS[symbol]
         factor = known[symbol][0] if isinstance(known[symbol], tuple) else known[symbol]
         assert factor == pytest.approx(unit.factor, rel=1e-12), symbol
         assert numbers.value(f"2.5 {symbol}", about(unit=symbol)) == 2.5

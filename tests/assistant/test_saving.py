@@ -27,7 +27,10 @@ def test_no_change_gives_the_same_text() -> None:
 def test_one_value_changes_one_line_and_keeps_its_comment() -> None:
     made = edited_text(TEXT, {"imbalance.crank_balance_fraction": 0.4})
     assert lines_that_differ(TEXT, made) == [
-        ("crank_balance_fraction = 0.5    # crank, pulley and flywheel together", "crank_balance_fraction = 0.4    # crank, pulley and flywheel together")
+        (
+            "crank_balance_fraction = 0.5    # crank, pulley and flywheel together",
+            "crank_balance_fraction = 0.4    # crank, pulley and flywheel together",
+        )
     ]
 
 
@@ -81,7 +84,10 @@ def test_an_unknown_element_is_an_error() -> None:
 @pytest.mark.parametrize("begin", ["", "\ufeff"])
 def test_line_ends_and_byte_order_mark_are_kept(begin: str) -> None:
     text = begin + "# mine\r\n[engine]\r\nbore_mm = 94.0  # bore\r\n"
-    assert edited_text(text, {"engine.bore_mm": 95.0, "engine.strokes": 4}) == begin + "# mine\r\n[engine]\r\nbore_mm = 95.0  # bore\r\nstrokes = 4\r\n"
+    assert (
+        edited_text(text, {"engine.bore_mm": 95.0, "engine.strokes": 4})
+        == begin + "# mine\r\n[engine]\r\nbore_mm = 95.0  # bore\r\nstrokes = 4\r\n"
+    )
 
 
 def test_differences_lead_from_one_to_the_other() -> None:

@@ -7,17 +7,15 @@ import subprocess
 import sys
 import tomllib
 from dataclasses import replace
-from datetime import datetime
 from pathlib import Path
 
 import pytest
 
-from assistant.recovery import Edits, Memory, state_dir
+from assistant.recovery import Memory
 from assistant.saving import ChangedOnDisk, SaveError
 from assistant.session import EXAMPLE, SHIPPED, Session
 from assistant.solving import Answer, run
 from calc.design_file import load
-from calc.sheet.errors import BadInput
 
 BORE = "engine.bore_mm"
 
@@ -268,108 +266,6 @@ def test_read_only(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     assert not session.read_only
     monkeypatch.setattr(os, "access", lambda path, mode: Path(path) != session.home)
     assert session.read_only
-
-
-# --- what is remembered
-def test_unsaved_edits_come_back_as_one_step_that_can_be_undone(session: Session) -> None:
-    session.edit(BORE, "95")
-    session.edit("engine.rod_length_mm", "170")
-    assert not session.safe
-    session.autosave()
-    assert session.safe and session.autosaved == session.now()
-    other = reopened(session)
-    assert other.value(BORE) == 95.0 and other.dirty
-    assert "12:04" in other.message
-    other.undo()
-    assert not other.dirty
-
-
-def test_saving_forgets_the_kept_edits(session: Session) -> None:
-    session.edit(BORE, "95")
-    session.autosave()
-    session.save()
-    assert session.memory.kept(session.home) is None
-
-
-def test_undoing_everything_forgets_the_kept_edits(session: Session) -> None:
-    session.edit(BORE, "95")
-    session.autosave()
-    session.undo()
-    session.autosave()
-    assert session.memory.kept(session.home) is None
-
-
-def test_edits_of_another_version_are_not_put_back_by_themselves(session: Session) -> None:
-    session.edit(BORE, "95")
-    session.autosave()
-    session.home.write_text(session.home.read_text(encoding="utf-8") + "# newer\n", encoding="utf-8")
-    other = reopened(session)
-    assert not other.dirty and "changed since" in other.message
-    assert other.restore() and other.value(BORE) == 95.0
-
-
-def test_invalid_input_is_not_kept_and_not_safe(session: Session) -> None:
-    session.edit(BORE, "-1")
-    session.autosave()
-    assert not session.safe
-    assert session.memory.kept(session.home) is None
-
-
-def test_a_state_folder_that_can_not_be_written_is_said(session: Session, tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("")
-    session.memory = Memory(tmp_path / "file" / "state")
-    session.edit(BORE, "95")
-    session.autosave()
-    assert session.autosave_failure and not session.safe
-    session.save()  # nothing else depends on it
-
-
-def test_damaged_memory_is_no_memory(session: Session) -> None:
-    session.edit(BORE, "95")
-    session.autosave()
-    for file in (session.memory.folder / "unsaved").iterdir():
-        file.write_text("[unsaved\n")
-    assert not reopened(session).dirty
-    (session.memory.folder / "last").write_bytes(b"\xff\xfe\x00")
-    assert session.memory.last() is None
-
-
-def test_kept_edits_that_are_no_design_any_more_are_left_alone(session: Session) -> None:
-    session.memory.keep(session.home, Edits({"schema": 1, "name": 3}, datetime(2026, 1, 1), session.document.sha256))
-    assert not reopened(session).dirty
-
-
-def test_the_last_design_is_opened(session: Session) -> None:
-    assert Session.open(None, memory=session.memory).path == session.path
-    session.home.unlink()
-    assert Session.open(None, memory=session.memory).example
-
-
-def test_a_last_design_that_is_broken_gives_the_example_and_says_so(session: Session) -> None:
-    session.home.write_text("no design")
-    other = Session.open(None, memory=session.memory)
-    assert other.example and "can not be opened" in other.message
-
-
-def test_a_file_that_is_no_design_is_refused_with_every_error(design: Path, memory: Memory) -> None:
-    design.write_text(design.read_text(encoding="utf-8").replace("cylinders = 3", "cylinders = 99").replace("strokes = 4", 'strokes = "x"'), encoding="utf-8")
-    with pytest.raises(BadInput) as bad:
-        Session.open(design, memory=memory)
-    assert {"engine.cylinders", "engine.strokes"} <= {error.key for error in bad.value.errors}
-
-
-def test_where_the_state_is_kept(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
-    assert state_dir() == tmp_path / "contralbero"
-    monkeypatch.delenv("XDG_STATE_HOME")
-    assert state_dir().parts[-3:] == (".local", "state", "contralbero")
-
-
-def test_the_user_s_own_keys(memory: Memory) -> None:
-    assert memory.keys() == {}
-    memory.folder.mkdir()
-    (memory.folder / "keys.toml").write_text('save = "ctrl+w"\nodd = 3\n')
-    assert memory.keys() == {"save": "ctrl+w"}
 
 
 # --- start-up

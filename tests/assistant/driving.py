@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Driving the screen in tests: keys, waiting, and what can be read on it."""
+
+import asyncio
+
+from textual import events
+from textual.keys import _character_to_key
+from textual.pilot import Pilot
+
+from assistant.screens.workbench import Workbench
+from assistant.widgets.choice import Choice
+from assistant.widgets.entry import Entry
+from assistant.widgets.message_line import MessageLine
+
+CHARACTERS = {
+    "question_mark": "?",
+    "left_square_bracket": "[",
+    "right_square_bracket": "]",
+    "colon": ":",
+    "plus": "+",
+    "minus": "-",
+    "space": " ",
+}
+
+
+def work(pilot: Pilot[int]) -> Workbench:
+    screen = pilot.app.screen
+    assert isinstance(screen, Workbench)
+    return screen
+
+
+def message(pilot: Pilot[int]) -> str:
+    return work(pilot).query_one(MessageLine).message()[1]
+
+
+def told(pilot: Pilot[int]) -> str:
+    return "\n".join(str(note.message) for note in pilot.app._notifications)
+
+
+async def go_to(pilot: Pilot[int], key: str) -> Entry | Choice:
+    """Put the focus on a field by its key."""
+    screen = work(pilot)
+    await screen.to_field(screen.session.place(key))
+    await settled(pilot)
+    assert screen.form.field is not None and screen.form.field.place == screen.session.place(key)
+    return screen.form.field.box
+
+
+async def settled(pilot: Pilot[int]) -> None:
+    """Wait until a form that is being made anew stands there."""
+    for _ in range(3):
+        await pilot.pause()
+        await pilot.app.workers.wait_for_complete([w for w in pilot.app.workers if w.group.startswith("form-")])
+    await pilot.pause()
+
+
+async def strike(pilot: Pilot[int], *keys: str) -> None:
+    """Keys as quickly as they come, without waiting for the screen in between."""
+    driver = pilot.app._driver
+    assert driver is not None
+    for name in keys:
+        key = _character_to_key(name) if len(name) == 1 else name
+        character = name if len(name) == 1 else CHARACTERS.get(name)
+        event = events.Key(key, character)
+        event.set_sender(pilot.app)
+        driver.send_message(event)
+        await asyncio.sleep(0)
+    await pilot.pause()
+
+
+async def type_in(pilot: Pilot[int], text: str) -> None:
+    await strike(pilot, *text)
+
+
+def rows(pilot: Pilot[int]) -> str:
+    """The screen as text."""
+    return "\n".join("".join(segment.text for segment in strip) for strip in work(pilot)._compositor.render_strips())

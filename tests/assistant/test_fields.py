@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The form, driven by keys: typing, undo, choices, arrays, the order of the fields."""
+
+from typing import Any
+
+from assistant.session import Session
+from assistant.widgets.checks import Checks
+from assistant.widgets.entry import Entry
+from assistant.widgets.field import Field
+from calc.design import STEPS
+from calc.design_file import address, quantities
+
+from .conftest import Screen, solved
+from .driving import go_to, message, rows, settled, strike, type_in, work
+
+
+# --- typing
+async def test_typing_flips_a_check(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "countershaft.masses.rear.mass_kg")
+        assert work(pilot).query_one(Checks).items[1].line.startswith("pass")
+        await type_in(pilot, "1,5")
+        await solved(pilot)
+        assert work(pilot).session.value("countershaft.masses.rear.mass_kg") == 1.5
+        assert work(pilot).query_one(Checks).items[1].line.startswith("FAIL")
+        assert "left over" in message(pilot)
+
+
+async def test_a_comma_is_a_decimal_sign_and_the_field_is_rewritten(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "3,5")
+        await pilot.pause()
+        assert isinstance(box, Entry) and box.value == "3,5"
+        assert "= 3.5" in rows(pilot)
+        await strike(pilot, "enter")
+        await pilot.pause()
+        assert box.value == "3.5"
+        assert work(pilot).session.value("engine.bore_mm") == 3.5
+
+
+async def test_another_unit(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "3.7 in")
+        await strike(pilot, "tab")
+        await pilot.pause()
+        assert isinstance(box, Entry) and box.value == "93.98"
+
+
+async def test_what_is_not_understood_stays_with_the_reason(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "1,234")
+        await solved(pilot)
+        before = work(pilot).session.results
+        await type_in(pilot, ".5")
+        await pilot.pause(0.8)
+        assert "ambiguous" in message(pilot)
+        assert "bore_mm" in rows(pilot) and "write 1234.5" in rows(pilot)
+        assert work(pilot).session.results is before
+        assert work(pilot).query_one(Checks).stale
+        await strike(pilot, "escape")
+        await pilot.pause()
+        assert isinstance(box, Entry) and box.value == "1,234.5"
+        await strike(pilot, "ctrl+z")
+        await pilot.pause()
+        assert box.value == "94" and "bore_mm" not in message(pilot)
+
+
+async def test_undo_and_redo_from_another_step(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "95.5")
+        await pilot.press("f3", "escape", "u")
+        await settled(pilot)
+        screen_ = work(pilot)
+        assert screen_.number == 1
+        assert screen_.session.value("engine.bore_mm") == 94.0
+        assert screen_.form.field is not None and screen_.form.field.box.value == "94"
+        await strike(pilot, "ctrl+y")
+        await pilot.pause()
+        assert screen_.session.value("engine.bore_mm") == 95.5
+
+
+async def test_shift_and_arrows_make_one_step(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        box = await go_to(pilot, "bearings.front.length_mm")
+        await strike(pilot, "shift+up")
+        assert box.value == "28"
+        await pilot.press("shift+down", "shift+down")
+        assert box.value == "27"
+        choice = await go_to(pilot, "imbalance.kinematics")
+        await strike(pilot, "shift+up")
+        await pilot.pause()
+        assert choice.value == "two_term" and work(pilot).session.value("imbalance.kinematics") == "two_term"
+
+
+async def test_a_choice_is_made_from_a_list(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        box = await go_to(pilot, "bearings.oil")
+        await strike(pilot, "enter")
+        await pilot.pause()
+        await pilot.press(*"SAE")
+        await pilot.press("space", "3", "0", "enter")
+        await pilot.pause()
+        await solved(pilot)
+        assert box.value == "SAE 30"
+        assert work(pilot).session.value("bearings.oil") == "SAE 30"
+
+
+async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        box = await go_to(pilot, "bearings.outlet_temperature_limit_C")
+        await strike(pilot, "backspace")
+        await strike(pilot, "tab")
+        await pilot.pause()
+        assert isinstance(box, Entry) and box.value == "" and box.placeholder == "135"
+        assert work(pilot).session.value("bearings.outlet_temperature_limit_C") is None
+        assert "(auto)" in rows(pilot)
+
+
+# --- the form
+async def test_every_form_has_the_fields_of_the_file_in_their_order(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        for step in STEPS:
+            await work(pilot).open_step(step)
+            await pilot.pause()
+            shown = [field.place for field in work(pilot).form.query(Field)]
+            known = [address(session.data, key) for key, _ in quantities(session.data) if key.partition(".")[0] == step.key]
+            assert [place for place in known if place in shown] == shown
+            hidden = [place for place in known if place not in shown]
+            assert all(any(isinstance(part, int) and part > 0 for part in place) for place in hidden)  # other elements of a long array
+            assert len(shown) > 1
+
+
+async def test_tab_goes_through_the_form_in_its_order(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "3")
+        await pilot.pause()
+        stops = work(pilot).form.stops()
+        await go_to(pilot, "countershaft.mode")
+        for stop in stops:
+            assert pilot.app.focused is stop
+            await strike(pilot, "tab")
+        await strike(pilot, "shift+tab")
+        assert pilot.app.focused is stops[-1]
+        for stop in reversed(stops[:-1]):
+            await strike(pilot, "up")
+            assert pilot.app.focused is stop
+        await strike(pilot, "down")
+        assert pilot.app.focused is stops[1]
+
+
+async def test_a_long_array_is_leafed_through_and_grows(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        await go_to(pilot, "gears.wheels.crank.teeth")
+        while work(pilot).form.here() != ("gears", "wheels"):
+            await strike(pilot, "up")
+        await strike(pilot, "right")
+        await settled(pilot)
+        assert "2 of 4 central" in rows(pilot)
+        await strike(pilot, "plus")
+        await settled(pilot)
+        session = work(pilot).session
+        assert [w["name"] for w in session.data["gears"]["wheels"]][-1] == "shaft-2"
+        assert work(pilot).form.here() == ("gears", "wheels", 4, "name")
+        await strike(pilot, "ctrl+z")
+        await settled(pilot)
+        assert len(session.data["gears"]["wheels"]) == 4
+
+
+async def test_a_field_of_an_element_that_is_not_shown_is_found(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        await go_to(pilot, "gears.wheels.shaft.teeth")
+        assert "4 of 4 shaft" in rows(pilot)
+
+
+async def test_a_step_that_is_not_asked_can_be_added(session: Session, screen: Screen, memory: Any) -> None:
+    import tomli_w
+
+    data = {key: value for key, value in session.data.items() if key != "imbalance"}
+    session.home.write_text(tomli_w.dumps(data), encoding="utf-8")
+    other = Session.open(session.home, memory=memory)
+    async with screen(session=other) as pilot:
+        await pilot.press("escape", "2")
+        await pilot.pause()
+        assert "has no step Imbalance" in rows(pilot)
+        await strike(pilot, "enter")
+        await settled(pilot)
+        await solved(pilot)
+        assert "imbalance" in other.data
+        assert work(pilot).form.query(Field)
+
+
+async def test_values_of_earlier_steps_lead_to_their_owner(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "3")
+        await pilot.pause()
+        work(pilot).form.stops()[-1].focus()
+        await pilot.pause()
+        assert "← 1" in rows(pilot)
+        await strike(pilot, "7")
+        await settled(pilot)
+        assert work(pilot).number == 1
+        assert work(pilot).form.here() == ("engine", "rated_speed_rpm")

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Steps, panes, checks, curves, and the letters that act as keys."""
+
+import re
+
+from textual.widgets import Input
+
+from assistant.actions import ACTIONS
+from assistant.session import Session
+from assistant.widgets.calculation import Calculation
+from assistant.widgets.checks import Checks
+from assistant.widgets.curve_pane import CurvePane
+from calc.design import STEPS
+
+from .conftest import Screen, solved
+from .driving import go_to, rows, settled, strike, type_in, work
+
+
+# --- steps, panes, checks
+async def test_steps_forward_back_and_by_number(screen: Screen) -> None:
+    async with screen() as pilot:
+        for key, number in (("f3", 2), ("pagedown", 3), ("f2", 2), ("pageup", 1), ("f2", 1), ("escape", 1), ("6", 6), ("right_square_bracket", 6),
+                            ("left_square_bracket", 5), ("4", 4)):  # fmt: skip
+            await strike(pilot, key)
+            await pilot.pause()
+            assert work(pilot).number == number, key
+
+
+async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        results = work(pilot).session.results
+        assert results is not None
+        failing = [(n, c.id) for n, s in enumerate(STEPS, 1) for c in results.outcomes[s.key].checks if c.verdict == "fail"]
+        assert len(failing) > 1
+        seen = []
+        for _ in failing:
+            await strike(pilot, "f7")
+            await settled(pilot)
+            seen.append((work(pilot).number, work(pilot).query_one(Checks).key))
+        assert set(seen) == set(failing)
+        await strike(pilot, "enter")
+        await settled(pilot)
+        calculation = work(pilot).query_one(Calculation)
+        assert calculation.has_focus and calculation.item is not None
+        entry = next(e for e in calculation.sheet.entries if e.number == calculation.key)
+        assert seen[-1][1] in {c.id for c in entry.checks}
+
+
+async def test_the_cursor_stays_on_its_check_when_the_results_change(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        await go_to(pilot, "bearings.front.length_mm")
+        checks = work(pilot).query_one(Checks)
+        checks.go_to("bearings.rear.specific_load")
+        await pilot.pause()
+        await type_in(pilot, "40")
+        await solved(pilot)
+        assert checks.key == "bearings.rear.specific_load"
+
+
+async def test_the_cursor_goes_from_line_to_line(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        await pilot.press("f3", "f4", "f4")
+        calculation = work(pilot).query_one(Calculation)
+        seen = [calculation.key]
+        for key in ("down", "j", "up", "pagedown", "end", "home"):
+            await strike(pilot, key)
+            seen.append(calculation.key)
+            first = calculation._first[calculation.cursor]
+            assert calculation.scroll_y <= first < calculation.scroll_y + calculation.size.height
+        assert seen[:4] == ["2.1", "2.2", "2.3", "2.2"]
+        assert float(seen[4].partition(".")[2]) > 4 and seen[5].startswith("note") and seen[6] == "2.1"
+
+
+async def test_panes_in_turn(screen: Screen) -> None:
+    async with screen() as pilot:
+        seen = [work(pilot).pane]
+        for _ in range(5):
+            await strike(pilot, "f6")
+            await pilot.pause()
+            seen.append(work(pilot).pane)
+        assert seen == ["inputs", "checks", "calculation", "curve", "steps", "inputs"]
+        await strike(pilot, "shift+f6")
+        assert work(pilot).pane == "steps"
+        await pilot.press("down", "enter")
+        await pilot.pause()
+        assert work(pilot).number == 2
+
+
+async def test_a_pane_is_made_large_and_small(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("f6", "f6", "f4")
+        await pilot.pause()
+        assert work(pilot).query_one("#calculation").size.width == 110
+        assert not work(pilot).query_one("#inputs").display
+        await strike(pilot, "f4")
+        await pilot.pause()
+        assert work(pilot).query_one("#inputs").display
+
+
+async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        for view in ("checks", "calculation", "curve", "inputs"):
+            await strike(pilot, "f4")
+            await pilot.pause()
+            shown = [pane.id for pane in work(pilot).query(".pane") if pane.display]
+            assert shown == [view]
+
+
+async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "95")
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        assert pilot.app.focused is box
+        await type_in(pilot, ".5")
+        await pilot.resize_terminal(120, 40)
+        await pilot.pause()
+        assert pilot.app.focused is box and box.value == "95.5"
+        await strike(pilot, "f6")
+        await pilot.pause()
+        focused = pilot.app.focused
+        await pilot.resize_terminal(80, 24)
+        await pilot.pause()
+        assert pilot.app.focused is focused
+
+
+async def test_curves_in_turn(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "2")
+        await pilot.pause()
+        pane = work(pilot).query_one(CurvePane)
+        first = pane.curve
+        await strike(pilot, "c")
+        await pilot.pause()
+        assert pane.curve is not first and pane.curve is not None
+        assert "2 of 3" in rows(pilot)
+        await pilot.press("f9", "f9")
+        assert pane.curve is first
+
+
+async def test_the_sources_errors_and_the_assumptions_stand_in_the_calculation(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "2")
+        await pilot.pause()
+        results = work(pilot).session.results
+        assert results is not None
+        outcome = results.outcomes["imbalance"]
+        assert outcome.errata and outcome.notes
+        calculation = work(pilot).query_one(Calculation)
+        text = re.sub(r"\s+", " ", " ".join(row.plain for item in calculation.items for row in item.rows))
+        for said in (*(erratum.why for erratum in outcome.errata), *outcome.notes):
+            assert said in text
+        assert f"{len(outcome.notes)} assumed" in calculation.position()
+
+
+async def test_square_brackets_are_no_markup(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.name")
+        await type_in(pilot, "[red]x[/] [")
+        await settled(pilot)
+        assert "[[red]x[/] [" in rows(pilot)
+        assert work(pilot).session.value("engine.name") == "[red]x[/] ["
+        pilot.app.tell("[not markup")  # type: ignore[attr-defined]
+        await pilot.press("ctrl+s", "f1")
+        await pilot.pause()
+
+
+# --- letters
+async def test_no_key_fires_while_typing(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.name")
+        assert isinstance(box, Input)
+        box.value = ""
+        letters = [key for action in ACTIONS for key in action.letters.split(",") if key]
+        before = (work(pilot).number, work(pilot).pane, pilot.app.screen)
+        await strike(pilot, *letters)
+        await pilot.pause()
+        assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before
+        assert len(box.value) == len(letters)
+
+
+async def test_letters_act_after_escape(screen: Screen) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "escape")
+        assert pilot.app.focused is work(pilot).form
+        await strike(pilot, "3")
+        await pilot.pause()
+        assert work(pilot).number == 3 and pilot.app.focused is work(pilot).form
+        await strike(pilot, "j")
+        await pilot.pause()
+        assert work(pilot).form.field is not None
+
+
+async def test_copying(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("f6", "y")
+        assert pilot.app.clipboard == "0.3282"
+        await pilot.press("Y")
+        assert pilot.app.clipboard.startswith("pass: Crank ratio λ 0.3282")
+        await pilot.press("f6", "j", "Y")
+        assert pilot.app.clipboard.startswith("M_alt = M_P + M_ra = 1.178")
+        await strike(pilot, "y")
+        assert pilot.app.clipboard == "1489 g"
+        await go_to(pilot, "engine.bore_mm")
+        await pilot.press("escape", "y")
+        assert pilot.app.clipboard == "94 mm"
+
+
+# --- the mouse
+async def test_everything_can_be_clicked(screen: Screen, session: Session) -> None:
+    async with screen(size=(120, 40), session=session) as pilot:
+        await pilot.click("#steps-list", offset=(4, 2))
+        await settled(pilot)
+        assert work(pilot).number == 2
+        await pilot.click("#checks-list", offset=(10, 1))
+        await settled(pilot)
+        assert pilot.app.focused is work(pilot).query_one(Calculation)
+        text = rows(pilot).splitlines()[-1]
+        await pilot.click("#footer-line", offset=(text.index("F3"), 0))
+        await settled(pilot)
+        assert work(pilot).number == 3
+        await pilot.resize_terminal(80, 24)
+        await settled(pilot)
+        await pilot.click("#step-bar", offset=(rows(pilot).splitlines()[1].index("Gears"), 0))
+        await settled(pilot)
+        assert work(pilot).number == 5
+        await pilot.click("#calculation-title", offset=(rows(pilot).splitlines()[2].index("Inputs"), 0))
+        await settled(pilot)
+        assert work(pilot).pane == "inputs"
+        heading = work(pilot).form.query("ArrayHeading").first()
+        await pilot.click(heading, offset=(heading.render().plain.index("▸"), 0))  # type: ignore[union-attr]
+        await settled(pilot)
+        assert "2 of 4" in rows(pilot)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The program in a real pseudo-terminal, and what it imports before its first picture."""
+
+import json
+import os
+import select
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from assistant.app import run
+from assistant.session import EXAMPLE
+
+pty = pytest.importorskip("pty")
+ROOT = EXAMPLE.parent.parent
+
+
+def until(file: int, wanted: bytes, limit: float = 30.0) -> bytes:
+    """What the program wrote, up to a text."""
+    seen, end = b"", time.monotonic() + limit
+    while time.monotonic() < end:
+        if select.select([file], [], [], 0.1)[0]:
+            try:
+                seen += os.read(file, 1 << 16)
+            except OSError:
+                break
+        if wanted in seen:
+            return seen
+    raise AssertionError(f"{wanted!r} was not written: {seen[-2000:]!r}")
+
+
+@pytest.mark.parametrize("arguments", [["-m", "assistant.app"], ["-m", "assistant"]])
+def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, arguments: list[str]) -> None:
+    pid, file = pty.fork()
+    if pid == 0:
+        os.chdir(ROOT)
+        environment = {**os.environ, "TERM": "xterm-256color", "XDG_STATE_HOME": str(tmp_path / "state"), "COLUMNS": "120", "LINES": "40"}
+        os.execve(sys.executable, [sys.executable, *arguments, str(design)], environment)
+    until(file, b"my design.toml")
+    until(file, b"solved in")
+    os.write(file, b"\x11")  # ctrl+q
+    end = time.monotonic() + 20
+    while time.monotonic() < end:
+        if select.select([file], [], [], 0.05)[0]:
+            try:
+                os.read(file, 1 << 16)
+            except OSError:
+                pass
+        ended, status = os.waitpid(pid, os.WNOHANG)
+        if ended:
+            assert os.waitstatus_to_exitcode(status) == 0
+            assert (tmp_path / "state" / "contralbero" / "last").read_text(encoding="utf-8") == str(design)
+            return
+    os.kill(pid, 9)
+    raise AssertionError("it did not end")
+
+
+def test_nothing_heavy_is_imported_before_the_first_picture() -> None:
+    code = (
+        "import sys, json, assistant.app\n"
+        "print(json.dumps([m for m in ('numpy', 'scipy', 'textual_plot', 'matplotlib', 'reportlab', 'tomlkit', 'tomli_w') if m in sys.modules]))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert json.loads(done.stdout) == []
+
+
+def test_a_file_that_is_no_design_gives_code_2(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
+    (tmp_path / "a.toml").write_text("schema = 1\nname = 3\n")
+    assert run(tmp_path / "a.toml") == 2
+    assert "name" in capsys.readouterr().err
+    assert run(tmp_path / "missing.toml") == 2
+    assert "cannot be read" in capsys.readouterr().err
