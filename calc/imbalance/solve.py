@@ -2,6 +2,7 @@
 """Forces and couples of orders 1 to 8, what the crank takes of them, and what the counter-shaft must supply."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -54,7 +55,7 @@ class ImbalanceResult:
     one_couple: NewtonMetre
 
 
-def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, two_term: Order | None = None) -> Order:
+def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
     crank: Any = e.crank  # arrays enter the formulas here
     common: dict[str, Any] = dict(
         omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
@@ -82,7 +83,6 @@ def _order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e
         couple_peak_vertical=f.couple_peak_vertical(C_f, C_b),
         couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
         vectors=(F_f, F_b, C_f, C_b),
-        two_term=two_term,
     )
 
 
@@ -100,13 +100,15 @@ def solve(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, sha
     judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
     with trace() as lines:
         for n in ORDERS:
-            c_n, two_term = judged[n - 1], None
+            c_n = judged[n - 1]
+            if not c_n and n not in ALWAYS:
+                continue
+            with about(f"order {n}"):
+                solved = _order(n, c_n, imbalance, engine, e)
             if n <= 2:
                 with about(f"order {n}, two terms"):
-                    two_term = _order(n, e.two_term[n - 1], imbalance, engine, e)
-            if c_n or n in ALWAYS:
-                with about(f"order {n}"):
-                    orders[f"order_{n}"] = _order(n, c_n, imbalance, engine, e, two_term)
+                    solved = replace(solved, two_term=_order(n, e.two_term[n - 1], imbalance, engine, e))
+            orders[f"order_{n}"] = solved
         with about("counter-shaft"):
             required = f.required_couple(orders["order_1"].vectors[3])
             length = f.couple_length(C=required)
