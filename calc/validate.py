@@ -9,7 +9,7 @@ from typing import Any
 from .bearings.film_table import eccentricity_from, film_at
 from .catalogue import TABLES
 from .design_file import Document, design, read
-from .library import DESIGNS
+from .shipped import DESIGNS
 from .solve import Results, solve
 
 # Where the charts of 1958 are known to be off by more than the 2 % that their grid supports (ε, quantity).

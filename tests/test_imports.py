@@ -84,6 +84,6 @@ def test_the_sheet_knows_no_engine():
 
 
 def test_shipped_designs_are_found_beside_the_package():
-    from calc.library import DESIGNS as shipped
+    from calc.shipped import DESIGNS as shipped
 
     assert shipped.resolve() == DESIGNS.resolve()

@@ -5,8 +5,8 @@ from argparse import Namespace
 from pathlib import Path
 
 from assistant.saving import write_atomic
-from calc.library import engine_design, engines
 from calc.sheet.errors import BadInput, InputError
+from calc.shipped import engine_design, engines
 
 
 def run(asked: Namespace) -> int:
