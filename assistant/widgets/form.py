@@ -46,6 +46,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self.chosen: dict[Place, int] = {}
         self._shape: list[tuple[str, Place]] = []
         self.last: Place | None = None  # the field that was edited last
+        self._stale = False  # the form has to be made anew
+        self._remaking = False
+        self._wanted: Place | None = None  # where the focus goes when the form stands again
+        self._back = False  # the focus was in the form
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
@@ -110,19 +114,29 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def rebuild(self, focus: Place | None = None) -> None:
         """Make the form anew; the focus stays on the same place, where it still exists."""
         inside = self.screen.focused is not None and self.screen.focused in self.walk_children()
-        focus = focus or self.here()
-
-        async def again() -> None:
-            with self.app.batch_update():
-                await self.remove_children()
-                await self.mount(*self._widgets())
-            self.refresh_fields(self.session.reasons())
-            if inside or focus is not None:
-                self.focus_place(focus)
-
+        self._wanted = focus or self.here() or (self._wanted if self._remaking else None)
+        self._stale = True
         if inside:
             self.focus(scroll_visible=False)
-        _: Worker[None] = self.run_worker(again, exclusive=True, group=f"form-{self.step.key}")
+        self._back = self._back or inside
+        if not self._remaking:
+            self._remaking = True
+            _: Worker[None] = self.run_worker(self._remake, group=f"form-{self.step.key}")
+
+    async def _remake(self) -> None:
+        """One at a time and never cancelled: a removal that is cut off leaves widgets that answer no more."""
+        try:
+            while self._stale:
+                self._stale = False
+                with self.app.batch_update():
+                    await self.remove_children()
+                    await self.mount(*self._widgets())
+                self.refresh_fields(self.session.reasons())
+        finally:
+            self._remaking = False
+        if self._back or self._wanted is not None:
+            self._back = False
+            self.focus_place(self._wanted)
 
     # --- focus
     def stops(self) -> list[Widget]:
