@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A step of the design, what solving it gives, and the curves that screen and paper draw."""
+"""A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
+import cmath
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -21,16 +22,41 @@ class Step:
 
 @dataclass(frozen=True, slots=True)
 class Series:
-    """One line of a curve, in shown units."""
+    """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all of them."""
 
     label: str
     x: Any
     y: Any
+    variant: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """Vectors set tip to tail, each turning at `orders` times the crank's speed (negative: backward).  Their end runs along a locus.
+
+    Real is up, imaginary is to the right: 90° further in the sense of crank rotation.
+    """
+
+    names: tuple[str, ...]
+    phasors: tuple[complex, ...]
+    orders: tuple[int, ...]
+    variant: str = ""
+
+    def at(self, theta: float) -> list[complex]:
+        """Origin, tips and end of the chain at a crank angle [rad]."""
+        points = [0j]
+        for phasor, order in zip(self.phasors, self.orders):
+            points.append(points[-1] + phasor * cmath.exp(1j * order * theta))
+        return points
 
 
 @dataclass(frozen=True, slots=True)
 class Curve:
-    """Data with labels and limit lines; terminal and paper draw the same object.  `equal`: both axes in true scale."""
+    """Data with labels and limit lines; terminal and paper draw the same object.
+
+    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x.  `variants`: the terminal shows one of them at
+    a time, paper all.  `turning`: the vectors whose ends draw the loci.
+    """
 
     id: str
     title: str
@@ -39,6 +65,20 @@ class Curve:
     series: tuple[Series, ...]
     limits: tuple[tuple[str, float], ...] = ()
     equal: bool = False
+    bars: bool = False
+    variants: tuple[str, ...] = ()
+    turning: tuple[Turning, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty)."""
+
+    id: str
+    title: str
+    columns: tuple[tuple[str, str], ...]
+    rows: tuple[tuple[str | float | None, ...], ...]
+    note: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +103,7 @@ class Outcome:
     checks: tuple[Check, ...] = ()
     lines: tuple[Line, ...] = ()
     curves: tuple[Curve, ...] = ()
+    tables: tuple[Table, ...] = ()
     errata: tuple[Erratum, ...] = ()
     notes: tuple[str, ...] = ()  # assumptions, and what the program chose
     reason: str = ""
