@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What comes with the program: complete designs, and engines to begin a design with."""
 
+import json
 import tomllib
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from .catalogue import TABLES
 
@@ -11,11 +14,19 @@ EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
 COMPLETE = {"r753ie4": EXAMPLE}  # engines with a whole design of their own
 
 
-def engines() -> dict[str, str]:
-    """The shipped engines: id → what it is and where its data come from."""
-    rows = tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))
-    return {"r753ie4": "VM Motori R753IE4 with its counter-shaft, solution γ; Finotti 2013"} | {
-        name: f"{row['engine']['name']}; {row['source']}" for name, row in rows.items()
+@dataclass(frozen=True)
+class ShippedEngine:
+    """An engine to begin with: its name, how its crank stands and fires, and where its data come from."""
+
+    name: str
+    what: str
+    source: str
+
+
+def engines() -> dict[str, ShippedEngine]:
+    """The shipped engines by their id, the example first."""
+    return {"r753ie4": ShippedEngine("VM Motori R753IE4", "inline 3, even firing, counter-shaft γ", "Finotti 2013")} | {
+        name: ShippedEngine(row["engine"]["name"], row["what"], row["source"]) for name, row in _rows().items()
     }
 
 
@@ -23,14 +34,18 @@ def engine_design(name: str) -> str:
     """The text of a design for a shipped engine: complete where a counter-shaft is known for it, else engine and imbalance."""
     if name in COMPLETE:
         return COMPLETE[name].read_text(encoding="utf-8")
-    import tomli_w
+    row = _rows()[name]
+    engine, imbalance = row["engine"], {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
+    about = f"{row['what']}. Data: {row['source']}. {row.get('note', '')}".rstrip()
+    note = f"{about} No counter-shaft is known for it: add [countershaft], [bearings], [gears] and [friction]."
+    head = {"schema": 1, "name": engine["name"], "note": note}
+    return f"{_lines(head)}\n[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
 
-    row = tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))[name]
-    data = {
-        "schema": 1,
-        "name": row["engine"]["name"],
-        "note": f"Engine data: {row['source']}. No counter-shaft is known for it: add [countershaft], [bearings], [gears] and [friction].",
-        "engine": row["engine"],
-        "imbalance": {"crank_balance_fraction": 0.5, "kinematics": "exact"},
-    }
-    return tomli_w.dumps(data)
+
+def _rows() -> dict[str, Any]:
+    return tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))
+
+
+def _lines(table: dict[str, Any]) -> str:
+    """Key by key in TOML, a list on one line; texts, numbers and lists of numbers are written there as in JSON."""
+    return "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in table.items())

@@ -12,8 +12,10 @@ from calc.shipped import engine_design, engines
 def run(asked: Namespace) -> int:
     shipped = engines()
     if asked.list:
-        for name, about in shipped.items():
-            print(f"{name:<14} {about}")
+        rows = [(name, engine.name, engine.what, engine.source) for name, engine in shipped.items()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        for row in rows:
+            print("  ".join(f"{cell:<{width}}" for cell, width in zip(row, widths)).rstrip())
         return 0
     if asked.engine not in shipped:
         raise BadInput(
