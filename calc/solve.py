@@ -87,20 +87,16 @@ def solve(design: Design, before: Results | None = None) -> Results:
 
     e = part("engine", design.engine, engine.solve, design.engine)
     i = part(
-        "imbalance",
-        design.imbalance,
-        imbalance.solve,
-        design.imbalance,
-        design.engine,
-        e.result,
-        design.countershaft is not None,
-        after=(e,),
-    )
+        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, design.countershaft is not None,
+        design.gears.wheels[-1].teeth if design.gears and design.gears.wheels else None, _axis(design), after=(e,),
+    )  # fmt: skip
     first_speed = _first_speed(design)
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None
     slopes = design.bearings.slope if design.bearings else None
     c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, slopes, after=(e, i))
+    if c.result is not None and design.imbalance is not None:
+        i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
     b = part(
         "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
         materials.get(_name(design.countershaft, "material")), materials.get(_name(design.bearings, "housing_material")), after=(e, i, c),
@@ -129,6 +125,12 @@ def _first_speed(design: Design) -> float | None:
     if design.gears is not None and design.gears.speed is not None:
         return design.gears.speed
     return design.engine.rated_speed if design.engine is not None else None
+
+
+def _axis(design: Design) -> complex | None:
+    """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
+    place = design.countershaft.axis if design.countershaft is not None else None
+    return complex(*place) if place is not None else None
 
 
 def _mesh_oil(design: Design) -> tuple[str, str, float | None]:

@@ -6,7 +6,7 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, modulus, total
+from ..sheet.functions import argument, cis, modulus, resultant, total
 from ..sheet.units import Kilogram, KilogramMetre, Metre, Newton, NewtonMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
 
 TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
@@ -15,12 +15,12 @@ TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
 @formula("F_S", TABLE_4_1)
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
-    return omega**2 * total(m * e * cis(gamma))
+    return omega**2 * resultant(m * e * cis(gamma))
 
 
 @formula("C_S", TABLE_4_1)
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
-    return omega**2 * total(m * e * z * cis(gamma))
+    return omega**2 * resultant(m * e * z * cis(gamma))
 
 
 @formula("ΣU", "static unbalance: rotating force over ω²", unit="g·mm")

@@ -37,6 +37,10 @@ class CountershaftInputs:
         symbol="z",
         help="Middle of the front and of the rear journal, from mid-shaft.",
     )
+    axis: tuple[float, ...] | None = series(
+        "Axis from the crank's", "mm", optional=True, count=(2, 2), low=-5000, high=5000, symbol="p_S",
+        help="[up, side], side 90° further in the sense of crank rotation. A shaft that carries a force beside the crank raises a roll torque.",
+    )  # fmt: skip
     masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass)
 
     def problems(self) -> Iterable[tuple[str, str]]:

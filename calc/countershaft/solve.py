@@ -31,6 +31,8 @@ class CountershaftResult:
     reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    force_vector: complex  # F_S and C_S, cylinder 1 at TDC
+    couple_vector: complex
     slope_front: Radian | None = value("Slope of the front journal, as given", "mrad", "θ_f", default=None)
     slope_rear: Radian | None = value("Slope of the rear journal, as given", "mrad", "θ_r", default=None)
 
@@ -82,6 +84,8 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         reaction_front=front,
         reaction_rear=rear,
         eccentric_mass=together,
+        force_vector=F_S,
+        couple_vector=C_S,
         slope_front=slopes[0] if slopes else None,
         slope_rear=slopes[-1] if slopes else None,
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Where the throws stand: crank angles, axial positions and banks of any engine."""
+"""Where the throws stand: crank angles, axial positions and banks of any engine, or of many engines that differ in their numbers."""
 
 import math
 from typing import Any
@@ -10,6 +10,7 @@ from ..sheet.arrays import Array
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import Metre, Number, Radian
+from .firing import Firing, in_order, most_even
 from .inputs import USUAL_ORDERS, EngineInputs
 
 
@@ -17,7 +18,7 @@ from .inputs import USUAL_ORDERS, EngineInputs
 def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
     """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
     phi: Any = psi - i * math.pi * strokes / N
-    return (phi - phi[0]) % (2 * math.pi)
+    return (phi - phi[..., :1]) % (2 * math.pi)
 
 
 @formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")
@@ -28,7 +29,7 @@ def axial_positions(k: Number, a: Metre) -> Metre:
 
 @record
 class Crank:
-    """One entry per cylinder: φ angle of its throw from throw 1 [rad], z axial position [m], ψ direction of its bank [rad].
+    """One entry per cylinder, along the last axis: φ angle of its throw from throw 1 [rad], z axial position [m], ψ direction of its bank.
 
     `theta_0` is the angle of throw 1 from up while cylinder 1 stands at its TDC.  `chosen` says what the program decided.
     """
@@ -36,43 +37,68 @@ class Crank:
     phi: Array
     z: Array
     psi: Array
-    theta_0: float
+    theta_0: Radian
     chosen: tuple[str, ...]
 
 
-def crank(engine: EngineInputs, tdc_angle: float) -> Crank:
+def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     """The crank of an engine from its crank angles, or from the firing order of an evenly firing engine.
 
-    Angles lead cylinder 1 in the sense of rotation; z = 0 is mid-engine, + towards the flywheel.  Source of the even-firing
-    rule: firing interval 180°·strokes/cylinders, throw k at ψ_k − i_k·Δ (Finotti 2013, 2.4).
+    Angles lead cylinder 1 in the sense of rotation; z = 0 is mid-engine, + towards the flywheel.  Numbers of the engine may be arrays,
+    an engine each; crank angles and axial positions then have the cylinders along their last axis.
     """
     n = engine.cylinders
     chosen: list[str] = []
-    bank: Any = np.asarray(engine.bank_of_cylinder if engine.bank_of_cylinder is not None else _banks(engine.layout, n))
-    opening = math.pi if engine.layout == "boxer" else (engine.bank_angle or 0.0)
+    bank = _banks(engine)
+    given = 0.0 if engine.bank_angle is None else engine.bank_angle
+    opening: Any = math.pi if engine.layout == "boxer" else column(given)
     psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
     if engine.crank_angles is not None:
         phi: Any = np.asarray(engine.crank_angles)
     else:
         order = engine.firing_order or USUAL_ORDERS[n]
-        if engine.firing_order is None:
-            chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: the usual one of an inline engine with {n} cylinders.")
+        if engine.firing_order is None and n > 2:
+            chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: {_why(n)}.")
         place: Any = np.empty(n)
         place[np.asarray(order) - 1] = np.arange(n)
         phi = throw_angles(psi=psi, i=place, strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
         z: Any = np.asarray(engine.axial_positions)
     else:
-        row: Any = _rows(bank) if engine.layout == "vee" else np.arange(n)
-        z = axial_positions(k=row, a=engine.cylinder_pitch)
-    return Crank(phi, z, psi, float(psi[0]) + tdc_angle, tuple(chosen))
+        row: Any = places(engine) if engine.layout == "vee" else np.arange(n)  # side by side; the stagger of vee banks is neglected
+        z = axial_positions(k=row, a=column(engine.cylinder_pitch))
+    theta_0: Any = psi[..., 0] + tdc_angle
+    return Crank(phi, z, psi, theta_0 if np.ndim(theta_0) else float(theta_0), tuple(chosen))
 
 
-def _rows(bank: Any) -> Any:
-    """Cylinders of a vee engine side by side: the first of either bank, the second …; their stagger is neglected."""
+def firing(engine: EngineInputs, throws: Crank) -> Firing:
+    """When the cylinders of one engine fire: in the order given, else in the most even one that its crank allows."""
+    given = engine.firing_order or (USUAL_ORDERS.get(engine.cylinders) if engine.crank_angles is None else None)
+    first = given.index(1) if given else 0
+    found = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
+    return found or most_even(throws.phi, throws.psi, engine.strokes, USUAL_ORDERS.get(engine.cylinders, ()))
+
+
+def column(x: Any) -> Any:
+    """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number as it is."""
+    return x[..., None] if isinstance(x, np.ndarray) else x
+
+
+def _why(n: int) -> str:
+    return (
+        f"the usual one of an inline engine with {n} cylinders" if n <= 6 or n == 8 else "it leaves the least forces and couples at λ 0.3"
+    )
+
+
+def places(engine: EngineInputs) -> Any:
+    """The place of each cylinder along its bank, from 0: cylinders at the same place may share a crankpin."""
+    bank = _banks(engine)
     return np.array([int(np.sum(bank[:k] == b)) for k, b in enumerate(bank)])
 
 
-def _banks(layout: str, n: int) -> Any:
+def _banks(engine: EngineInputs) -> Any:
     """Cylinders alternate between the banks, 0 first; an inline engine has bank 0 only."""
-    return np.zeros(n) if layout == "inline" else np.arange(n) % 2.0
+    n = engine.cylinders
+    if engine.bank_of_cylinder is not None:
+        return np.asarray(engine.bank_of_cylinder)
+    return np.zeros(n) if engine.layout == "inline" else np.arange(n) % 2

@@ -2,10 +2,13 @@
 """What an engine is described by."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from ..sheet.quantity import choice, inputs, integer, integers, quantity, series, tables, text
 
-USUAL_ORDERS = {1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4)}
+USUAL_ORDERS = {
+    1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4), 8: (1, 6, 2, 5, 8, 3, 7, 4),
+}  # fmt: skip
 
 
 @inputs
@@ -107,6 +110,8 @@ class EngineInputs:
                 yield key, f"has {len(given)} entries; needs one per cylinder, {n}"
         if self.firing_order is not None and len(self.firing_order) == n and sorted(self.firing_order) != list(range(1, n + 1)):
             yield "firing_order", f"must name each cylinder from 1 to {n} once"
+        elif reason := self._not_fired():
+            yield "firing_order", reason
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n not in USUAL_ORDERS):
             yield "crank_angles_deg", "needed here: give the crank angles, or the firing order of an evenly firing engine"
         if self.layout != "vee" and self.bank_angle:
@@ -115,7 +120,21 @@ class EngineInputs:
             yield "bank_angle_deg", "needed for a vee engine"
         if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):
             yield "bank_of_cylinder", "an inline engine has bank 0 only"
+        if self.layout == "inline" and n > 12:
+            yield "cylinders", "an inline engine has at most 12"
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
             yield "rod_length_mm", "must be longer than crank radius plus cylinder offset: the crank could not turn"
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield "rod_cg_to_big_end_mm", "must not exceed the rod length"
+
+    def _not_fired(self) -> str:
+        """Why a crank of given angles can not fire in the given order; empty where it can."""
+        if self.firing_order is None or self.crank_angles is None or not len(self.crank_angles) == len(self.firing_order) == self.cylinders:
+            return ""
+        from .crank import crank, firing
+
+        first = self.firing_order.index(1)
+        if firing(self, throws := crank(self, 0.0)).order == self.firing_order[first:] + self.firing_order[:first]:
+            return ""
+        best = "-".join(map(str, firing(replace(self, firing_order=None), throws).order))
+        return f"these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out"

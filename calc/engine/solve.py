@@ -1,23 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The engine: masses, kinematics and the harmonics of the piston's acceleration."""
+"""The engine: masses, kinematics and the harmonics of the piston's acceleration, firing, and the torque about its crank."""
 
+import math
+from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from ..sheet.check import check
+from ..catalogue import Material
+from ..sheet.check import Check, check
 from ..sheet.formula import formula
-from ..sheet.quantity import result, value
+from ..sheet.quantity import group, result, value
 from ..sheet.step import Curve, Outcome, Series
-from ..sheet.trace import trace, untraced
+from ..sheet.trace import about, trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond
 from . import formulas as f
-from .crank import Crank, crank
+from .crank import Crank, column, crank, firing
+from .firing import Firing
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)
-POINTS = 2880
-DRAWN = 8  # every eighth point
+EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
 
 @result
@@ -37,81 +41,132 @@ class EngineResult:
     acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
     acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
     acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
+    firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
+    firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
+    firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
+    torque: Any = group(spread=True, default=None)  # TorqueResult
+    throw: Any = group(default=None)  # ThrowResult
     crank: Crank
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
     two_term: tuple[complex, ...]
 
 
-@formula(
-    "c_n",
-    "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)",
-    shows="c_1 … c_8 from 2880 points of a/(ω²·r)",
-)
+@formula("c_n", "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)", shows="c_1 … c_8 of a/(ω²·r)")
 def harmonics(a: Number) -> Number:
-    """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
-    spectrum = np.fft.rfft(a)[1 : len(ORDERS) + 1] * 2 / np.size(a)
+    """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn (last axis)."""
+    points: Any = a
+    spectrum: Any = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
     spectrum.real[np.abs(spectrum.real) < 1e-12] = 0.0
     spectrum.imag[np.abs(spectrum.imag) < 1e-12] = 0.0
-    return spectrum  # type: ignore[return-value]
+    return spectrum
 
 
-def _peak(y: Any) -> tuple[float, float]:
-    """The largest of equally spaced points over a turn and its angle, refined by a parabola through three points."""
-    k = int(np.argmax(y))
-    a, b, c = y[k - 1], y[k], y[(k + 1) % y.size]
-    shift = 0.5 * (a - c) / (a - 2 * b + c)
-    return float(b - 0.25 * (a - c) * shift), float((k + shift) * 2 * np.pi / y.size)
+def points(lam: Any, delta: Any) -> int:
+    """How many crank angles carry the whole acceleration: its harmonics fall like e^(−nη) with cosh η = (1 − |δ|)/λ."""
+    eta = np.arccosh(np.min((1 - np.abs(delta)) / lam))
+    return int(2 ** np.ceil(np.log2(min(65536.0, 8 + 80 / max(eta, 1e-6)))))
 
 
-def solve(engine: EngineInputs) -> Outcome:
-    """Masses, kinematics and harmonics of one engine."""
-    with trace() as lines:
-        if engine.rod_cg_to_big_end is None:
-            rod = f.rod_reciprocating_mass_by_thirds(M_B=engine.rod_mass)
-        else:
-            rod = f.rod_reciprocating_mass(M_B=engine.rod_mass, X_2=engine.rod_cg_to_big_end, L=engine.rod_length)
-        reciprocating = f.reciprocating_mass(M_P=engine.piston_mass, M_ra=rod)
-        rotating = f.rotating_mass(M_shell=engine.crankpin_bearing_mass, M_B=engine.rod_mass, M_ra=rod)
-        lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
-        delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
-        omega = f.angular_speed(n=engine.rated_speed)
-        phi_0 = f.tdc_angle(delta=delta, lam=lam)
-        stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
-        volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
-        mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
-        alpha: Any = np.arange(POINTS) * (2 * np.pi / POINTS)
-        beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
-        speed = f.relative_speed(alpha=alpha, beta=beta)
-        exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
-        highest, _ = _peak(exact)
-        lowest, angle = _peak(-exact)
-        fastest = f.piston_speed(v_rel=_peak(speed)[0], omega=omega, r=engine.crank_radius)
-        a_max = f.acceleration(a_rel=highest, omega=omega, r=engine.crank_radius)
-        a_min = f.acceleration(a_rel=-lowest, omega=omega, r=engine.crank_radius)
-        at_lowest = f.angle_of_smallest(a_rel=exact, alpha=angle)
-        spectrum: Any = harmonics(exact)
-        throws = crank(engine, phi_0)
-    with untraced():
-        two_term: Any = f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta)
-    result = EngineResult(
+def _peak(y: Any) -> tuple[Any, Any]:
+    """The largest value over a turn and its angle: the best of the points, then Newton's method on their Fourier series."""
+    size = y.shape[-1]
+    n = np.arange(size // 2 + 1)
+    c = np.fft.rfft(y) * np.where((n == 0) | (n == size // 2), 1.0, 2.0) / size
+    at: Any = np.argmax(y, -1) * (2 * np.pi / size)
+    for _ in range(8):
+        term = c * np.exp(1j * n * at[..., None])
+        slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
+        at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
+    highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
+    return (highest, at % (2 * np.pi)) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
+
+
+def values(engine: EngineInputs) -> EngineResult:
+    """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
+    if engine.rod_cg_to_big_end is None:
+        rod = f.rod_reciprocating_mass_by_thirds(M_B=engine.rod_mass)
+    else:
+        rod = f.rod_reciprocating_mass(M_B=engine.rod_mass, X_2=engine.rod_cg_to_big_end, L=engine.rod_length)
+    reciprocating = f.reciprocating_mass(M_P=engine.piston_mass, M_ra=rod)
+    rotating = f.rotating_mass(M_shell=engine.crankpin_bearing_mass, M_B=engine.rod_mass, M_ra=rod)
+    lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
+    delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
+    omega = f.angular_speed(n=engine.rated_speed)
+    phi_0 = f.tdc_angle(delta=delta, lam=lam)
+    stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
+    volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
+    mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
+    alpha: Any = np.arange(size := points(lam, delta)) * (2 * np.pi / size)
+    beta: Any = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
+    speed: Any = f.relative_speed(alpha=alpha, beta=beta)
+    exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
+    lowest, angle = _peak(-exact)
+    fastest = f.piston_speed(v_rel=_peak(speed)[0], omega=omega, r=engine.crank_radius)
+    a_max = f.acceleration(a_rel=_peak(exact)[0], omega=omega, r=engine.crank_radius)
+    a_min = f.acceleration(a_rel=-lowest, omega=omega, r=engine.crank_radius)
+    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=angle)
+    spectrum: Any = harmonics(exact)
+    return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest, acceleration_max=a_max,
-        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=throws,
-        harmonics=tuple(complex(c) for c in spectrum), two_term=(1 - 1j * delta, complex(lam), *([0j] * (len(ORDERS) - 2))),
+        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=crank(engine, phi_0),
+        harmonics=tuple(complex(c) for c in spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
+        two_term=(1 - 1j * delta, lam + 0j, *([0j] * (len(ORDERS) - 2))),
     )  # fmt: skip
-    scale = omega**2 * engine.crank_radius
-    degrees = np.degrees(alpha)[::DRAWN]
-    curve = Curve(
-        "acceleration", "Piston acceleration over one turn", "crank angle α, °", "a, m/s²",
-        (Series("exact", degrees, exact[::DRAWN] * scale), Series("two terms", degrees, two_term[::DRAWN] * scale)),
+
+
+def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome:
+    """One engine: what `values` gives, when it fires, and the torque about its crank."""
+    with trace() as lines:
+        e = values(engine)
+    fires = firing(engine, e.crank)
+    e = replace(
+        e, firing_interval=engine.strokes * math.pi / engine.cylinders, firing_interval_shortest=float(fires.intervals.min()),
+        firing_interval_longest=float(fires.intervals.max()),
     )  # fmt: skip
-    checks = (
+    return Outcome(
+        "engine", result=e, checks=_checks(e), lines=tuple(lines), curves=(_acceleration(engine, e),), notes=_notes(engine, e, fires)
+    )
+
+
+def _checks(e: EngineResult) -> tuple[Check, ...]:
+    assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
+    uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
+    return (
         check(
-            "engine.crank.lambda_usual", "Crank ratio λ", lam, "in", (0.20, 0.33), "", "usual range of vehicle engines (Finotti 2013, 2.1)",
+            "engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", "usual range of vehicle engines (Finotti 2013, 2.1)",
             "A longer rod lowers λ and with it every second-order force and couple.", kind="advice",
         ),
+        check(
+            "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°",
+            "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)",
+            "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.", kind="advice",
+        ),
     )  # fmt: skip
-    notes = (*result.crank.chosen, "The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected.")
+
+
+def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:
+    alpha: Any = np.radians(np.arange(0.0, 361.0))
+    with untraced():
+        exact: Any = f.relative_acceleration(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta), lam=e.lambda_)
+        two_term: Any = f.relative_acceleration_two_term(alpha=alpha, lam=e.lambda_, delta=e.delta)
+    scale, degrees = e.angular_speed**2 * engine.crank_radius, np.degrees(alpha)
+    return Curve(
+        "acceleration", "Piston acceleration over one turn", "crank angle α, °", "a, m/s²",
+        (Series("exact", degrees, exact * scale), Series("two terms", degrees, two_term * scale)),
+    )  # fmt: skip
+
+
+def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[str, ...]:
+    notes = list(e.crank.chosen)
+    if engine.cylinders > 1:
+        degrees = [round(math.degrees(gap), 3) for gap in fires.intervals]
+        even = max(degrees) - min(degrees) < 1e-3
+        notes.append(
+            f"Fires {'-'.join(map(str, fires.order))}, "
+            + (f"every {degrees[0]:g}°." if even else f"after {'-'.join(f'{d:g}' for d in degrees)}°: unevenly.")
+        )
+    notes.append("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected.")
     if engine.rod_cg_to_big_end is None:
-        notes += ("The rod's centre of gravity is not given: one third of it is taken as reciprocating.",)
-    return Outcome("engine", result=result, checks=checks, lines=tuple(lines), curves=(curve,), notes=notes)
+        notes.append("The rod's centre of gravity is not given: one third of it is taken as reciprocating.")
+    return tuple(notes)

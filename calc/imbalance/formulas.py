@@ -7,7 +7,7 @@ angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, conj, modulus, pi, sin, total
+from ..sheet.functions import argument, cis, conj, modulus, pi, resultant, sin
 from ..sheet.units import (
     Kilogram,
     KilogramMetre2,
@@ -28,40 +28,40 @@ FORWARD = "Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vecto
 def force_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
-    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * total(cis(psi) * cis(n * (phi - psi)))
+    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("F_n⁻", FORWARD)
 def force_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
-    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * total(cis(psi) * cis(-n * (phi - psi)))
+    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("C_n⁺", FORWARD)
 def couple_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
-    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * total(z * cis(psi) * cis(n * (phi - psi)))
+    return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("C_n⁻", FORWARD)
 def couple_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
-    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * total(z * cis(psi) * cis(-n * (phi - psi)))
+    return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("F_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
 def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
-    return -kappa * omega**2 * m * r * cis(theta_0) * total(cis(phi))
+    return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
 @formula("C_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
 def counterweight_couple(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:
-    return -kappa * omega**2 * m * r * cis(theta_0) * total(z * cis(phi))
+    return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
 
 @formula("F_1⁺", "sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
@@ -92,6 +92,36 @@ def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Newt
 @formula("C_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_f - conj(C_b))
+
+
+@formula("F_max", "ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+def force_peak(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
+    return modulus(F_f) + modulus(F_b)
+
+
+@formula("F_min", "ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+def force_least(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
+    return modulus(modulus(F_f) - modulus(F_b))
+
+
+@formula("∠F_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"F_f": "F⁺", "F_b": "F⁻"})
+def force_axis(F_f: PhasorNewton, F_b: PhasorNewton) -> Radian:
+    return argument(F_f * F_b) / 2
+
+
+@formula("C_max", "ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+def couple_peak(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_f) + modulus(C_b)
+
+
+@formula("C_min", "ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+def couple_least(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(modulus(C_f) - modulus(C_b))
+
+
+@formula("∠C_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"C_f": "C⁺", "C_b": "C⁻"})
+def couple_axis(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Radian:
+    return argument(C_f * C_b) / 2
 
 
 @formula("C_S", "Finotti 2013, 2.5.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"})
@@ -133,3 +163,8 @@ def second_order_couple_of_finotti(kappa: Number, C_2: NewtonMetre) -> NewtonMet
 @formula("ΔC/1°", "exact difference of two vectors one degree apart")
 def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     return 2 * C_S * sin(pi / 360)
+
+
+@formula("ΔC/tooth", "exact difference of two vectors one tooth of the shaft's wheel apart")
+def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
+    return 2 * C_S * sin(pi / z)

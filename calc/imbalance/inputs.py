@@ -1,7 +1,37 @@
 # SPDX-License-Identifier: Apache-2.0
 """How the crank is balanced, and with which kinematics the imbalance is judged."""
 
-from ..sheet.quantity import choice, inputs, quantity
+from collections.abc import Iterable
+
+from ..sheet.quantity import choice, inputs, integer, quantity, tables, text
+
+
+@inputs
+class Unbalance:
+    """An unbalance that turns with the crank: of the pulley, the flywheel …"""
+
+    name: str = text("Name")
+    unbalance: float = quantity("Unbalance", "kg·mm", low=0, high=1e6, symbol="U")
+    angle: float = quantity(
+        "Angle", "°", low=-720, high=720, symbol="gamma", help="With cylinder 1 at TDC, from up, in the sense of rotation."
+    )
+    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel.")
+
+
+@inputs
+class CrankBody:
+    """A web, a counterweight or a pin of the crank, by its mass and centre of gravity."""
+
+    name: str = text("Name")
+    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
+    x: float = quantity("Centre of gravity, up", "mm", low=-1000, high=1000, symbol="x", help="With the throw named above at TDC.")
+    y: float = quantity(
+        "Centre of gravity, side", "mm", low=-1000, high=1000, symbol="y", help="90° further in the sense of crank rotation."
+    )
+    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel.")
+    pin: int | None = integer(
+        "Crankpin", optional=True, low=1, high=16, help="The number of the pin that this body is: a bob is added to it."
+    )
 
 
 @inputs
@@ -20,3 +50,58 @@ class ImbalanceInputs:
         default="exact",
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
     )
+    counterweight_span: float = quantity(
+        "Counterweights apart",
+        "mm",
+        optional=True,
+        above=0,
+        high=10000,
+        symbol="l",
+        help="Axial distance of two counterweights about mid-engine.",
+    )
+    counterweight_radius: float = quantity(
+        "Radius of the counterweights", "mm", optional=True, above=0, high=1000, symbol="r_cw", help="Of their centres of gravity."
+    )
+    crank_bodies_throw_at_tdc: int = integer(
+        "Throw up in the list of bodies",
+        default=1,
+        low=1,
+        high=16,
+        help="The cylinder whose throw stands up while the bodies' x and y are given.",
+    )
+    bob_mode: str = choice(
+        "Bob masses", "equal", "per_pin", "least_squares", default="equal",
+        help="equal: one mass that takes the couple across the throw that stands up. per_pin: the smallest change from it that takes "
+        "the whole couple. least_squares: least static unbalance and couple over pitch.",
+    )  # fmt: skip
+    bob_mass: float = quantity(
+        "Bob mass as stated",
+        "kg",
+        optional=True,
+        low=0,
+        high=100,
+        symbol="m_b",
+        help="On each pin, on the balancing machine; left out, it is computed.",
+    )
+    unbalances: tuple[Unbalance, ...] = tables(
+        "Unbalances on the crank",
+        Unbalance,
+        optional=True,
+        help="Of pulley and flywheel: they answer the question what the crank itself lacks.",
+    )
+    crank_bodies: tuple[CrankBody, ...] = tables(
+        "Bodies of the crank", CrankBody, optional=True, help="Webs and pins: what bobs does the crank need on the balancing machine?"
+    )
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        for key, given, other in (
+            ("counterweight_radius_mm", self.counterweight_radius, self.counterweight_span),
+            ("counterweight_span_mm", self.counterweight_span, self.counterweight_radius),
+        ):
+            if given is None and other is not None:
+                yield key, "needed with the other of the two: span and radius give the masses of the counterweights"
+        pins = [body.pin for body in self.crank_bodies if body.pin is not None]
+        if self.crank_bodies and not pins:
+            yield "crank_bodies", "at least one body must say which crankpin it is (pin = 1): the bobs are put there"
+        if sorted(pins) != list(range(1, len(pins) + 1)):
+            yield "crank_bodies", f"the pins must be numbered from 1 without gaps, each once; they are {', '.join(map(str, pins))}"

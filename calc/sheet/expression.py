@@ -26,7 +26,7 @@ GREEK = dict(
 )  # fmt: skip
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
-CALLS = {"sqrt": "sqrt", "total": "sum", "cis": "cis", "modulus": "abs", "abs": "abs", "largest": "max", "smallest": "min"}
+CALLS = {"sqrt": "sqrt", "total": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs", "largest": "max", "smallest": "min"}
 CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 
 
@@ -91,6 +91,8 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
             return Expr(BINARY[type(op)], (sub(a), sub(b)))
         case ast.UnaryOp(op=ast.USub(), operand=a):
             return Expr("neg", (sub(a),))
+        case ast.Call(func=ast.Name(id="joined"), args=[a, b]):
+            return Expr("add", (sub(a), sub(b)))
         case ast.Call(func=ast.Name(id=name), args=args):
             head = CALLS.get(name, name)
             known = head if head in ("sqrt", "sum", "cis", "abs") else "call"

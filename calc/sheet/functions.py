@@ -58,13 +58,35 @@ def argument(z: complex) -> float:
     Parts below 1e-12 of the length are dust of the last digits: 180° and not −180°, 0° and not 4e-15°.
     """
     dust = 1e-12 * abs(z)
+    if isinstance(z, np.ndarray):
+        return cast(float, np.arctan2(np.where(abs(z.imag) > dust, z.imag, 0.0), np.where(abs(z.real) > dust, z.real, 0.0)))
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
 def total(x: Any) -> Any:
-    """Sum over the elements (cylinders, masses, …).  Vectors that cancel give 0, not the dust of the last digits."""
-    result = np.sum(x).item()
-    return 0.0 if isinstance(result, complex) and abs(result) < 1e-12 * np.sum(np.abs(x)) else result
+    """Sum over all elements (masses, points of contact, …)."""
+    return np.sum(x).item()
+
+
+def resultant(x: Any) -> Any:
+    """Sum over the last axis: the cylinders of one engine, or of each of many.
+
+    Vectors that cancel give 0, not the dust of the last digits.
+    """
+    if np.ndim(x) > 1:
+        found: Any = np.sum(x, -1)
+        return np.where(abs(found) < 1e-12 * np.sum(np.abs(x), -1), 0.0, found)
+    one = np.sum(x).item()
+    return 0.0 if abs(one) < 1e-12 * np.sum(np.abs(x)) else one
+
+
+def joined(a: complex, b: complex) -> complex:
+    """Sum of two vectors; where they cancel, 0 and not the dust of the last digits."""
+    found: Any = a + b
+    dust = 1e-12 * (abs(a) + abs(b))
+    if isinstance(found, np.ndarray):
+        return cast(complex, np.where(abs(found) > dust, found, 0.0))
+    return cast(complex, found) if abs(found) > dust else 0j
 
 
 def largest(a: float, b: float) -> float:

@@ -6,7 +6,7 @@ number is shown and which ending its key has in a design file: `mm` → `bore_mm
 """
 
 from dataclasses import dataclass
-from typing import Annotated
+from typing import Annotated, Any
 
 # --- units as types: a float to the type checker, a unit to the formula -------------------------------------------------
 Number = Annotated[float, ""]
@@ -33,6 +33,10 @@ Kelvin = Annotated[float, "K"]
 PerKelvin = Annotated[float, "1/K"]
 KelvinPerWatt = Annotated[float, "K/W"]
 KilogramMetre = Annotated[float, "kg·m"]
+PhasorMetre = Annotated[complex, "m"]
+PhasorSquareMetre = Annotated[complex, "m²"]
+PhasorKilogramMetre = Annotated[complex, "kg·m"]
+PhasorKilogramMetre2 = Annotated[complex, "kg·m²"]
 PhasorNewton = Annotated[complex, "N"]
 PhasorNewtonMetre = Annotated[complex, "N·m"]
 KilogramMetre2 = Annotated[float, "kg·m²"]
@@ -55,6 +59,10 @@ class Unit:
     def shown(self, inside: float) -> float:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
         return float(f"{inside / self.factor:.14g}")
+
+    def all_shown(self, inside: Any) -> Any:
+        """The same for an array, with all its digits."""
+        return inside / self.factor
 
     def inside(self, shown: float) -> float:
         """The SI number; by a division where the factor is a whole part (mm, µm, rpm), which keeps the last digit right."""

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is left, judged against one cylinder's force, and the remedies that it calls for."""
+
+import math
+from typing import TYPE_CHECKING
+
+from ..sheet.check import Check, check
+from ..sheet.number import short
+from ..sheet.units import Number
+
+if TYPE_CHECKING:
+    from .solve import ImbalanceResult
+
+FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
+OWN = "rule of this program, against m·r·ω² of one cylinder (couples: over one pitch)"
+
+
+def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, ...]:
+    """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
+    force, couple = result.one_force, result.one_couple
+    first, second = result.orders["order_1"], result.orders["order_2"]
+    forward = "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
+    backward = "A couple-free shaft at −ω with this force, in the plane of the engine's middle, takes it."
+    phase = math.degrees(result.required_couple_phase)
+    counter = f"One shaft at −ω takes it: {result.required_couple:.1f} N·m at {phase:.1f}°; add [countershaft]."
+    two = "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it."
+
+    def advice(name: str, label: str, value: float, limit: float, unit: str, what: str) -> Check:
+        return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, what, kind="advice")
+
+    alone = advice("order_1.backward", "First-order couple turning backward", first.couple_backward, FIRST * couple, "N·m", counter)
+    return (
+        *(() if shaft else (alone,)),
+        advice("order_1.forward", "First-order couple turning forward", first.couple_forward, FIRST * couple, "N·m", forward),
+        advice("order_1.forward_force", "First-order force turning forward", first.force_forward, FIRST * force, "N", forward),
+        advice("order_1.backward_force", "First-order force turning backward", first.force_backward, FIRST * force, "N", backward),
+        advice("order_2.couple", "Second-order couple left", second.couple_peak, SECOND * lam * couple, "N·m", two),
+        advice("order_2.force", "Second-order force left", second.force_peak, SECOND * lam * force, "N", two),
+    )
+
+
+def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -> tuple[str, ...]:
+    """The remedies that the residuals of this engine call for, and why: from the engine without any share on the crank."""
+    F_f, F_b, C_f, C_b = (abs(v) for v in result.orders["order_1"].unbalanced)
+    F_p, F_m, C_p, C_m = (abs(v) for v in result.orders["order_2"].vectors)
+    first = FIRST * result.one_force, FIRST * result.one_couple
+    second = SECOND * lam * result.one_force / 2, SECOND * lam * result.one_couple / 2  # of a pair: half of its peak
+    said = []
+    turns_forward, turns_backward = _what(F_f, C_f, *first), _what(F_b, C_b, *first)
+    if turns_forward:
+        done = "as designed" if abs(kappa - 0.5) < 1e-9 else f"the design has {kappa:g}"
+        said.append(
+            f"Proposed: counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), because they "
+            f"take all of first order that turns forward: {turns_forward}."
+            + ("" if turns_backward else " Nothing of first order turns backward: no shaft is needed for it.")
+        )
+    if turns_backward:
+        text = f"Proposed: one shaft at −1 times crank speed{' (as designed)' if shaft else ''}, because {turns_backward} of first order turns "
+        text += "backward, and nothing on the crank can take it."
+        if (roll := result.remedy["backward_shaft"].roll_torque_at_100_mm) is not None and F_b > first[0]:
+            text += f" It carries a force: each 100 mm beside the crank's axis cost a roll torque of {short(roll)} N·m; two shafts at ±1 cost none."
+        said.append(text)
+    plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
+    if plus or minus:
+        how = "two shafts at ±2" if plus and minus else f"one shaft at {'+' if plus else '−'}2"
+        both = _what(F_p + F_m, C_p + C_m, *second)
+        said.append(
+            f"Proposed, where the comfort asked for is worth it: {how} times crank speed, because {both} of second order is left at its peak; "
+            "neither the crank nor a shaft at crank speed changes it."
+        )
+    return tuple(said) or ("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts.",)
+
+
+def _what(force: float, couple: float, least_force: float, least_couple: float) -> str:
+    """Force and couple in words, as far as they count."""
+    parts = [f"a force of {short(force)} N"] if force > least_force else []
+    parts += [f"a couple of {short(couple)} N·m"] if couple > least_couple else []
+    return " and ".join(parts)

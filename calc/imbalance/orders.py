@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces and couples of one order, of one engine or of many: their vectors, the ellipses these draw, and their peaks."""
+
+from typing import Any
+
+import numpy as np
+
+from ..engine.inputs import EngineInputs
+from ..engine.solve import EngineResult
+from ..sheet.quantity import group, result, value
+from ..sheet.units import Newton, NewtonMetre, Number, Radian
+from . import formulas as f
+
+DUST = 1e-9  # of one cylinder's m·r·ω²: vectors that cancel leave so little of the last digits
+
+
+@result
+class Order:
+    """One order: the vectors turning with and against the crank at n times its speed, after the crank's own counterweights.
+
+    Peak, least and axis are half the long axis, half the short axis and the direction of the long axis of the ellipse that the
+    two vectors draw; a circle has no axis.
+    """
+
+    force_forward: Newton = value("Force turning forward", "N", "F⁺")
+    force_forward_phase: Radian = value("its phase", "°")
+    force_backward: Newton = value("Force turning backward", "N", "F⁻")
+    force_backward_phase: Radian = value("its phase", "°")
+    force_peak_vertical: Newton = value("Largest vertical force", "N", "F_V")
+    force_peak_horizontal: Newton = value("Largest horizontal force", "N", "F_H")
+    force_peak: Newton = value("Largest force", "N", "F_max")
+    force_least: Newton = value("Smallest force over the turn", "N", "F_min")
+    force_axis: Radian | None = value("Direction of the largest force", "°", "∠F_max")
+    couple_forward: NewtonMetre = value("Couple turning forward", "N·m", "C⁺")
+    couple_forward_phase: Radian = value("its phase", "°")
+    couple_backward: NewtonMetre = value("Couple turning backward", "N·m", "C⁻")
+    couple_backward_phase: Radian = value("its phase", "°")
+    couple_peak_vertical: NewtonMetre = value("Largest vertical couple", "N·m", "C_V")
+    couple_peak_horizontal: NewtonMetre = value("Largest horizontal couple", "N·m", "C_H")
+    couple_peak: NewtonMetre = value("Largest couple", "N·m", "C_max")
+    couple_least: NewtonMetre = value("Smallest couple over the turn", "N·m", "C_min")
+    couple_axis: Radian | None = value("Direction of the largest couple", "°", "∠C_max")
+    vectors: tuple[complex, complex, complex, complex]  # F⁺ F⁻ C⁺ C⁻
+    unbalanced: tuple[complex, complex, complex, complex]  # the same with no share of the reciprocating masses on the crank
+    two_term: "Order | None" = group(default=None)
+
+
+def order(n: int, c_n: Any, kappa: Number, engine: EngineInputs, e: EngineResult) -> Order:
+    """Order n of engines whose crank carries the share kappa of the reciprocating masses; `c_n`: the harmonic of a/(ω² r)."""
+    crank: Any = e.crank  # arrays enter the formulas here
+    common: dict[str, Any] = dict(
+        omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
+    )
+    F_f = F_f0 = f.force_forward(c_n=c_n, n=float(n), psi=crank.psi, **common)
+    F_b = f.force_backward(c_n=c_n, n=float(n), psi=crank.psi, **common)
+    C_f = C_f0 = f.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
+    C_b = f.couple_backward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
+    if n == 1:
+        dust = DUST * e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
+        F_f = clean(f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common)), dust)
+        C_f = clean(f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common)), dust * engine.cylinder_pitch)
+    return Order(
+        force_forward=f.force_length(F=F_f),
+        force_forward_phase=f.force_direction(F=F_f),
+        force_backward=f.force_length(F=F_b),
+        force_backward_phase=f.force_direction(F=F_b),
+        force_peak_vertical=f.force_peak_vertical(F_f, F_b),
+        force_peak_horizontal=f.force_peak_horizontal(F_f, F_b),
+        force_peak=f.force_peak(F_f, F_b),
+        force_least=f.force_least(F_f, F_b),
+        force_axis=f.force_axis(F_f, F_b) if np.any(F_f) and np.any(F_b) else None,
+        couple_forward=f.couple_length(C=C_f),
+        couple_forward_phase=f.couple_direction(C=C_f),
+        couple_backward=f.couple_length(C=C_b),
+        couple_backward_phase=f.couple_direction(C=C_b),
+        couple_peak_vertical=f.couple_peak_vertical(C_f, C_b),
+        couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
+        couple_peak=f.couple_peak(C_f, C_b),
+        couple_least=f.couple_least(C_f, C_b),
+        couple_axis=f.couple_axis(C_f, C_b) if np.any(C_f) and np.any(C_b) else None,
+        vectors=(F_f, F_b, C_f, C_b),
+        unbalanced=(F_f0, F_b, C_f0, C_b),
+    )
+
+
+def clean(vector: Any, dust: Any) -> Any:
+    """Two vectors that cancel leave the dust of the last digits, which would have a length and a phase."""
+    if isinstance(vector, np.ndarray):
+        return np.where(np.abs(vector) > dust, vector, 0.0)
+    return vector if abs(vector) > dust else 0j

@@ -1,0 +1,237 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What each remedy needs, and what it leaves: counterweights on the crank, and shafts that turn with or against it.
+
+The counterweights of the crank take any share of what turns forward at crank speed.  A shaft at i times crank speed takes the one
+vector that turns like it; its unbalance takes the force, unbalance times arm the couple.  Two shafts at ±i beside the cylinders'
+plane, at the same distance (Lanchester), raise no roll torque; a single one that carries a force does.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ..sheet.formula import formula
+from ..sheet.functions import argument, cis, joined, modulus, resultant
+from ..sheet.quantity import group, result, value
+from ..sheet.trace import about
+from ..sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorMetre,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+)  # fmt: skip
+
+SHAFTS = "rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3; Lanchester)"
+SIGNIFICANT = 1e-6  # of one cylinder's m·r·ω²: below this there is nothing to balance
+
+
+@formula("U", SHAFTS, unit="kg·mm", names={"F_n": "F"})
+def shaft_unbalance(F_n: PhasorNewton, i: Number, omega: RadPerSecond) -> KilogramMetre:
+    """The unbalance of a shaft that turns at i times crank speed and takes the force F."""
+    return modulus(F_n) / (i * omega) ** 2
+
+
+@formula("U·Δz", SHAFTS, unit="kg·mm²", names={"C_n": "C"})
+def shaft_product(C_n: PhasorNewtonMetre, i: Number, omega: RadPerSecond) -> KilogramMetre2:
+    """Unbalance times arm of a shaft that turns at i times crank speed and takes the couple C."""
+    return modulus(C_n) / (i * omega) ** 2
+
+
+@formula("∠U", "opposite to the force that it takes, cylinder 1 at TDC", names={"F_n": "F"})
+def unbalance_direction(F_n: PhasorNewton) -> Radian:
+    return argument(-F_n)
+
+
+@formula("∠U·Δz", "opposite to the couple that it takes, cylinder 1 at TDC", names={"C_n": "C"})
+def product_direction(C_n: PhasorNewtonMetre) -> Radian:
+    return argument(-C_n)
+
+
+@formula("F_S", "centrifugal force of an unbalance")
+def supplied_force(i: Number, omega: RadPerSecond, U: KilogramMetre, gamma: Radian) -> PhasorNewton:
+    return (i * omega) ** 2 * U * cis(gamma)
+
+
+@formula("C_S", "centrifugal couple of two opposed unbalances", names={"P": "U·Δz"})
+def supplied_couple(i: Number, omega: RadPerSecond, P: KilogramMetre2, gamma: Radian) -> PhasorNewtonMetre:
+    return (i * omega) ** 2 * P * cis(gamma)
+
+
+@formula(
+    "F_left", "sum of engine and shafts: half the long axis of the ellipse", names={"F_f": "F⁺", "F_b": "F⁻", "S_f": "F_S⁺", "S_b": "F_S⁻"}
+)
+def force_left(F_f: PhasorNewton, S_f: PhasorNewton, F_b: PhasorNewton, S_b: PhasorNewton) -> Newton:
+    return modulus(joined(F_f, S_f)) + modulus(joined(F_b, S_b))
+
+
+@formula(
+    "C_left", "sum of engine and shafts: half the long axis of the ellipse", names={"C_f": "C⁺", "C_b": "C⁻", "S_f": "C_S⁺", "S_b": "C_S⁻"}
+)
+def couple_left(C_f: PhasorNewtonMetre, S_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, S_b: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(joined(C_f, S_f)) + modulus(joined(C_b, S_b))
+
+
+@formula("T_roll", "amplitude of Im(p̄·F): a force that turns about an axis beside the crank's", names={"p": "p_S"})
+def roll_torque(p: PhasorMetre, F: PhasorNewton) -> NewtonMetre:
+    """The torque about the crank's axis of a force that turns about the axis at p (real up, imaginary to the side)."""
+    return modulus(p) * modulus(F)
+
+
+M_EQ = "Finotti 2013, 2.3.3: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one"
+
+
+@formula("M_eq", M_EQ, unit="g")
+def equivalent_mass(M_rot: Kilogram, kappa: Number, M_alt: Kilogram) -> Kilogram:
+    return M_rot + kappa * M_alt
+
+
+@formula("U_cr", "sum of the crankpins' equivalent masses (Finotti 2013, 2.4)", unit="kg·mm")
+def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
+    return M_eq * r * cis(theta_0) * resultant(cis(phi))
+
+
+@formula("U·z_cr", "sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)", unit="kg·mm²")
+def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
+    return M_eq * r * cis(theta_0) * resultant(z * cis(phi))
+
+
+@formula("U_cw", "two counterweights a span l apart, against force and couple of the crankpins (Finotti 2013, 2.4)", unit="kg·mm")
+def counterweight(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, l: Metre, side: Number) -> PhasorKilogramMetre:
+    """The unbalance of the rear (side +1) or front (side −1) counterweight; U and P of all crankpins about the middle of the span."""
+    return -(U / 2 + side * P / l)
+
+
+@formula("m_cw", "mass from unbalance and radius of its centre of gravity", unit="g")
+def counterweight_mass(U_cw: PhasorKilogramMetre, r_cw: Metre) -> Kilogram:
+    return modulus(U_cw) / r_cw
+
+
+@formula("∠U_cw", "direction of the counterweight, cylinder 1 at TDC")
+def counterweight_direction(U_cw: PhasorKilogramMetre) -> Radian:
+    return argument(U_cw)
+
+
+@result
+class BalanceShaft:
+    """What one shaft of a remedy carries; directions with cylinder 1 at TDC, from up, in the sense of crank rotation."""
+
+    speed_ratio: Number = value("Speed ratio to the crank", "", "i")
+    unbalance: KilogramMetre | None = value("Unbalance", "kg·mm", "U", default=None)
+    unbalance_phase: Radian | None = value("its direction", "°", default=None)
+    unbalance_product: KilogramMetre2 | None = value("Unbalance times arm", "kg·mm²", "U·Δz", default=None)
+    unbalance_product_phase: Radian | None = value("its direction", "°", default=None)
+
+
+@result
+class Remedy:
+    """One remedy: its share on the crank, its shafts, and the peaks of force and couple that it leaves."""
+
+    title: str
+    crank_balance_fraction: Number = value("Share balanced on the crank", "", "κ")
+    shafts: dict[str, BalanceShaft] = group(spread=True)
+    order_1_force: Newton = value("First-order force left, peak", "N", "F_1")
+    order_1_couple: NewtonMetre = value("First-order couple left, peak", "N·m", "C_1")
+    order_2_force: Newton = value("Second-order force left, peak", "N", "F_2")
+    order_2_couple: NewtonMetre = value("Second-order couple left, peak", "N·m", "C_2")
+    roll_torque: NewtonMetre | None = value("Roll torque of the shaft beside the crank", "N·m", "T_roll", default=None)
+    roll_torque_at_100_mm: NewtonMetre | None = value("Roll torque with the shaft 100 mm beside the crank", "N·m", default=None)
+
+
+@result
+class Counterweight:
+    """One of the two counterweights that take the crank's share."""
+
+    mass: Kilogram = value("Mass", "g", "m_cw")
+    angle: Radian = value("Direction, cylinder 1 at TDC", "°")
+
+
+Vectors = tuple[Any, Any, Any, Any]
+NONE: Vectors = (0j, 0j, 0j, 0j)
+
+
+def remedies(
+    omega: RadPerSecond, kappa: Number, first: Vectors, second: Vectors, whole: tuple[Any, Any],
+    one_force: Newton, one_couple: NewtonMetre, axis: complex | None,
+) -> dict[str, Remedy]:  # fmt: skip
+    """Every remedy that has something to take.
+
+    `first` and `second` are the vectors F⁺ F⁻ C⁺ C⁻ of the engine whose rotating masses alone are balanced; `whole` force and couple
+    of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank carries; `axis` where a single shaft stands [m], real up, imaginary to the side, None where not known.
+    """
+
+    def shaft(i: int, F: Any, C: Any) -> tuple[BalanceShaft | None, Any, Any]:
+        """The shaft at i times crank speed that takes F and C, and what it supplies."""
+        parts: dict[str, Any] = {}
+        F_S: Any = 0j
+        C_S: Any = 0j
+        with about(f"shaft at {i:+d} times crank speed".replace("-", "−")):
+            if np.any(np.abs(F) > SIGNIFICANT * one_force):
+                U, gamma = shaft_unbalance(F_n=F, i=float(i), omega=omega), unbalance_direction(F_n=F)
+                F_S = supplied_force(i=float(i), omega=omega, U=U, gamma=gamma)
+                parts |= {"unbalance": U, "unbalance_phase": gamma}
+            if np.any(np.abs(C) > SIGNIFICANT * one_couple):
+                P, gamma = shaft_product(C_n=C, i=float(i), omega=omega), product_direction(C_n=C)
+                C_S = supplied_couple(i=float(i), omega=omega, P=P, gamma=gamma)
+                parts |= {"unbalance_product": P, "unbalance_product_phase": gamma}
+        return (BalanceShaft(speed_ratio=float(i), **parts) if parts else None), F_S, C_S
+
+    F_f, F_b, C_f, C_b = first
+    backward, backward_F, backward_C = shaft(-1, F_b, C_b)
+    forward, forward_F, forward_C = shaft(1, F_f, C_f)
+    plus, plus_F, plus_C = shaft(2, second[0], second[2])
+    minus, minus_F, minus_C = shaft(-2, second[1], second[3])
+    at_one: Vectors = (forward_F, backward_F, forward_C, backward_C)
+    at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
+
+    def remedy(title: str, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> Remedy:
+        left_f, left_c = F_f + share * whole[0], C_f + share * whole[1]  # the crank acts on what turns forward only
+        with about(title):
+            single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
+            return Remedy(
+                title=title,
+                crank_balance_fraction=share,
+                shafts={name: found for name, found in shafts.items() if found},
+                order_1_force=force_left(F_f=left_f, S_f=one[0], F_b=F_b, S_b=one[1]),
+                order_1_couple=couple_left(C_f=left_c, S_f=one[2], C_b=C_b, S_b=one[3]),
+                order_2_force=force_left(F_f=second[0], S_f=two[0], F_b=second[1], S_b=two[1]),
+                order_2_couple=couple_left(C_f=second[2], S_f=two[2], C_b=second[3], S_b=two[3]),
+                roll_torque=roll_torque(p=axis, F=single) if single is not None and axis is not None else None,
+                roll_torque_at_100_mm=roll_torque(p=0.1 + 0j, F=single) if single is not None else None,
+            )
+
+    found = {"crank": remedy("counterweights for half of the reciprocating mass", 0.5, NONE, NONE)}
+    if backward:
+        one_shaft = (0j, backward_F, 0j, backward_C)
+        found["backward_shaft"] = remedy("the same, and one shaft at −1", 0.5, one_shaft, NONE, backward=backward)
+    if forward and backward:
+        found["first_order_pair"] = remedy("two shafts at ±1", 0.0, at_one, NONE, forward=forward, backward=backward)
+    if plus or minus:
+        how = "two shafts at ±2" if plus and minus else f"one shaft at {'+' if plus else '−'}2"
+        found["second_order_shafts"] = remedy(f"crank as designed, {how}", kappa, NONE, at_two, forward_2=plus, backward_2=minus)
+        if forward and backward:
+            found["four_shafts"] = remedy(
+                f"two shafts at ±1, {how}", 0.0, at_one, at_two, forward=forward, backward=backward, forward_2=plus, backward_2=minus
+            )
+    return found
+
+
+def counterweights(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre) -> dict[str, Counterweight]:
+    """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins."""
+    U = crank_unbalance(M_eq=M_eq, r=r, theta_0=theta_0, phi=phi)
+    P = crank_product(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi)
+    found = {}
+    for name, side in (("front", -1.0), ("rear", 1.0)):
+        with about(f"{name} counterweight"):
+            U_cw = counterweight(U=U, P=P, l=span, side=side)
+            found[name] = Counterweight(mass=counterweight_mass(U_cw=U_cw, r_cw=radius), angle=counterweight_direction(U_cw=U_cw))
+    return found

@@ -1,0 +1,312 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The crank on the balancing machine: its webs and pins, the bobs that it needs, and the couple that pulley and flywheel must supply.
+
+x is up and y 90° further in the sense of rotation while the throw named in the design stands up; z from mid-engine.  As complex numbers
+p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ..engine.crank import places
+from ..engine.inputs import EngineInputs
+from ..engine.solve import EngineResult
+from ..sheet.formula import formula
+from ..sheet.functions import argument, cis, modulus, resultant
+from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.step import Table
+from ..sheet.trace import about, untraced
+from ..sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorMetre,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    PhasorSquareMetre,
+    Radian,
+    RadPerSecond,
+    SquareMetre,
+)  # fmt: skip
+from .inputs import ImbalanceInputs
+from .remedies import equivalent_mass
+
+TABLE = "Finotti 2013, 2.6: table of webs and pins, here for any throws"
+MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)
+
+
+@formula("S", TABLE, unit="kg·mm")
+def unbalance(m: Kilogram, p: PhasorMetre) -> PhasorKilogramMetre:
+    return resultant(m * p)
+
+
+@formula("C", TABLE, unit="kg·mm²")
+def product(m: Kilogram, p: PhasorMetre, z: Metre) -> PhasorKilogramMetre2:
+    return resultant(m * p * z)
+
+
+@formula("m_b", "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up", unit="g")
+def equal_bob(C_y: KilogramMetre2, G_y: SquareMetre) -> Kilogram:
+    """`C_y` of the bare crank; `G_y` of the same mass on every pin, per kilogram: sum of y·z."""
+    return -C_y / G_y
+
+
+@formula("m_j", "smallest change of the common bob that takes the whole couple", shows="least norm of m − m_b with C = 0", unit="g")
+def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
+    """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each pin."""
+    rows: Any = np.array([np.real(G), np.imag(G)])
+    left: Any = C + m_b * np.sum(G)
+    change: Any = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
+    return m_b + change
+
+
+@formula("m_j", "least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
+def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre) -> Kilogram:
+    """One bob per pin; `p` and `G` = p·z of each pin."""
+    rows: Any = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
+    target: Any = np.array([S.real, S.imag, C.real / a, C.imag / a])
+    found: Any = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
+    return found
+
+
+@formula("|S|", "length of the vector", unit="kg·mm")
+def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
+    return modulus(S)
+
+
+@formula("∠C", "direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there", names={"P": "C", "turned": "χ"})
+def state_direction(P: PhasorKilogramMetre2, turned: Radian) -> Radian:
+    return argument(P * cis(turned))
+
+
+@formula("C_ω", "couple of the crank's own unbalance at rated speed", names={"P": "C"})
+def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
+    return modulus(P) * omega**2
+
+
+@formula("U·z", "sum of the bobs that each pin lacks (Finotti 2013, 2.6)", unit="kg·mm²")
+def lacking_product(M_eq: Kilogram, m_b: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
+    """What the crank's own webs, balanced for bobs m_b, lack of the equivalent masses of all cylinders."""
+    return r * cis(theta_0) * resultant((M_eq - m_b) * z * cis(phi))
+
+
+@formula("U", "sum of the bobs that each pin lacks (Finotti 2013, 2.6)", unit="kg·mm")
+def lacking_unbalance(M_eq: Kilogram, m_b: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
+    return r * cis(theta_0) * resultant((M_eq - m_b) * cis(phi))
+
+
+@formula("C_pf", "couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"})
+def wanted_couple(P: PhasorKilogramMetre2, omega: RadPerSecond) -> PhasorNewtonMetre:
+    return -(omega**2) * P
+
+
+@formula("F_pf", "force that pulley and flywheel must supply, opposite to what is lacking")
+def wanted_force(U: PhasorKilogramMetre, omega: RadPerSecond) -> PhasorNewton:
+    return -(omega**2) * U
+
+
+@formula("C_U", "couple of unbalances that turn with the crank")
+def couple_of_unbalances(omega: RadPerSecond, U: KilogramMetre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
+    return omega**2 * resultant(U * z * cis(gamma))
+
+
+@formula("F_U", "force of unbalances that turn with the crank")
+def force_of_unbalances(omega: RadPerSecond, U: KilogramMetre, gamma: Radian) -> PhasorNewton:
+    return omega**2 * resultant(U * cis(gamma))
+
+
+@formula("|C|", "length of the vector")
+def couple_length(C: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C)
+
+
+@formula("∠C", "direction, cylinder 1 at TDC")
+def couple_direction(C: PhasorNewtonMetre) -> Radian:
+    return argument(C)
+
+
+@formula("|F|", "length of the vector")
+def force_length(F: PhasorNewton) -> Newton:
+    return modulus(F)
+
+
+@formula("C_left", "what the unbalances leave of the couple that is wanted")
+def couple_not_supplied(C_pf: PhasorNewtonMetre, C_U: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_pf - C_U)
+
+
+@result
+class CrankState:
+    """The crank in one state: bare, with the bobs as stated, or with those found."""
+
+    unbalance_up: KilogramMetre = value("Static unbalance, up", "kg·mm", "S_x")
+    unbalance_side: KilogramMetre = value("Static unbalance, side", "kg·mm", "S_y")
+    product_up: KilogramMetre2 = value("Couple product, up", "kg·mm²", "C_x")
+    product_side: KilogramMetre2 = value("Couple product, side", "kg·mm²", "C_y")
+    unbalance: KilogramMetre = value("Static unbalance", "kg·mm", "|S|")
+    couple: NewtonMetre = value("Couple at rated speed", "N·m", "C_ω")
+    couple_phase: Radian = value("its direction, cylinder 1 at TDC", "°")
+    couple_on_machine: NewtonMetre = value("Couple on the balancing machine, 400 rpm", "N·m")
+
+
+@result
+class WebsResult:
+    """The crank's own balance, and what it leaves to pulley and flywheel."""
+
+    bob_mass: dict[str, Stated] | None = group(default=None)
+    crank: dict[str, CrankState] | None = group(default=None)
+    equivalent_mass: Kilogram | None = value("Equivalent mass of a crankpin", "g", "M_eq", default=None)
+    missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
+    missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
+    missing_forward_force: Newton | None = value("Force that pulley and flywheel must supply", "N", "F_pf", default=None)
+    unbalances_couple: NewtonMetre | None = value("Couple of the given unbalances", "N·m", "C_U", default=None)
+    unbalances_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
+    unbalances_force: Newton | None = value("Force of the given unbalances", "N", "F_U", default=None)
+    unbalances_couple_left: NewtonMetre | None = value("Wanted couple that the unbalances leave", "N·m", "C_left", default=None)
+
+
+def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[WebsResult | None, tuple[Table, ...], tuple[str, ...]]:
+    """The balance of the crank's own bodies; None where the design says nothing of them."""
+    if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
+        return None, (), ()
+    omega = e.angular_speed
+    found: dict[str, Any] = {}
+    notes: list[str] = []
+    tables: tuple[Table, ...] = ()
+    bob: Any = imbalance.bob_mass
+    if imbalance.crank_bodies:
+        with about("crank on the balancing machine"):
+            found, masses, tables, notes = _bodies(imbalance, engine, e)
+        bob = masses if bob is None else bob
+    wanted: Any = None
+    if bob is not None:
+        crank: Any = e.crank
+        m_b: Any = bob if np.ndim(bob) == 0 else bob[pins_of(engine, len(bob))]
+        with about("pulley and flywheel"):
+            M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
+            place: dict[str, Any] = dict(M_eq=M_eq, m_b=m_b, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
+            P = lacking_product(z=crank.z, **place)
+            U = lacking_unbalance(**place)
+            wanted = wanted_couple(P=P, omega=omega)
+            found |= {
+                "equivalent_mass": M_eq,
+                "missing_forward_couple": couple_length(C=wanted),
+                "missing_forward_couple_phase": couple_direction(C=wanted),
+                "missing_forward_force": force_length(F=wanted_force(U=U, omega=omega)),
+            }
+    if imbalance.unbalances:
+        given: Any = np.array([(u.unbalance, u.angle, u.z) for u in imbalance.unbalances])
+        with about("unbalances on the crank"):
+            C_U = couple_of_unbalances(omega=omega, U=given[:, 0], z=given[:, 2], gamma=given[:, 1])
+            F_U = force_of_unbalances(omega=omega, U=given[:, 0], gamma=given[:, 1])
+            found |= {
+                "unbalances_couple": couple_length(C=C_U),
+                "unbalances_couple_phase": couple_direction(C=C_U),
+                "unbalances_force": force_length(F=F_U),
+            }
+            if wanted is not None:
+                found["unbalances_couple_left"] = couple_not_supplied(C_pf=wanted, C_U=C_U)
+    return WebsResult(**found), tables, tuple(notes)
+
+
+def _bodies(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[dict[str, Any], Any, tuple[Table, ...], list[str]]:
+    """The bare crank, its bobs by all three modes, what these leave; and the masses of the mode that is asked for."""
+    given: Any = np.array([(body.mass, body.x, body.y, body.z) for body in imbalance.crank_bodies])
+    m, p, z = given[:, 0], given[:, 1] + 1j * given[:, 2], given[:, 3]
+    number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
+    pins = np.argsort(np.where(number > 0, number, 99), kind="stable")[: int(number.max())]
+    p_pin: Any = p[pins]
+    G: Any = p_pin * z[pins]
+    notes = []
+    with about("bare crank"):
+        S_0, C_0 = unbalance(m=m, p=p), product(m=m, p=p, z=z)
+    G_y = float(np.sum(G).imag)
+    modes: dict[str, Any] = {}
+    if abs(G_y) > 1e-6 * float(np.sum(np.abs(G))) > 0:
+        modes["equal"] = np.full(pins.size, equal_bob(C_y=C_0.imag, G_y=G_y))
+        modes["per_pin"] = bobs_per_pin(m_b=float(modes["equal"][0]), C=C_0, G=G)
+    modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
+    mode = imbalance.bob_mode
+    if mode not in modes:
+        mode = "least_squares"
+        notes.append("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead.")
+    masses = modes[mode]
+
+    def state(name: str, bobs: Any) -> CrankState:
+        with about(name):
+            every: Any = np.concatenate([m, bobs])
+            where: Any = np.concatenate([p, p_pin])
+            axial: Any = np.concatenate([z, z[pins]])
+            S, C = unbalance(m=every, p=where), product(m=every, p=where, z=axial)
+            return _state(S, C, imbalance, e)
+
+    states = {"bare": _state(S_0, C_0, imbalance, e)}
+    if imbalance.bob_mass is not None:
+        states["stated"] = state("crank with the bobs as stated", np.full(pins.size, imbalance.bob_mass))
+    states["balanced"] = state("crank with the bobs found", masses)
+    found = {
+        "crank": states,
+        "bob_mass": {
+            str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)
+        },
+    }
+    if min(masses) < 0:
+        notes.append("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
+    return found, masses, (_table(states, modes, mode, imbalance, pins.size, state),), notes
+
+
+def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
+    crank: Any = e.crank
+    turned = crank.phi[imbalance.crank_bodies_throw_at_tdc - 1] + crank.theta_0
+    return CrankState(
+        unbalance_up=S.real,
+        unbalance_side=S.imag,
+        product_up=C.real,
+        product_side=C.imag,
+        unbalance=unbalance_length(S=S),
+        couple=couple_at(P=C, omega=e.angular_speed),
+        couple_phase=state_direction(P=C, turned=turned),
+        couple_on_machine=couple_at(P=C, omega=MACHINE),
+    )
+
+
+def _table(states: dict[str, CrankState], modes: dict[str, Any], mode: str, imbalance: ImbalanceInputs, pins: int, state: Any) -> Table:
+    """The crank without bobs, with the stated ones, and with those of every mode, side by side."""
+    words = {"equal": "equal", "per_pin": "per pin", "least_squares": "least squares"}
+    rows: list[tuple[str, Any, CrankState]] = [("bare", [None] * pins, states["bare"])]
+    if imbalance.bob_mass is not None:
+        rows.append(("as stated", [imbalance.bob_mass] * pins, states["stated"]))
+    with untraced():
+        rows += [(words[name] + (" (chosen)" if name == mode else ""), bobs, state("", bobs)) for name, bobs in modes.items()]
+    return Table(
+        "bobs",
+        "The crank on the balancing machine",
+        (
+            ("bobs", ""), *((f"pin {j + 1}", "g") for j in range(pins)), ("S up", "kg·mm"), ("S side", "kg·mm"), ("C up", "kg·mm²"),
+            ("C side", "kg·mm²"), ("C at rated speed", "N·m"),
+        ),
+        tuple(
+            (
+                name, *(None if bob is None else float(bob) * 1e3 for bob in bobs), s.unbalance_up * 1e3, s.unbalance_side * 1e3,
+                s.product_up * 1e6, s.product_side * 1e6, s.couple,
+            )
+            for name, bobs, s in rows
+        ),
+        f"Throw {imbalance.crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
+    )  # fmt: skip
+
+
+def pins_of(engine: EngineInputs, count: int) -> Any:
+    """The crankpin, from 0, that each cylinder runs on; None where a crank of so many pins does not fit the engine."""
+    if count == engine.cylinders:
+        return np.arange(count)
+    if engine.layout != "inline" and 2 * count == engine.cylinders:
+        return places(engine)
+    return None
