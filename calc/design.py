@@ -64,6 +64,8 @@ class Design:
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)
+        if self.imbalance is not None and self.engine is not None and self.imbalance.crank_bodies:
+            yield from self._crank_bodies(self.imbalance, self.engine)
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -72,6 +74,16 @@ class Design:
             yield "gears.speed_rpm", "needed where there is no [engine] table to take it from"
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
+
+    def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, str]]:
+        from .imbalance.webs import pins_of
+
+        pins = sum(body.pin is not None for body in imbalance.crank_bodies)
+        if pins and pins_of(engine, pins) is None:
+            shared = f", or {engine.cylinders // 2} that two cylinders share" if engine.layout != "inline" else ""
+            yield "imbalance.crank_bodies", f"have {pins} crankpins; this engine has {engine.cylinders}{shared}"
+        if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
+            yield "imbalance.crank_bodies_throw_at_tdc", f"must be a cylinder of this engine, from 1 to {engine.cylinders}"
 
     def _names(self) -> Iterable[tuple[str, Any, Any]]:
         known_oils, solids = self.oils, self.materials

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from ..sheet.check import Check, check
 from ..sheet.number import short
 from ..sheet.units import Number
+from .remedies import BalanceShaft
 
 if TYPE_CHECKING:
     from .solve import ImbalanceResult
@@ -20,10 +21,11 @@ def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, 
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
     forward = "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
-    backward = "A couple-free shaft at −ω with this force, in the plane of the engine's middle, takes it."
-    phase = math.degrees(result.required_couple_phase)
-    counter = f"One shaft at −ω takes it: {result.required_couple:.1f} N·m at {phase:.1f}°; add [countershaft]."
-    two = "A shaft at crank speed leaves it whole; two shafts at ±2ω would take it, a longer rod lowers it."
+    phase = short(round(math.degrees(result.required_couple_phase), 3))
+    counter = f"One shaft at −ω takes it: {short(result.required_couple)} N·m at {phase}°" + ("; add [countershaft]." if not shaft else ".")
+    backward = "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
+    shafts = result.remedy.get("second_order_shafts")
+    two = f"A shaft at crank speed leaves it whole; {shafts_words(shafts.shafts)}ω would take it, a longer rod lowers it." if shafts else ""
 
     def advice(name: str, label: str, value: float, limit: float, unit: str, what: str) -> Check:
         return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, what, kind="advice")
@@ -55,20 +57,27 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
             + ("" if turns_backward else " Nothing of first order turns backward: no shaft is needed for it.")
         )
     if turns_backward:
-        text = f"Proposed: one shaft at −1 times crank speed{' (as designed)' if shaft else ''}, because {turns_backward} of first order turns "
+        turn = "turn" if " and " in turns_backward else "turns"
+        text = f"Proposed: one shaft at −1 times crank speed{' (as designed)' if shaft else ''}, because {turns_backward} of first order {turn} "
         text += "backward, and nothing on the crank can take it."
         if (roll := result.remedy["backward_shaft"].roll_torque_at_100_mm) is not None and F_b > first[0]:
             text += f" It carries a force: each 100 mm beside the crank's axis cost a roll torque of {short(roll)} N·m; two shafts at ±1 cost none."
         said.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     if plus or minus:
-        how = "two shafts at ±2" if plus and minus else f"one shaft at {'+' if plus else '−'}2"
+        how = shafts_words(result.remedy["second_order_shafts"].shafts)
         both = _what(F_p + F_m, C_p + C_m, *second)
         said.append(
-            f"Proposed, where the comfort asked for is worth it: {how} times crank speed, because {both} of second order is left at its peak; "
+            f"Proposed, where the comfort asked for is worth it: {how} times crank speed, because {both} of second order "
+            f"{'are' if ' and ' in both else 'is'} left at the peak; "
             "neither the crank nor a shaft at crank speed changes it."
         )
     return tuple(said) or ("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts.",)
+
+
+def shafts_words(shafts: dict[str, BalanceShaft]) -> str:
+    """The shafts against the second order: a pair, or the one side that there is."""
+    return "two shafts at ±2" if len(shafts) > 1 else f"one shaft at {next(iter(shafts.values())).speed_ratio:+g}".replace("-", "−")
 
 
 def _what(force: float, couple: float, least_force: float, least_couple: float) -> str:

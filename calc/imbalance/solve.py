@@ -13,13 +13,15 @@ from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Radian
 from . import formulas as f
+from .firing_orders import firing_order_table
 from .inputs import ImbalanceInputs
 from .judgement import checks, proposals
 from .orders import Order, order
 from .pictures import pictures, remedy_table
 from .remedies import Counterweight, Remedy, counterweights, equivalent_mass, remedies
-from .webs import WebsResult, webs
+from .webs import WebsResult, bob_table, webs
 
+LISTED = 6  # cylinders up to which all firing orders are tried in every solution
 ALWAYS = (1, 2, 4, 6)  # orders that are shown even where they are zero
 
 
@@ -39,7 +41,6 @@ class ImbalanceResult:
     required: complex  # the vector
     one_force: Newton  # m·r·ω² of one cylinder, and its couple over one pitch: what is left is measured against them
     one_couple: NewtonMetre
-    two_term_only: bool  # the judged kinematics
 
 
 def values(
@@ -93,10 +94,10 @@ def values(
         mistiming_per_tooth=by_tooth,
         remedy=remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis),
         counterweight=weights,
+        webs=webs(imbalance, engine, e),
         required=required,
         one_force=one_force,
         one_couple=one_couple,
-        two_term_only=imbalance.kinematics == "two_term",
     )
 
 
@@ -114,8 +115,9 @@ def solve(
     """
     with trace() as lines:
         found = values(imbalance, engine, e, shaft_teeth, axis)
-        own, tables, notes = webs(imbalance, engine, e)
-    found = replace(found, webs=own)
+    tables, notes = bob_table(imbalance, engine, e)
+    if 2 < engine.cylinders <= LISTED:
+        tables += (firing_order_table(imbalance, engine, e),)
     return Outcome(
         "imbalance",
         result=found,
@@ -123,7 +125,7 @@ def solve(
         lines=tuple(lines),
         curves=pictures(found),
         tables=(remedy_table(found, imbalance.crank_balance_fraction), *tables),
-        errata=_errata(imbalance, found),
+        errata=_errata(imbalance, found) if shaft else (),
         notes=(
             *proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
             *notes,
@@ -141,6 +143,7 @@ def with_shaft(outcome: Outcome, force: complex, couple: complex, kappa: float) 
 
 
 def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
+    """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
     second = result.orders.get("order_2")
     if second is None or second.two_term is None or not second.two_term.couple_peak_vertical or not imbalance.crank_balance_fraction:
         return ()

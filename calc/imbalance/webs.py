@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..engine.crank import places
+from ..engine.crank import column, places
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.formula import formula
@@ -172,26 +172,24 @@ class WebsResult:
     unbalances_couple_left: NewtonMetre | None = value("Wanted couple that the unbalances leave", "N·m", "C_left", default=None)
 
 
-def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[WebsResult | None, tuple[Table, ...], tuple[str, ...]]:
-    """The balance of the crank's own bodies; None where the design says nothing of them."""
+def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> WebsResult | None:
+    """The balance of the crank's own bodies; None where the design says nothing of them.  Speed and masses may be arrays."""
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
-        return None, (), ()
+        return None
     omega = e.angular_speed
     found: dict[str, Any] = {}
-    notes: list[str] = []
-    tables: tuple[Table, ...] = ()
     bob: Any = imbalance.bob_mass
     if imbalance.crank_bodies:
         with about("crank on the balancing machine"):
-            found, masses, tables, notes = _bodies(imbalance, engine, e)
-        bob = masses if bob is None else bob
+            found = _bodies(_Machine(imbalance, engine), imbalance, e)
+        bob = found.pop("masses") if bob is None else bob
     wanted: Any = None
     if bob is not None:
         crank: Any = e.crank
         m_b: Any = bob if np.ndim(bob) == 0 else bob[pins_of(engine, len(bob))]
         with about("pulley and flywheel"):
             M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
-            place: dict[str, Any] = dict(M_eq=M_eq, m_b=m_b, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
+            place: dict[str, Any] = dict(M_eq=column(M_eq), m_b=m_b, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
             P = lacking_product(z=crank.z, **place)
             U = lacking_unbalance(**place)
             wanted = wanted_couple(P=P, omega=omega)
@@ -213,53 +211,56 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> t
             }
             if wanted is not None:
                 found["unbalances_couple_left"] = couple_not_supplied(C_pf=wanted, C_U=C_U)
-    return WebsResult(**found), tables, tuple(notes)
+    found.pop("masses", None)
+    return WebsResult(**found)
 
 
-def _bodies(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[dict[str, Any], Any, tuple[Table, ...], list[str]]:
-    """The bare crank, its bobs by all three modes, what these leave; and the masses of the mode that is asked for."""
-    given: Any = np.array([(body.mass, body.x, body.y, body.z) for body in imbalance.crank_bodies])
-    m, p, z = given[:, 0], given[:, 1] + 1j * given[:, 2], given[:, 3]
-    number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
-    pins = np.argsort(np.where(number > 0, number, 99), kind="stable")[: int(number.max())]
-    p_pin: Any = p[pins]
-    G: Any = p_pin * z[pins]
-    notes = []
-    with about("bare crank"):
-        S_0, C_0 = unbalance(m=m, p=p), product(m=m, p=p, z=z)
-    G_y = float(np.sum(G).imag)
-    modes: dict[str, Any] = {}
-    if abs(G_y) > 1e-6 * float(np.sum(np.abs(G))) > 0:
-        modes["equal"] = np.full(pins.size, equal_bob(C_y=C_0.imag, G_y=G_y))
-        modes["per_pin"] = bobs_per_pin(m_b=float(modes["equal"][0]), C=C_0, G=G)
-    modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
-    mode = imbalance.bob_mode
-    if mode not in modes:
-        mode = "least_squares"
-        notes.append("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead.")
-    masses = modes[mode]
+class _Machine:
+    """The crank on the balancing machine: its bodies as arrays, what they sum up to, and the bobs by every mode that has an answer."""
 
-    def state(name: str, bobs: Any) -> CrankState:
-        with about(name):
-            every: Any = np.concatenate([m, bobs])
-            where: Any = np.concatenate([p, p_pin])
-            axial: Any = np.concatenate([z, z[pins]])
-            S, C = unbalance(m=every, p=where), product(m=every, p=where, z=axial)
-            return _state(S, C, imbalance, e)
+    def __init__(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> None:
+        given: Any = np.array([(body.mass, body.x, body.y, body.z) for body in imbalance.crank_bodies])
+        self.m, self.p, self.z = given[:, 0], given[:, 1] + 1j * given[:, 2], given[:, 3]
+        number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
+        self.pins = np.argsort(np.where(number > 0, number, 99), kind="stable")[: int(number.max())]
+        p_pin: Any = self.p[self.pins]
+        G: Any = p_pin * self.z[self.pins]
+        with about("bare crank"):
+            S_0, C_0 = unbalance(m=self.m, p=self.p), product(m=self.m, p=self.p, z=self.z)
+        self.bare = _clean(S_0, self.m * self.p), _clean(C_0, self.m * self.p * self.z)
+        G_y = float(np.sum(G).imag)
+        self.modes: dict[str, Any] = {}
+        if abs(G_y) > 1e-6 * float(np.sum(np.abs(G))) > 0:
+            self.modes["equal"] = np.full(self.pins.size, equal_bob(C_y=C_0.imag, G_y=G_y))
+            self.modes["per_pin"] = bobs_per_pin(m_b=float(self.modes["equal"][0]), C=C_0, G=G)
+        self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
+        self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
-    states = {"bare": _state(S_0, C_0, imbalance, e)}
+    def with_bobs(self, bobs: Any) -> tuple[complex, complex]:
+        """Static unbalance and couple product of the crank with a bob on every pin."""
+        m: Any = np.concatenate([self.m, bobs])
+        p: Any = np.concatenate([self.p, self.p[self.pins]])
+        z: Any = np.concatenate([self.z, self.z[self.pins]])
+        return _clean(unbalance(m=m, p=p), m * p), _clean(product(m=m, p=p, z=z), m * p * z)
+
+
+def _bodies(machine: _Machine, imbalance: ImbalanceInputs, e: EngineResult) -> dict[str, Any]:
+    """The crank bare, with the bobs as stated, and with those found."""
+    masses = machine.modes[machine.mode]
+    states = {"bare": _state(*machine.bare, imbalance, e)}
     if imbalance.bob_mass is not None:
-        states["stated"] = state("crank with the bobs as stated", np.full(pins.size, imbalance.bob_mass))
-    states["balanced"] = state("crank with the bobs found", masses)
-    found = {
-        "crank": states,
-        "bob_mass": {
-            str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)
-        },
-    }
-    if min(masses) < 0:
-        notes.append("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
-    return found, masses, (_table(states, modes, mode, imbalance, pins.size, state),), notes
+        with about("crank with the bobs as stated"):
+            states["stated"] = _state(*machine.with_bobs(np.full(machine.pins.size, imbalance.bob_mass)), imbalance, e)
+    with about("crank with the bobs found"):
+        states["balanced"] = _state(*machine.with_bobs(masses), imbalance, e)
+    bobs = {str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)}
+    return {"crank": states, "bob_mass": bobs, "masses": masses}
+
+
+def _clean(sum_: complex, parts: Any) -> complex:
+    """Without the dust of the last digits in either direction, where the parts cancel."""
+    dust = 1e-12 * float(np.sum(np.abs(parts)))
+    return complex(sum_.real if abs(sum_.real) > dust else 0.0, sum_.imag if abs(sum_.imag) > dust else 0.0)
 
 
 def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
@@ -277,30 +278,41 @@ def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> Crank
     )
 
 
-def _table(states: dict[str, CrankState], modes: dict[str, Any], mode: str, imbalance: ImbalanceInputs, pins: int, state: Any) -> Table:
-    """The crank without bobs, with the stated ones, and with those of every mode, side by side."""
+def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[tuple[Table, ...], tuple[str, ...]]:
+    """The crank without bobs, with the stated ones, and with those of every mode, side by side; and what is to be said of them."""
+    if not imbalance.crank_bodies:
+        return (), ()
     words = {"equal": "equal", "per_pin": "per pin", "least_squares": "least squares"}
-    rows: list[tuple[str, Any, CrankState]] = [("bare", [None] * pins, states["bare"])]
-    if imbalance.bob_mass is not None:
-        rows.append(("as stated", [imbalance.bob_mass] * pins, states["stated"]))
     with untraced():
-        rows += [(words[name] + (" (chosen)" if name == mode else ""), bobs, state("", bobs)) for name, bobs in modes.items()]
-    return Table(
+        machine = _Machine(imbalance, engine)
+        count = machine.pins.size
+        rows: list[tuple[str, Any, tuple[complex, complex]]] = [("bare", [None] * count, machine.bare)]
+        if imbalance.bob_mass is not None:
+            rows.append(("as stated", [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass))))
+        for mode, bobs in machine.modes.items():
+            rows.append((words[mode] + (" (chosen)" if mode == machine.mode else ""), bobs, machine.with_bobs(bobs)))
+    table = Table(
         "bobs",
         "The crank on the balancing machine",
         (
-            ("bobs", ""), *((f"pin {j + 1}", "g") for j in range(pins)), ("S up", "kg·mm"), ("S side", "kg·mm"), ("C up", "kg·mm²"),
+            ("bobs", ""), *((f"pin {j + 1}", "g") for j in range(count)), ("S up", "kg·mm"), ("S side", "kg·mm"), ("C up", "kg·mm²"),
             ("C side", "kg·mm²"), ("C at rated speed", "N·m"),
         ),
         tuple(
             (
-                name, *(None if bob is None else float(bob) * 1e3 for bob in bobs), s.unbalance_up * 1e3, s.unbalance_side * 1e3,
-                s.product_up * 1e6, s.product_side * 1e6, s.couple,
+                name, *(None if bob is None else float(bob) * 1e3 for bob in bobs), S.real * 1e3, S.imag * 1e3, C.real * 1e6, C.imag * 1e6,
+                abs(C) * e.angular_speed**2,
             )
-            for name, bobs, s in rows
+            for name, bobs, (S, C) in rows
         ),
         f"Throw {imbalance.crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
     )  # fmt: skip
+    notes = []
+    if machine.mode != imbalance.bob_mode:
+        notes.append("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead.")
+    if min(machine.modes[machine.mode]) < 0:
+        notes.append("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
+    return (table,), tuple(notes)
 
 
 def pins_of(engine: EngineInputs, count: int) -> Any:

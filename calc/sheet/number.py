@@ -16,7 +16,7 @@ def parts(number: float, digits: int = DIGITS) -> tuple[str, int | None]:
         return ("∞" if number > 0 else "−∞" if number < 0 else "not a number"), None
     rounded = float(f"{number:.{digits}g}")
     if rounded == 0 or 1e-2 <= abs(rounded) < 1e5:
-        text = f"{rounded:.12f}".rstrip("0").rstrip(".")
+        text = f"{rounded:.12g}"
         return text.replace("-", "−") if rounded else "0", None
     mantissa, exponent = f"{number:.{digits - 1}e}".split("e")
     return mantissa.rstrip("0").rstrip(".").replace("-", "−"), int(exponent)

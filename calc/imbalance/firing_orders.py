@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All evenly firing orders of a layout, with what each leaves, the best first."""
+
+from dataclasses import replace
+from itertools import permutations, product
+from typing import Any
+
+import numpy as np
+
+from ..engine.crank import crank, throw_angles
+from ..engine.inputs import EngineInputs
+from ..engine.solve import EngineResult
+from ..sheet.arrays import Array
+from ..sheet.errors import NoSolution
+from ..sheet.record import record
+from ..sheet.step import Table
+from ..sheet.trace import untraced
+from ..sheet.units import Newton, NewtonMetre
+from .inputs import ImbalanceInputs
+from .orders import Order, order
+
+ALL, SYMMETRIC = 9, 12  # cylinders up to which every order is tried, and up to which those of symmetrical inline cranks are
+
+
+@record
+class FiringOrder:
+    """An order, its crank angles [rad], and the peaks it leaves with the share on the crank that the design has.
+
+    `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic orders together.
+    """
+
+    order: tuple[int, ...]
+    crank_angles: Array
+    force_1: Newton
+    couple_1_forward: NewtonMetre
+    couple_1_backward: NewtonMetre
+    force_2: Newton
+    couple_2: NewtonMetre
+    left: Newton
+
+
+def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> list[FiringOrder]:
+    """Every order that begins with cylinder 1, as an evenly firing crank of this layout, ranked; orders of equal cranks stand together.
+
+    Raises NoSolution for more than nine cylinders (inline: twelve; there only cranks that are symmetrical about the middle are tried).
+    """
+    n = engine.cylinders
+    orders: Any = np.array(list(_orders(engine)), dtype=np.int8)
+    place = np.argsort(orders, axis=1)  # of each cylinder in the order
+    throws = engine.strokes * n // 4 if engine.strokes * n % 4 == 0 else n  # places so far apart share a crank angle
+    keys = np.zeros(len(orders), dtype=np.int64)
+    for k in range(n):
+        keys = keys * n + place[:, k] % throws
+    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
+    found, angles = _left(imbalance, engine, e, place[first].astype(float))
+    left: Any = sum((o.force_peak + o.couple_peak / engine.cylinder_pitch for o in found.values()), np.zeros(len(first)))
+    one: Any = found[1]
+    two: Any = found[2]
+    ranked = sorted(range(len(orders)), key=lambda i: (float(f"{left[which[i]]:.6e}"), which[i], tuple(orders[i])))
+    return [
+        FiringOrder(
+            order=tuple(orders[i].tolist()), crank_angles=angles[j], force_1=float(one.force_peak[j]),
+            couple_1_forward=float(one.couple_forward[j]), couple_1_backward=float(one.couple_backward[j]),
+            force_2=float(two.force_peak[j]), couple_2=float(two.couple_peak[j]), left=float(left[j]),
+        )
+        for i, j in ((i, which[i]) for i in ranked)
+    ]  # fmt: skip
+
+
+def _orders(engine: EngineInputs) -> Any:
+    n = engine.cylinders
+    if n <= ALL:
+        return ((1, *rest) for rest in permutations(range(2, n + 1)))
+    if engine.layout != "inline" or n > SYMMETRIC:
+        raise NoSolution(
+            f"firing orders of {n} cylinders in this layout are not listed",
+            f"they are for up to {ALL} cylinders, for inline engines up to {SYMMETRIC}",
+            "give the crank angles or one firing order; `check` shows what it leaves",
+        )
+    return _symmetric(n)
+
+
+def _symmetric(n: int) -> Any:
+    """Orders of inline cranks whose ends mirror each other: throws that pair in one plane (n even), or at opposite angles (n odd)."""
+    pairs = n // 2
+    for middle in range(1, n) if n % 2 else (0,):
+        partner = [(2 * middle - i) % n if n % 2 else (i + pairs) % n for i in range(n)]
+        if partner[0] in (0, middle) and n % 2:
+            continue
+        free = [i for i in range(1, n) if i < partner[i] and 0 not in (i, partner[i])]
+        for chosen in permutations(free):
+            for sides in product((0, 1), repeat=len(chosen)):
+                place = [0] * n
+                place[n - 1] = partner[0]
+                if n % 2:
+                    place[pairs] = middle
+                for k, (i, side) in enumerate(zip(chosen, sides), 1):
+                    place[k], place[n - 1 - k] = (partner[i], i) if side else (i, partner[i])
+                yield tuple(int(k) + 1 for k in np.argsort(place))
+
+
+def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, place: Array) -> tuple[dict[int, Order], Array]:
+    """All harmonic orders of many cranks at once, and their crank angles."""
+    layout = crank(replace(engine, crank_angles=None, firing_order=tuple(range(1, engine.cylinders + 1))), e.tdc_angle)
+    with untraced():
+        psi: Any = layout.psi
+        i: Any = place
+        angles: Any = throw_angles(psi=psi, i=i, strokes=engine.strokes, N=engine.cylinders)
+        many = replace(e, crank=replace(layout, phi=angles))
+        judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
+        kappa = imbalance.crank_balance_fraction
+        return {n: order(n, c_n, kappa, engine, many) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
+
+
+def firing_order_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, most: int = 12) -> Table:
+    """The best orders, one row for those that share a crank."""
+    rows: list[tuple[str | float, ...]] = []
+    seen: list[Array] = []
+    found = firing_orders(imbalance, engine, e)
+    for one in found:
+        if seen and np.allclose(seen[-1], one.crank_angles):
+            continue
+        seen.append(one.crank_angles)
+        if len(rows) < most:
+            rows.append((
+                "-".join(map(str, one.order)), crank_words(one.crank_angles), one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2,
+                one.couple_2,
+            ))  # fmt: skip
+    return Table(
+        "firing_orders", "Evenly firing orders, the one that leaves least first",
+        (("order", ""), ("crank angles", "°"), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"), ("C order 2", "N·m")),
+        tuple(rows),
+        f"{len(found)} orders on {len(seen)} different cranks; of each crank the first order by number. Ranked by all forces, and couples over one pitch.",
+    )  # fmt: skip
+
+
+def crank_words(angles: Array) -> str:
+    """Crank angles in degrees, as a row of words."""
+    degrees: Any = np.round(np.degrees(angles), 3) % 360
+    return " ".join(f"{a:g}" for a in degrees)
