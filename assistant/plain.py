@@ -2,16 +2,21 @@
 """Results as plain text and as JSON: every number of the screen is here too."""
 
 import math
+import textwrap
 from collections.abc import Sequence
 from typing import Any
 
 from calc.design_file import Document
 from calc.sheet.check import SIGNS, Check
 from calc.sheet.number import short
-from calc.sheet.step import Outcome
+from calc.sheet.step import Outcome, Table
 from calc.solve import TITLES, Results
 from calc.version import VERSION
 
+DIGITS = 6
+WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
+LINE = 112  # of a table's note
+NARROW = 12  # characters that a column's label may have on one line in any case
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "blocked", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
 
 
@@ -31,7 +36,11 @@ def print_results(results: Results, step: str | None = None) -> None:
 def _print_step(outcome: Outcome) -> None:
     print(f"{TITLES[outcome.key]}   {sign(outcome.verdict)}" + (f": {outcome.reason}" if outcome.reason else ""))
     for value in outcome.values():
-        print(f"  {value.id:<58} {short(value.shown, 6):>14} {value.unit:<9} {value.label}")
+        print(f"  {value.id:<58} {short(value.shown, DIGITS):>14} {value.unit:<9} {value.label}")
+    for table in outcome.tables:
+        print()
+        for line in table_lines(table):
+            print(f"  {line}".rstrip())
     for erratum in outcome.errata:
         print(f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} ({erratum.source}). {erratum.why}")
     for note in outcome.notes:
@@ -39,6 +48,40 @@ def _print_step(outcome: Outcome) -> None:
     for check in outcome.checks:
         print(f"  {check_line(check)}")
     print()
+
+
+def table_lines(table: Table) -> list[str]:
+    """A table as text: its title, its columns under label and unit, its note.  Words are wrapped, numbers never."""
+    rows = [[_cell(cell) for cell in row] for row in table.rows]
+    heads, widths, numeric = [], [], []
+    for i, (label, unit) in enumerate(table.columns):
+        wide = max((len(line) for row in rows for line in row[i]), default=0)
+        head = textwrap.wrap(label, max(wide, NARROW), break_long_words=False) + ([unit] if unit else [])
+        heads.append(head)
+        widths.append(max([wide, *map(len, head)]))
+        given = [row[i] for row in table.rows]
+        numeric.append(any(isinstance(c, (int, float)) for c in given) or (bool(unit) and not any(given)))
+    tall = max(map(len, heads), default=0)
+    lines = [table.title, *_row([[""] * (tall - len(head)) + head for head in heads], widths, numeric), "  ".join("─" * w for w in widths)]
+    for row, given in zip(rows, table.rows):
+        lines += _row(row, widths, [isinstance(cell, (int, float)) for cell in given])
+    return [lines[0], *(f"  {line}" for line in [*lines[1:], *textwrap.wrap(table.note, LINE, break_long_words=False)])]
+
+
+def _cell(cell: str | float | None) -> list[str]:
+    """The lines of one cell of a table."""
+    if isinstance(cell, str):
+        return textwrap.wrap(cell, WIDE, break_long_words=False, break_on_hyphens=False)
+    return [] if cell is None else [short(cell, DIGITS)]
+
+
+def _row(cells: list[list[str]], widths: list[int], right: list[bool]) -> list[str]:
+    """Cells beside each other, in as many lines as the tallest has; some stand to the right of their column."""
+    made = []
+    for n in range(max(map(len, cells), default=0)):
+        parts = [cell[n] if n < len(cell) else "" for cell in cells]
+        made.append("  ".join(p.rjust(w) if r else p.ljust(w) for p, w, r in zip(parts, widths, right)).rstrip())
+    return made
 
 
 def check_line(check: Check) -> str:
@@ -72,6 +115,7 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "values": {v.id: {"value": _finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
+        "tables": {f"{o.key}.{t.id}": _table(t) for o in shown for t in o.tables},
         "checks": [
             {
                 "id": c.id,
@@ -97,6 +141,16 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         ],
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "reasons": {o.key: o.reason for o in shown if o.reason},
+    }
+
+
+def _table(table: Table) -> dict[str, Any]:
+    """A table with its cells as they are: words, numbers in the unit of their column, null."""
+    return {
+        "title": table.title,
+        "columns": [{"label": label, "unit": unit} for label, unit in table.columns],
+        "rows": [[_finite(cell) if isinstance(cell, (int, float)) else cell for cell in row] for row in table.rows],
+        "note": table.note,
     }
 
 

@@ -20,7 +20,8 @@ from .tables import Cell, Column, Row, named_table, table
 from .typeset import symbol
 
 ACROSS = 5  # parts beside each other
-FLAT = 5  # a list of parts with at most so many quantities stands one part a row
+FLAT = 8  # a list of parts with at most so many quantities stands one part a row
+LONG, ENDS = 24, 4  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
 def exact(value: Any, *, rounded: bool = False) -> str:
@@ -77,7 +78,7 @@ class _Tables:
     """Collects the tables of one step."""
 
     def __init__(self, context: Context) -> None:
-        self.words = context.words
+        self.words, self.all = context.words, context.audit
         self.blocks: list[Block] = []
         self.left_out: list[str] = []
         self.default = False
@@ -134,6 +135,9 @@ class _Tables:
             for name, data in parts:
                 self.plain(f"{title}: {name}" if title else name, cls, data, prefix)
             return
+        total = len(parts)
+        between = 0 if self.all or total <= LONG else total - 2 * ENDS
+        parts = [*parts[:ENDS], *parts[-ENDS:]] if between else parts
         shown: list[tuple[Key, list[_Given]]] = []
         for key in keys(cls).values():
             given = [_given(key, data) for _, data in parts]
@@ -146,14 +150,22 @@ class _Tables:
         if not shown:
             return
         if len(shown) <= FLAT and (len(parts) > ACROSS or len(shown) <= 3):
-            self.rows(title, [name for name, _ in parts], shown)
+            self.rows(title, [name for name, _ in parts], shown, between)
         else:
             self.columns(title, [name for name, _ in parts], shown)
+            if between:
+                self.blocks += paragraph(self.between(between, total), NOTE, gap=2.0)
 
-    def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]]) -> None:
+    def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]], between: int = 0) -> None:
+        """One part a row; `between`: how many are left out in the middle."""
         head = [Column(""), *(_column(k.about) for k, _ in shown)]
         rows: list[Row] = [(name, *(self.value(given[i]) for _, given in shown)) for i, name in enumerate(names)]
+        if between:
+            rows.insert(ENDS, (self.between(between, len(names) + between), *("…" for _ in shown)))
         self.blocks += named_table(title, head, rows)
+
+    def between(self, count: int, total: int) -> str:
+        return f"… {self.words['between'].format(count=count, total=total)}"
 
     def columns(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]]) -> None:
         w = self.words

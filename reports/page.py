@@ -33,7 +33,7 @@ class Pen:
                 case "rule":
                     self._fill(x + mark[1], y + mark[2], mark[3], mark[4], mark[5])
                 case "path":
-                    self._line([(x + px, y + py) for px, py in mark[1]], mark[2], mark[3])
+                    self.line([(x + px, y + py) for px, py in mark[1]], mark[2], mark[3])
                 case "link":
                     self.link(x - LEFT + mark[1], y + mark[2], mark[3], mark[4], mark[5], mark[6])
                 case _:
@@ -63,10 +63,17 @@ class Pen:
     def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
         self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
 
-    def _line(self, points: list[tuple[float, float]], thick: float, colour: Colour) -> None:
+    def line(self, points: list[tuple[float, float]], thick: float, colour: Colour) -> None:
+        """An open line through points of the page."""
         (x, y), *rest = points
         to = " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
         self.code.append(f"{_rgb(colour)} RG {thick:.2f} w {x:.2f} {y:.2f} m {to} S")
+
+    def area(self, points: list[tuple[float, float]], colour: Colour) -> None:
+        """A filled polygon with its corners at points of the page."""
+        (x, y), *rest = points
+        to = " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
+        self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} m {to} f")
 
     def write(self) -> None:
         """Put everything on the canvas."""
@@ -150,4 +157,3 @@ def _running(pen: Pen, number: int, count: int, head: tuple[str, str], foot: tup
     pen.put(left, 0.0, lower)
     pen.put(one_line(foot[1], NOTE, 0.25 * WIDTH), left.width + 14.0, lower)
     pen.put(pages, WIDTH - pages.width, lower)
-

@@ -24,22 +24,23 @@ from .checks import check_blocks, errata_blocks
 from .contents import Entry, contents_blocks, source_blocks
 from .context import DEPTHS, Context
 from .derivation import derivation
-from .figures import Plots, figure_blocks
+from .figures import figure_blocks
 from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
 from .inputs import input_blocks, material_blocks
 from .letters import FACES, UPRIGHT, clean, widths
 from .page import paint
+from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
 from .summary import NOTE_LINES, PROGRAM, SHORT_HASH, step_anchor, summary_blocks
-from .values import value_blocks
+from .values import table_blocks, value_blocks
 from .words import WORDS, verdict
 
+# What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
+LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
 NEED = 0.36 * PAGE[1]  # a step begins on a new page unless so much is left
 
 
-def write(
-    document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en"
-) -> Path:
+def write(document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en") -> Path:
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
     `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
@@ -113,16 +114,16 @@ def blocks(context: Context) -> list[Block]:
     sources = source_blocks(context)
     body += _section(f"{number}  {w['sources']}", "sources", entries, need=160.0)
     body += sources
-    return summary + contents_blocks(context, entries) + body
+    return summary + contents_blocks(context, entries, [w[key] for key in LISTED]) + body
 
 
 def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> list[Block]:
-    entries.append(Entry(title, anchor, []))
+    entries.append(Entry(title, anchor, {}))
     return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
 def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots) -> list[Block]:
-    """One step: inputs, assumptions, formulas, results, checks, figures; or why there is nothing to show."""
+    """One step: inputs, assumptions, formulas, results, tables, checks, figures; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
     made = _section(f"{number}  {step.title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
@@ -143,6 +144,7 @@ def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: 
         ("notes", notes),
         ("formulas", derivation(context, step, outcome.lines)),
         ("results", value_blocks(context, outcome)),
+        ("tables", table_blocks(context, outcome.tables)),
         ("checks", check_blocks(context, outcome.checks)),
         ("figures", figure_blocks(context.number(outcome.curves), w["figure"], plots)),
         ("errata", errata_blocks(context, outcome.errata)),
@@ -152,6 +154,6 @@ def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: 
             anchor = f"{step.key}-{key}"
             made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)
             made += part
-            if key != "errata":  # the row of the contents holds no more; they stand in the summary as well
-                entries[-1].parts.append((w[key], anchor))
+            if key in LISTED:
+                entries[-1].parts[w[key]] = anchor
     return made

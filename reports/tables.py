@@ -32,12 +32,13 @@ class Column:
 
 @dataclass(frozen=True, slots=True)
 class Cell:
-    """What stands in a table other than plain words: a style of its own, a set box, or further lines in another style."""
+    """What stands in a table other than plain words: a style or side of its own, a set box, or further lines in another style."""
 
     words: str = ""
     style: Style | None = None
     box: Box | None = None
     under: tuple[str, Style] | None = None
+    align: str = ""  # empty: as its column
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,7 +85,8 @@ def _cell(cell: str | Cell) -> Cell:
     return Cell(cell) if isinstance(cell, str) else cell
 
 
-def _natural(cell: Cell, column: Column) -> float:
+def natural(cell: Cell, column: Column) -> float:
+    """The width that a cell would like to have."""
     style = cell.style or column.style
     own = cell.box.width if cell.box is not None else run(cell.words, style).width if len(cell.words) < 400 else WIDTH
     under = run(cell.under[0], cell.under[1]).width * 0.5 if cell.under and len(cell.under[0]) < 400 else 0.0
@@ -101,7 +103,7 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
     need: dict[int, float] = {}
     for i, column in enumerate(columns):
         if column.width is None:
-            need[i] = max([14.0, _header_width(column.header), *(_natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group))])
+            need[i] = max([14.0, _header_width(column.header), *(natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group))])
     total = sum(need.values())
     if total > free:
         # Narrow columns keep what they need; the wide ones share the rest.
@@ -135,7 +137,7 @@ def _fair(needs: list[float], free: float) -> float:
 
 
 def _header(columns: Sequence[Column], wide: list[float], left: list[float], width: float) -> Block:
-    cells = [lines(c.header, HEADER, w, 5) if c.header else [] for c, w in zip(columns, wide)]
+    cells = [lines(c.header, HEADER, w, 9) if c.header else [] for c, w in zip(columns, wide)]
     tall = max(len(c) for c in cells) * HEADER.leading + 2 * PAD
 
     def draw(pen: Pen, y: float) -> None:
@@ -177,29 +179,29 @@ def _row(
         if cell.under and cell.under[0]:
             made += [(line, cell.under[1].leading) for line in lines(cell.under[0], cell.under[1], w)]
         content.append(made)
+    aligned = [_cell(given).align or column.align for column, given in zip(columns, cells)]
     longest = max((len(c) for c in content), default=0)
     blocks = []
     for start in range(0, max(1, longest), MOST):
         part = [c[start : start + MOST] for c in content]
-        blocks.append(_part(columns, part, wide, left, width, top, last=start + MOST >= longest))
+        blocks.append(_part(aligned, part, wide, left, width, top, last=start + MOST >= longest))
     return blocks
 
 
 def _part(
-    columns: Sequence[Column], content: list[list[tuple[Box, float]]], wide: list[float], left: list[float], width: float,
+    aligned: list[str], content: list[list[tuple[Box, float]]], wide: list[float], left: list[float], width: float,
     top: Block | None, *, last: bool,
 ) -> Block:  # fmt: skip
     tall = max((sum(leading for _, leading in c) for c in content), default=0.0) + 2 * PAD
 
     def draw(pen: Pen, y: float) -> None:
-        for column, x, w, cell in zip(columns, left, wide, content):
+        for x, w, cell, align in zip(left, wide, content, aligned):
             at = y - PAD
             for line, leading in cell:
-                shift = w - line.width if column.align == "r" else 0.0
+                shift = w - line.width if align == "r" else 0.0
                 pen.put(line, x + shift, at - 0.76 * leading)
                 at -= leading
         if last:
             pen.rule(0.0, y - tall, width, 0.4, FAINT)
 
     return Block(tall, draw, repeat=top)
-

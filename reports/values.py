@@ -1,22 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The results of a step as tables: parts with the same results (order 1, order 2; front, rear) beside each other."""
+"""The results of a step as tables: parts with the same results (order 1, order 2; front, rear) beside each other.
+
+After them the tables that the step itself has put together.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from calc.sheet.number import short
 from calc.sheet.quantity import Published
-from calc.sheet.step import Outcome
+from calc.sheet.step import Outcome, Table
 
 from .context import Context
-from .flow import Block, paragraph
-from .prose import CELL, NOTE
-from .tables import Cell, Column, Row, named_table, table
+from .flow import WIDTH, Block, paragraph
+from .prose import CELL, HEADER, NOTE, run
+from .tables import GAP, Cell, Column, Row, named_table, natural, table
 from .typeset import symbol
 
-ACROSS = 6
+ACROSS = 7
+LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
 ALIKE = 0.6  # share of results in common that puts two parts beside each other
 
 
@@ -101,3 +105,61 @@ def _beside(context: Context, parts: list[_Part]) -> list[Block]:
             continue
         rows.append((value.label, _symbol(value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []
+
+
+# --- the step's own tables --------------------------------------------------------------------------------------------------
+def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
+    """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
+    made: list[Block] = []
+    for shown in tables:
+        columns = [_headed(shown, i) for i in range(len(shown.columns))]
+        rows = [[_shown(cell) for cell in row] for row in shown.rows]
+        for n, some in enumerate(_fitting(columns)):
+            title = context.words["two"].format(name=shown.title) if n else shown.title
+            made += named_table(title, [columns[i] for i in some], [[row[i] for i in some] for row in rows] or [[""] * len(some)])
+        if shown.note:
+            made += paragraph(shown.note, NOTE, gap=2.0)
+    return made
+
+
+def _shown(cell: str | float | None) -> Cell:
+    if cell is None:
+        return Cell()
+    return Cell(cell, align="l") if isinstance(cell, str) else Cell(short(cell), align="r")
+
+
+def _headed(shown: Table, i: int) -> Column:
+    """A column of a table; one of numbers is as wide as they need, so that no number is broken."""
+    label, unit = shown.columns[i]
+    words = f"{label}, {unit}" if unit else label
+    cells = [row[i] for row in shown.rows]
+    if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
+        return Column(words)
+    column = Column(words, "r")
+    return replace(column, width=max([_two_lines(words), *(natural(_shown(c), column) for c in cells if not isinstance(c, str))]))
+
+
+def _two_lines(header: str) -> float:
+    """The width in which a header stands on two lines at most."""
+    words = header.split()
+    return min(
+        (max(run(" ".join(part), HEADER).width for part in (words[:n], words[n:])) for n in range(1, len(words))),
+        default=run(header, HEADER).width,
+    )
+
+
+def _fitting(columns: list[Column]) -> list[list[int]]:
+    """The columns of each of the tables that a wide one is divided into; the first column, which names the rows, stands in all."""
+    if not columns:
+        return []
+    parts = [[0]]
+    first = columns[0].width or LEAST_WORDS
+    filled = first
+    for i, column in enumerate(columns[1:], 1):
+        wide = GAP + (column.width or LEAST_WORDS)
+        if filled + wide > WIDTH and len(parts[-1]) > 1:
+            parts.append([0])
+            filled = first
+        parts[-1].append(i)
+        filled += wide
+    return parts

@@ -3,7 +3,7 @@
 
 import io
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -126,3 +126,49 @@ def spoken(pdf: bytes) -> str:
         for code in re.findall(rb"/ActualText\s*<FEFF([0-9A-F]*)>", page.get_contents().get_data()):
             said.append(bytes.fromhex(code.decode()).decode("utf-16-be"))
     return "\n".join(said)
+
+
+@dataclass(frozen=True)
+class Shape:
+    """One painted path of a page: its parts, each a list of corners; the colours it is filled and drawn with (empty: not)."""
+
+    page: int
+    parts: list[list[tuple[float, float]]]
+    fill: str
+    stroke: str
+
+
+SHAPE = re.compile(rb"(?P<colour>(?:[\d.]+ ){3})(?P<kind>rg|RG)|(?P<x>-?[\d.]+) (?P<y>-?[\d.]+) (?P<to>[ml])\b|\b(?P<paint>[BSf])(?=\s)")
+
+
+def shapes(pdf: bytes) -> list[Shape]:
+    """The polygons and lines of a report, in the order in which they are painted."""
+    found = []
+    for number, page in enumerate(PdfReader(io.BytesIO(pdf)).pages):
+        drawn, _, _ = page.get_contents().get_data().partition(b"BT")
+        colours = {"rg": "", "RG": ""}
+        parts: list[list[tuple[float, float]]] = []
+        for token in SHAPE.finditer(drawn):
+            if token["kind"]:
+                colours[token["kind"].decode()] = token["colour"].decode().strip()
+            elif token["to"]:
+                if token["to"] == b"m":
+                    parts.append([])
+                parts[-1].append((float(token["x"]), float(token["y"])))
+            else:
+                fill, stroke = (colours[k] if token["paint"] in paints else "" for k, paints in (("rg", b"Bf"), ("RG", b"BS")))
+                if parts:
+                    found.append(Shape(number, parts, fill, stroke))
+                parts = []
+    return found
+
+
+def rgb(colour: tuple[float, float, float]) -> str:
+    return " ".join(f"{c:.3f}" for c in colour)
+
+
+def with_outcome(made: Solved, key: str, **changed: object) -> Solved:
+    """A solved design with no curves and tables but those that are put into one of its steps."""
+    outcomes = {name: replace(outcome, curves=(), tables=()) for name, outcome in made.results.outcomes.items()}
+    outcomes[key] = replace(outcomes[key], **changed)  # type: ignore[arg-type]
+    return Solved(made.raw, made.document, Results(made.results.design, outcomes))

@@ -1,0 +1,234 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The axes of a figure and what stands in them: lines, bars, loci with their vectors.  The letters are the page's own."""
+
+from __future__ import annotations
+
+from math import isfinite
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from calc.sheet.number import short
+from calc.sheet.step import Curve
+
+from .arrows import arrows, draw_arrows
+from .boxes import BLACK, Colour
+from .flow import LEFT
+from .letters import clean
+from .prose import Style, broken, run
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+# Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
+LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
+    ((0.0, 0.447, 0.698), (), 1.15),
+    ((0.835, 0.369, 0.0), (4.5, 1.8), 1.15),
+    ((0.0, 0.62, 0.451), (5.0, 1.4, 1.2, 1.4), 1.15),
+    ((0.8, 0.475, 0.655), (1.3, 1.3), 1.35),
+    ((0.337, 0.706, 0.914), (7.0, 2.2), 1.15),
+    ((0.902, 0.624, 0.0), (7.0, 1.4, 1.2, 1.4, 1.2, 1.4), 1.15),
+    (BLACK, (2.4, 1.2), 0.9),
+)
+# Bars differ by their grey as well as by their colour; from the fifth on they are hatched.
+BARS: tuple[Colour, ...] = ((0.0, 0.28, 0.46), (0.945, 0.69, 0.2), (0.0, 0.58, 0.42), (0.80, 0.92, 0.985))
+LIMIT: tuple[Colour, tuple[float, ...], float] = ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8)
+FILLED = 0.8  # share of a group's place that its bars take
+EDGE = 0.4
+HATCH = 3.2  # from one line of a hatching to the next, in points
+INK: Colour = (0.25, 0.25, 0.25)
+LETTER = Style(6.6, 8.6)
+NUMBER = Style(6.2, 8.0, colour=INK)
+TICK = 2.5
+LEFT_AXIS, RIGHT_AXIS, LOW, HIGH = 46.0, 8.0, 25.0, 4.0  # around the axes
+
+
+def line_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
+    """Colour, dashes and thickness of the i-th line; when all patterns are used up they come again, thicker."""
+    colour, dashes, thick = LINES[i % len(LINES)]
+    return colour, dashes, thick * (1 + 0.9 * (i // len(LINES)))
+
+
+def limits(curve: Curve) -> list[tuple[str, float]]:
+    return [(label, value) for label, value in curve.limits if isfinite(value)]
+
+
+def numbers(values: Any) -> Any:
+    return np.atleast_1d(np.asarray(values, float))
+
+
+class Plots:
+    """The axes that the figures of one report are drawn with: making them costs more than drawing, so like ones are used again."""
+
+    def __init__(self) -> None:
+        self.made: dict[tuple[float, float, bool, bool], Any] = {}
+
+    def axes(self, width: float, height: float, curve: Curve) -> Any:
+        """Empty axes for a figure of this size and kind."""
+        kind = (width, height, curve.equal, curve.bars)
+        if (found := self.made.get(kind)) is None:
+            found = self.made[kind] = _new_axes(*kind)
+        for old in [*found.lines, *found.patches]:
+            old.remove()
+        found.dataLim.set_points(np.array([[np.inf, np.inf], [-np.inf, -np.inf]]))
+        found.autoscale(True)
+        return found
+
+
+def _new_axes(width: float, height: float, equal: bool, bars: bool) -> Any:
+    from matplotlib.backend_bases import FigureCanvasBase
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="none")
+    FigureCanvasBase(figure)
+    left, low = LEFT_AXIS / width, LOW / height
+    axes: Any = figure.add_axes((left, low, 1 - left - RIGHT_AXIS / width, 1 - low - HIGH / height), facecolor="none")
+    axes.grid(True, axis="y" if bars else "both", color=(0.87, 0.87, 0.87), linewidth=0.4)
+    axes.set_axisbelow(True)
+    axes.tick_params(width=0.5, length=TICK, color=INK, labelleft=False, labelbottom=False)
+    for name, spine in axes.spines.items():
+        spine.set(linewidth=0.6, color=INK, visible=name in ("left", "bottom"))
+    if equal:
+        axes.set_aspect("equal", adjustable="datalim")
+    else:
+        axes.margins(x=0)
+    return axes
+
+
+def _pattern(dashes: tuple[float, ...], thick: float) -> Any:
+    return (0, tuple(d / thick for d in dashes)) if dashes else "-"
+
+
+def _is_point(curve: Curve, xs: Any, ys: Any) -> bool:
+    """Whether a line would be too small to be seen: a single value, or a locus that is next to nothing beside the others."""
+    seen = np.isfinite(ys) & np.isfinite(xs)
+    if np.count_nonzero(seen) <= 1:
+        return True
+    if not curve.equal:
+        return False
+    largest = max(np.nanmax(np.hypot(np.asarray(s.x, float), np.asarray(s.y, float)), initial=0.0) for s in curve.series)
+    return bool(np.nanmax(np.hypot(xs, ys)) < 0.01 * largest)
+
+
+def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float, height: float) -> None:
+    """Draw a curve into a rectangle of the page."""
+    from matplotlib.ticker import MaxNLocator
+
+    from .renderer import PageRenderer
+
+    axes = plots.axes(width, height, curve)
+    drawn = arrows(curve)
+    if drawn:
+        axes.update_datalim([(p.imag, p.real) for a in drawn for p in (a.tail, a.tip)])
+        for cross in (axes.axhline, axes.axvline):
+            cross(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=0.9)
+    if curve.bars:
+        _bars(axes, curve)
+    else:
+        _lines(axes, curve)
+    for _, value in limits(curve):
+        colour, dashes, thick = LIMIT
+        axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
+    low, high = axes.get_ylim()
+    if low < 0 < high and not curve.equal:
+        axes.axhline(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=2.5 if curve.bars else 0.9)
+    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    axes.apply_aspect()
+    if drawn:
+        draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
+    renderer = PageRenderer(pen.canvas, x, y, width, height)
+    axes.figure.draw(renderer)
+    renderer.finish()
+    _letter(pen, axes, curve, x - LEFT, y)
+
+
+def _lines(axes: Any, curve: Curve) -> None:
+    from matplotlib.ticker import MaxNLocator
+
+    for i, series in enumerate(curve.series):
+        xs, ys = numbers(series.x), numbers(series.y)
+        colour, dashes, thick = line_style(i)
+        dot = "o" if _is_point(curve, xs, ys) else None
+        axes.plot(xs, ys, color=colour, lw=thick, ls=_pattern(dashes, thick), marker=dot, markersize=2.8, solid_joinstyle="round")
+    degrees = curve.x_label.rstrip().endswith("°")
+    if degrees and not curve.equal and 355.0 < axes.get_xlim()[1] < 360.0:
+        axes.set_xlim(right=360.0)  # a turn whose last point is its first
+    left, right = axes.get_xlim()
+    turns = degrees and right - left > 45.0
+    axes.xaxis.set_major_locator(MaxNLocator(6, steps=[1, 1.5, 3, 4.5, 6, 9, 10] if turns else [1, 2, 2.5, 5, 10]))
+
+
+def _variant_colours(curve: Curve) -> dict[str, Colour]:
+    """The colour of the one locus that a chain of vectors draws; where a variant has several the arrows keep their own."""
+    named = [s.variant for s in curve.series]
+    return {variant: line_style(named.index(variant))[0] for variant in named if variant and named.count(variant) == 1}
+
+
+def _bars(axes: Any, curve: Curve) -> None:
+    """Groups of bars that stand on zero."""
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+    from matplotlib.ticker import FixedLocator, MaxNLocator
+    from matplotlib.transforms import IdentityTransform
+
+    groups = [(numbers(s.x), numbers(s.y)) for s in curve.series]
+    seen = [(xs[ok], ys[ok]) for xs, ys in groups for ok in [np.isfinite(xs) & np.isfinite(ys)]]
+    places = np.unique(np.concatenate([xs for xs, _ in seen] or [np.zeros(0)]))
+    if not places.size:
+        return
+    step = float(np.diff(places).min()) if places.size > 1 else 1.0
+    tops = np.concatenate([ys for _, ys in seen])
+    low, high = min(0.0, float(tops.min())), max(0.0, float(tops.max()))
+    room = 0.05 * (high - low)
+    axes.set_xlim(places[0] - step / 2, places[-1] + step / 2)
+    axes.set_ylim(low - room if low < 0 else 0.0, high + room if high > low else 1.0)
+    axes.xaxis.set_major_locator(FixedLocator(places.tolist()) if places.size <= 16 else MaxNLocator(8, integer=True))
+    wide = FILLED * step / len(seen)
+    for i, (xs, ys) in enumerate(seen):
+        left = xs + (i - len(seen) / 2) * wide
+        corners = [[(a, 0.0), (a, b), (a + wide, b), (a + wide, 0.0)] for a, b in zip(left.tolist(), ys.tolist()) if b]
+        if not corners:
+            continue
+        path = Path.make_compound_path_from_polys(np.array(corners))
+        axes.add_patch(PathPatch(path, facecolor=bar_colour(i), edgecolor=BLACK, lw=EDGE, zorder=2))
+        for a, b, c, d in (axes.transData.transform(bar)[[0, 2]].ravel().tolist() for bar in np.array(corners)):
+            for line in hatching(i, min(a, c), min(b, d), abs(c - a), abs(d - b)):
+                axes.plot(*zip(*line), color=BLACK, lw=EDGE, transform=IdentityTransform(), zorder=2.1)
+
+
+def bar_colour(i: int) -> Colour:
+    return BARS[i % len(BARS)]
+
+
+def hatching(i: int, x: float, y: float, width: float, height: float) -> list[list[tuple[float, float]]]:
+    """The diagonals across the i-th kind of bar, in points: none for the first four."""
+    if i < len(BARS):
+        return []
+    made = []
+    for n in range(1, int((width + height) / HATCH) + 1):
+        c = n * HATCH - height  # the diagonal meets the lower edge's line at x + c
+        made.append([(x + max(c, 0.0), y + max(-c, 0.0)), (x + min(c + height, width), y + min(height, width - c))])
+    return made
+
+
+def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float) -> None:
+    """The numbers and names of the axes."""
+    frame = axes.bbox
+    (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
+    down = y + frame.y0 - TICK - 0.85 * NUMBER.size
+    end = -1.0
+    for value in axes.xaxis.get_majorticklocs():
+        box = run(short(value), NUMBER)
+        at = axes.transData.transform((value, low_y))[0] - box.width / 2
+        if low_x - 1e-9 <= value <= high_x + 1e-9 and at > end:
+            pen.put(box, x + min(at, axes.figure.bbox.width - box.width), down)
+            end = at + box.width + 3.0
+    for value in axes.yaxis.get_majorticklocs():
+        if low_y - 1e-9 <= value <= high_y + 1e-9:
+            box = run(short(value), NUMBER)
+            at = axes.transData.transform((low_x, value))[1]
+            pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
+    name = run(broken(clean(curve.x_label), LETTER, frame.width, 1)[0], LETTER)
+    pen.put(name, x + frame.x0 + (frame.width - name.width) / 2, down - 1.35 * LETTER.size)
+    name = run(broken(clean(curve.y_label), LETTER, frame.height, 1)[0], LETTER)
+    pen.turn(name, x + 7.0, y + frame.y0 + (frame.height - name.width) / 2)

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The tables of a step, and the tables and long lists among its inputs."""
+
+import io
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+from pypdf import PdfReader
+
+from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
+from calc.sheet.step import Step, Table
+from reports.flow import LEFT
+from reports.inputs import ENDS, LONG, input_blocks
+from reports.letters import width
+from reports.page import Pen
+from reports.prose import CELL
+from reports.words import WORDS
+
+from .reading import V12, pages_of, solved, spans, squeezed, text_of, with_outcome
+from .test_hostile import inside
+
+REMEDIES = Table(
+    "remedies", "What takes the couple", (("Remedy", ""), ("Couple left", "N·m"), ("Phase", "°"), ("Said", "")),
+    (
+        ("none at all", 572.9213, 30, None),
+        ("counterweights on the crank that carry half of the reciprocating masses, and nothing else besides", 286.46, None, "turns back"),
+        ("counter-shaft", float("nan"), -1.25e-7, "a word"),
+    ),
+    "At rated speed; the phase from cylinder 1 at TDC.",
+)  # fmt: skip
+
+
+def test_every_cell_of_a_table_stands_in_the_report() -> None:
+    pdf = with_outcome(solved(V12), "engine", tables=(REMEDIES,)).report()
+    inside(pdf)
+    read = squeezed(text_of(pdf))
+    for words in (
+        "Tables", REMEDIES.title, "Couple left, N·m", "Phase, °", "572.9", "286.5", "30", "not a number", "1.25·10⁷", REMEDIES.note,
+        *(cell for row in REMEDIES.rows for cell in row if isinstance(cell, str)),
+    ):  # fmt: skip
+        assert squeezed(words) in read, words
+    assert squeezed("None") not in read
+    text = text_of(pdf)
+    assert text.index("Results", text.index("1  Engine")) < text.index(REMEDIES.title)
+
+
+def test_tables_stand_in_outline_and_contents_but_not_in_the_summary() -> None:
+    made = with_outcome(solved(V12), "engine", tables=(REMEDIES,))
+    pdf = made.report()
+    reader = PdfReader(io.BytesIO(pdf))
+    (entry,) = [e for part in reader.outline if isinstance(part, list) for e in part if e.title == "Tables"]
+    assert REMEDIES.title in pages_of(pdf)[reader.get_destination_page_number(entry)]
+    page = next(page for page, words in zip(reader.pages, pages_of(pdf)) if "Contents" in words)
+    links = [a.get_object() for a in page["/Annots"]]
+    place = [float(entry.top or 0), reader.get_destination_page_number(entry)]
+    assert place in [[float(a["/Dest"][3]), reader.get_page_number(a["/Dest"][0].get_object())] for a in links]
+    assert REMEDIES.title not in text_of(made.report("summary"))
+    assert made.report() == pdf
+
+
+def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
+    columns = (("Order", ""), *((f"Amount{i}", "N·m") for i in range(20)))
+    rows = tuple((f"row{n}", *(float(1000 * n + i) + 0.5 for i in range(20))) for n in range(60))
+    wide = Table("w", "A wide table", columns, rows)
+    pdf = with_outcome(solved(V12), "engine", tables=(wide, Table("e", "Without rows", columns[:3], (), "Nothing of it."))).report()
+    inside(pdf)
+    words = text_of(pdf).split()
+    from calc.sheet.number import short
+
+    for row in rows:
+        assert words.count(str(row[0])) >= 2, "its first column names the rows of each part"
+        for number in row[1:]:
+            assert short(number) in words, "no number is broken"
+    assert "A wide table (continued)" in text_of(pdf) and "Nothing of it." in text_of(pdf)
+    holding = [page for page in pages_of(pdf) if "row30" in page.split() or "row59" in page.split()]
+    assert holding and all("Order" in page for page in holding), "the header is repeated"
+
+
+def test_numbers_end_at_one_edge_and_words_begin_at_one() -> None:
+    rows = tuple(("W" * 20, v, "–" if n == 1 else v) for n, v in enumerate((7123.0, 8.0, 91.25)))
+    pdf = with_outcome(solved(V12), "engine", tables=(Table("t", "Edges", (("A", ""), ("B", "mm"), ("C", "mm")), rows),)).report()
+    page = next(n for n, words in enumerate(pages_of(pdf)) if "Edges" in words)
+    words = round(LEFT + width("W" * 20, CELL.size), 1)
+    lines: dict[float, list[tuple[float, float]]] = {}
+    for span in spans(pdf):
+        if span.page == page and span.upright:
+            lines.setdefault(round(span.y, 1), []).append((round(span.x, 1), round(span.end, 1)))
+    one, two, three = (c for _, c in sorted(lines.items(), reverse=True) if c[0] == (LEFT, words))
+    assert one[0][0] == two[0][0] == three[0][0] and one[1][1] == two[1][1] == three[1][1]
+    assert one[1][0] != two[1][0], "numbers of different length"
+    assert one[2][1] == three[2][1] > two[2][1], "a word among numbers stands to the left"
+
+
+# --- inputs -----------------------------------------------------------------------------------------------------------------
+@inputs
+class Pressure:
+    angle: float = quantity("Crank angle", "°")
+    pressure: float = quantity("Cylinder pressure", "bar")
+
+
+@inputs
+class Gas:
+    peak_pressure: float = quantity("Peak pressure", "bar", optional=True)
+    pressure: tuple[Pressure, ...] = tables("Pressure in the cylinder", Pressure, optional=True)
+
+
+@inputs
+class Throw:
+    pin_mass: float = quantity("Pin mass", "g")
+
+
+@inputs
+class Body:
+    name: str = text("Name")
+    mass: float = quantity("Mass", "kg")
+    x: float = quantity("Centre, up", "mm")
+    y: float = quantity("Centre, side", "mm")
+    z: float = quantity("Position", "mm")
+    a: float = quantity("Length", "mm")
+    pin: int | None = integer("Crankpin", optional=True)
+
+
+@inputs
+class Engine:
+    bore: float = quantity("Bore", "mm")
+    gas: Gas | None = table("Gas force", Gas, optional=True)
+    throw: Throw | None = table("Throw", Throw, optional=True)
+    bodies: tuple[Body, ...] = tables("Bodies of the crank", Body, optional=True)
+
+
+def laid(data: dict[str, Any], depth: str = "engineer") -> list[str]:
+    """The pieces of text that the inputs of a step consist of."""
+    context: Any = SimpleNamespace(words=WORDS["en"], audit=depth == "audit", document=SimpleNamespace(data={"engine": data}))
+    pen = Pen(SimpleNamespace(), {}, {})  # type: ignore[arg-type]
+    y = 0.0
+    for block in input_blocks(context, Step("engine", "Engine", Engine)):
+        y -= block.gap
+        block.draw(pen, y)
+        y -= block.height
+    return [mark[3] for _, _, mark in pen.text if mark[0] == "text"]
+
+
+CYCLE = [{"angle_deg": float(n), "pressure_bar": 1000.0 + n} for n in range(720)]
+
+
+def test_a_long_array_is_shown_by_its_ends_and_counted() -> None:
+    data = {"bore_mm": 94.0, "gas": {"peak_pressure_bar": 140.0, "pressure": CYCLE}}
+    words = laid(data)
+    assert [w for w in words if w.startswith("1") and w.endswith(".0") and float(w) >= 1000] == [
+        f"{1000.0 + n}" for n in (*range(ENDS), *range(720 - ENDS, 720))
+    ]
+    assert "720" in words, "the last row has its own number"
+    assert any(str(720 - 2 * ENDS) in w for w in words) and any("720 in all" in w for w in words)
+    assert "Gas force" in words and "140.0" in words and "engine.gas.peak_pressure_bar" in " ".join(words)
+
+
+def test_the_audit_shows_all_of_it() -> None:
+    words = laid({"bore_mm": 94.0, "gas": {"pressure": CYCLE}}, "audit")
+    assert {f"{1000.0 + n}" for n in range(720)} <= set(words) and not any("in all" in w for w in words)
+
+
+@pytest.mark.parametrize("count", [LONG, LONG + 1])
+def test_an_array_of_usual_length_is_shown_whole(count: int) -> None:
+    words = laid({"bore_mm": 94.0, "gas": {"pressure": CYCLE[:count]}})
+    assert any("in all" in w for w in words) == (count > LONG)
+    assert (f"{1000.0 + count // 2}" in words) == (count <= LONG)
+
+
+def test_nested_tables_may_be_absent_or_have_one_key() -> None:
+    assert "94.0" in laid({"bore_mm": 94.0}) and "Gas force" not in laid({"bore_mm": 94.0})
+    words = laid({"bore_mm": 94.0, "throw": {"pin_mass_g": 310.5}})
+    assert "310.5" in words and "Throw" in words
+
+
+def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
+    bodies = [{"name": f"web{n}", "mass_kg": 1.5 + n, "x_mm": 2.25, "y_mm": 0.0, "z_mm": -3.0 * n, "a_mm": 9.0} for n in range(9)]
+    bodies[4]["pin"] = 1
+    words = laid({"bore_mm": 94.0, "bodies": bodies})
+    assert words.count("Bodies of the crank") == 1 and not any("continued" in w for w in words)
+    n = words.index("web0")
+    assert words[n : n + 7] == ["web0", "1.5", "2.25", "0.0", "0.0", "9.0", "–"] or words[n : n + 7] == [
+        "web0",
+        "1.5",
+        "2.25",
+        "0.0",
+        "−0.0",
+        "9.0",
+        "–",
+    ]
+    assert words[words.index("web4") + 6] == "1"
