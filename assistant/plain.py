@@ -59,8 +59,8 @@ def table_lines(table: Table) -> list[str]:
         head = textwrap.wrap(label, max(wide, NARROW), break_long_words=False) + ([unit] if unit else [])
         heads.append(head)
         widths.append(max([wide, *map(len, head)]))
-        given = [row[i] for row in table.rows]
-        numeric.append(any(isinstance(c, (int, float)) for c in given) or (bool(unit) and not any(given)))
+        column = [row[i] for row in table.rows]
+        numeric.append(any(isinstance(c, (int, float)) for c in column) or (bool(unit) and not any(column)))
     tall = max(map(len, heads), default=0)
     lines = [table.title, *_row([[""] * (tall - len(head)) + head for head in heads], widths, numeric), "  ".join("─" * w for w in widths)]
     for row, given in zip(rows, table.rows):
