@@ -37,6 +37,7 @@ class Material:
     poisson: float = quantity("Poisson's ratio", default=0.3, low=0.0, high=0.49, symbol="nu")
     density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
+    proof_stress: float | None = quantity("Proof stress", "MPa", optional=True, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
     source: str = text("Source", default="the user")
 
 

@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The pressure in a cylinder over its cycle, and the forces on its piston.
+
+ε is the crank angle after the TDC at which the cylinder fires, from 0 up to the cycle: 720° of a four-stroke engine, 360° of a
+two-stroke.  α = φ₀ + ε is the crank angle from the cylinder's axis, x the piston's way from TDC.  Pressures are absolute; forces are
+positive towards the crank.  The simple cycle: compression from BDC, the peak at TDC and held for a while, expansion to BDC; a
+four-stroke engine exhausts and draws in at constant pressures between.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..sheet.arrays import Array
+from ..sheet.formula import formula
+from ..sheet.functions import asin, cos, pi
+from ..sheet.record import record
+from ..sheet.trace import untraced
+from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
+from . import formulas as f
+from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
+
+if TYPE_CHECKING:
+    from .inputs import EngineInputs
+    from .solve import EngineResult
+
+TURN = 2 * math.pi
+DUST: Radian = 1e-9
+SEILIGER = "mixed (Sabathé, Seiliger) cycle as generally published"
+WIDE = math.radians(60.0)  # a gap between the points of a table that is worth a word
+PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
+
+
+# --- motion ---------------------------------------------------------------------------------------------------------------
+@formula(
+    "ε_k",
+    "crank angle after the firing of the cylinder, within its cycle",
+    shows="ε − f_k, f_k the crank angle at which the cylinder fires",
+)
+def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
+    since: Any = np.mod(epsilon - fires, cycle)
+    found = np.where(cycle - since < DUST, 0.0, since)
+    return found if found.ndim else found.item()  # type: ignore[return-value]
+
+
+@formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
+def crank_angle(phi_0: Radian, epsilon: Radian) -> Radian:
+    return phi_0 + epsilon
+
+
+@formula("x", "Finotti 2013, (2.7), its bracket corrected: way of the piston from TDC, with offset", unit="mm", names={"lam": "λ"})
+def piston_way(r: Metre, lam: Number, phi_0: Radian, alpha: Radian, beta: Radian) -> Metre:
+    return r * ((1 + 1 / lam) * cos(phi_0) - cos(alpha) - cos(beta) / lam)
+
+
+@formula("ε_BDC", "dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"})
+def dead_centre_angle(delta: Number, lam: Number) -> Radian:
+    return pi + asin(delta / (1 - lam)) - asin(delta / (1 + lam))
+
+
+# --- pressure ---------------------------------------------------------------------------------------------------------------
+@formula("h_c", "definition of the compression ratio: height of the clearance volume on the bore", unit="mm", names={"eps_c": "ε_c"})
+def clearance_height(s: Metre, eps_c: Number) -> Metre:
+    return s / (eps_c - 1)
+
+
+@formula("p_c", f"{SEILIGER}: end of compression", unit="bar", names={"eps_c": "ε_c"})
+def compression_end(p_in: Pascal, eps_c: Number, n_c: Number) -> Pascal:
+    return p_in * eps_c**n_c
+
+
+@formula("p_1", f"{SEILIGER}: polytropic compression from BDC", unit="bar")
+def compression(p_in: Pascal, h_c: Metre, s: Metre, x: Metre, n_c: Number) -> Pascal:
+    return p_in * ((h_c + s) / (h_c + x)) ** n_c
+
+
+@formula("p_2", f"{SEILIGER}: polytropic expansion from the end of constant pressure, x_p", unit="bar")
+def expansion(p_max: Pascal, h_c: Metre, x_p: Metre, x: Metre, n_e: Number) -> Pascal:
+    return p_max * ((h_c + x_p) / (h_c + x)) ** n_e
+
+
+@formula(
+    "p", f"{SEILIGER}, gas exchange at constant pressure", unit="bar",
+    shows="p_max up to ε_p, p_2 up to BDC, then p_ex and p_in for a stroke each (four-stroke), p_1 from BDC to TDC",
+)  # fmt: skip
+def mixed_cycle(
+    epsilon: Radian, p_1: Pascal, p_2: Pascal, p_max: Pascal, eps_p: Radian, eps_bdc: Radian, p_ex: Pascal, p_in: Pascal, cycle: Radian
+) -> Pascal:
+    ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
+    found: Any = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
+    return found if found.ndim else found.item()
+
+
+@formula("p", "indicated pressure as given", unit="bar", shows="linear between the points of the table, which closes over the cycle")
+def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
+    found: Any = np.interp(epsilon, angles, pressures, period=cycle)
+    return found if found.ndim else found.item()
+
+
+@record
+class Cycle:
+    """The gas of one cylinder.  `corners`: the angles ε where the pressure jumps or bends, `given`: what its formula is fed with."""
+
+    length: Radian
+    crankcase: Pascal
+    corners: Array
+    given: dict[str, Any]
+    notes: tuple[str, ...]
+    compression_end: Pascal | None = None
+
+    def pressure(self, epsilon: Any, x: Any) -> Any:
+        """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x: numbers or arrays."""
+        g = self.given
+        if "angles" in g:
+            return table_pressure(epsilon=epsilon, angles=g["angles"], pressures=g["pressures"], cycle=self.length)
+        p_1 = compression(p_in=g["p_in"], h_c=g["h_c"], s=g["s"], x=x, n_c=g["n_c"])
+        p_2 = expansion(p_max=g["p_max"], h_c=g["h_c"], x_p=g["x_p"], x=x, n_e=g["n_e"])
+        return mixed_cycle(
+            epsilon=epsilon, p_1=p_1, p_2=p_2, p_max=g["p_max"], eps_p=g["eps_p"], eps_bdc=g["eps_bdc"], p_ex=g["p_ex"], p_in=g["p_in"],
+            cycle=self.length,
+        )  # fmt: skip
+
+
+def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
+    """The cycle of an engine's cylinders, with what was taken for numbers left out."""
+    length = engine.strokes * math.pi
+    notes: list[str] = []
+
+    def taken(given: float | None, otherwise: float, words: str) -> float:
+        if given is None:
+            notes.append(f"{words} taken, since none is given.")
+        return otherwise if given is None else given
+
+    crankcase = taken(gas.crankcase_pressure, CRANKCASE, "A crankcase pressure of 1.0 bar")
+    if gas.pressure:
+        angles: Any = np.array([point.angle for point in gas.pressure])
+        pressures: Any = np.array([point.pressure for point in gas.pressure])
+        corners: Any = np.sort(np.mod(angles, length))
+        gap: Any = np.diff(corners, append=corners[:1] + length)
+        if gap.max() > WIDE:
+            start, end = math.degrees(corners[gap.argmax()]), math.degrees(corners[gap.argmax()] + gap.max())
+            notes.append(f"The pressure table has no point between {start:.4g}° and {end:.4g}°: a straight line is taken there.")
+        return Cycle(length, crankcase, corners, {"angles": angles, "pressures": pressures}, tuple(notes))
+    assert gas.peak_pressure is not None and gas.compression_ratio is not None
+    given: dict[str, Any] = {"s": e.stroke, "p_max": gas.peak_pressure}
+    given["p_in"] = taken(gas.intake_pressure, INTAKE, "An intake pressure of 1.0 bar")
+    given["p_ex"] = given["p_in"]
+    if engine.strokes == 4:
+        given["p_ex"] = taken(gas.exhaust_pressure, EXHAUST, "An exhaust pressure of 1.1 bar")
+    else:
+        notes.append("The ports of the two-stroke engine are neglected: expansion and compression reach to BDC.")
+    given["n_c"] = taken(gas.compression_exponent, COMPRESSION, "A compression exponent of 1.35")
+    given["n_e"] = taken(gas.expansion_exponent, EXPANSION, "An expansion exponent of 1.28")
+    given["eps_p"] = taken(gas.constant_pressure_angle, HELD, "A peak pressure held for 10° of crank angle")
+    given["eps_bdc"] = dead_centre_angle(delta=e.delta, lam=e.lambda_)
+    given["h_c"] = clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
+    p_c = compression_end(p_in=given["p_in"], eps_c=gas.compression_ratio, n_c=given["n_c"])
+    with untraced():
+        alpha = crank_angle(phi_0=e.tdc_angle, epsilon=given["eps_p"])
+        beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+    given["x_p"] = piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    corners = np.unique([0.0, given["eps_p"], given["eps_bdc"], length - TURN, length - TURN + given["eps_bdc"]])
+    return Cycle(length, crankcase, corners, given, tuple(notes), p_c)
+
+
+# --- forces on the piston, and what they do at the crank ------------------------------------------------------------------------
+@formula("F_G", "definition of the gas force, crankcase pressure under the piston")
+def gas_force(p: Pascal, p_case: Pascal, D: Metre) -> Newton:
+    return (p - p_case) * pi / 4 * D**2
+
+
+@formula("F_I", "Finotti 2013, 2.2.1: inertia force of the reciprocating mass, here positive towards the crank")
+def inertia_force(M_alt: Kilogram, omega: RadPerSecond, r: Metre, a_rel: Number) -> Newton:
+    return -M_alt * omega**2 * r * a_rel
+
+
+@formula("T_k", "Finotti 2013, 2.2.1: couple F·r·[sin α + λ·sin α·cos α/√(1 − λ²·sin² α)], its last term corrected; with offset F·dx/dα")
+def torque_of(F: Newton, r: Metre, v_rel: Number) -> NewtonMetre:
+    return F * r * v_rel
+
+
+# --- over the cycle ---------------------------------------------------------------------------------------------------------
+def points(cycle: Cycle, fires: Any) -> Any:
+    """Crank angles over the cycle of the whole engine: edges of panels, which meet every corner of every cylinder, and their middles.
+
+    The torque is continuous even where the pressure jumps, since it does so at dead centres: Simpson's rule holds on every panel.
+    """
+    corners: Any = np.mod(cycle.corners[:, None] + fires, cycle.length)
+    edges: Any = np.sort(np.concatenate([np.linspace(0.0, cycle.length, round(cycle.length / PANEL) + 1), corners.ravel()]))
+    edges = edges[np.append(True, np.diff(edges) > DUST)]
+    found = np.empty(2 * edges.size - 1)
+    found[::2], found[1::2] = edges, (edges[:-1] + edges[1:]) / 2
+    return found
+
+
+def running(epsilon: Any, y: Any) -> Any:
+    """The integral of y from the first of the points up to each: parabolas over the panels, exact as Simpson's rule at their edges."""
+    half: Any = np.diff(epsilon[::2]) / 2
+    before, middle, after = y[:-1:2], y[1::2], y[2::2]
+    steps = np.empty(y.size - 1)
+    steps[::2] = half / 12 * (5 * before + 8 * middle - after)
+    steps[1::2] = half / 12 * (5 * after + 8 * middle - before)
+    return np.append(0.0, np.cumsum(steps))
+
+
+def highest(x: Any, y: Any) -> tuple[float, float]:
+    """Place and height of the largest value: the top of the parabola through it and its neighbours."""
+    i = min(max(int(np.argmax(y)), 1), y.size - 2)
+    a, b = x[i] - x[i - 1], x[i + 1] - x[i]
+    left, right = (y[i] - y[i - 1]) / a, (y[i + 1] - y[i]) / b
+    bend, slope = (right - left) / (a + b), (left * b + right * a) / (a + b)
+    if bend >= 0:  # the largest is the first or the last, or all are the same
+        return float(x[np.argmax(y)]), float(np.max(y))
+    way = min(max(-slope / (2 * bend), -a), b)
+    return float(x[i] + way), float(max(np.max(y), y[i] + way * (slope + bend * way)))
+
+
+def amounts(y: Any) -> Any:
+    """Amounts among which the largest is one: of a rise and a fall of the same size the rise."""
+    return np.where(y < 0, -y * (1 - 1e-9), y)

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the gas in the cylinders is described by: a simple mixed cycle, or a table of indicated pressure."""
+
+from collections.abc import Iterable, Iterator
+from math import pi
+
+from ..sheet.quantity import inputs, quantity, tables
+
+FEWEST_POINTS = 8  # of a pressure table
+SAME_ANGLE = 1e-9  # rad: two points nearer than this are one
+# What is taken where it is left out.
+INTAKE, EXHAUST, CRANKCASE = 1.0e5, 1.1e5, 1.0e5  # Pa
+COMPRESSION, EXPANSION = 1.35, 1.28
+HELD = 10 * pi / 180  # rad
+
+
+@inputs
+class PressurePoint:
+    """One row of a table of indicated pressure."""
+
+    angle: float = quantity("Crank angle", "°", low=-360, high=720, symbol="epsilon", help="0: TDC at which this cylinder fires.")
+    pressure: float = quantity("Pressure", "bar", low=0, high=1000, symbol="p", help="Absolute.")
+
+
+@inputs
+class GasInputs:
+    """The gas of one cylinder over its cycle; all cylinders have the same.  Pressures are absolute."""
+
+    peak_pressure: float | None = quantity(
+        "Peak pressure",
+        "bar",
+        optional=True,
+        above=0,
+        high=1000,
+        symbol="p_max",
+        help="With the compression ratio: a mixed (Sabathé) cycle.",
+    )
+    compression_ratio: float | None = quantity("Compression ratio", optional=True, above=1, high=50, symbol="epsilon_c")
+    intake_pressure: float | None = quantity(
+        "Intake pressure", "bar", optional=True, above=0, high=100, symbol="p_in", help="Left out: 1.0 bar."
+    )
+    exhaust_pressure: float | None = quantity(
+        "Exhaust pressure", "bar", optional=True, above=0, high=100, symbol="p_ex", help="Left out: 1.1 bar. Four-stroke engines only."
+    )
+    crankcase_pressure: float | None = quantity(
+        "Crankcase pressure", "bar", optional=True, low=0, high=100, symbol="p_case", help="Under the piston. Left out: 1.0 bar."
+    )
+    compression_exponent: float | None = quantity(
+        "Compression exponent", optional=True, low=1, high=2, symbol="n_c", help="Left out: 1.35."
+    )
+    expansion_exponent: float | None = quantity("Expansion exponent", optional=True, low=1, high=2, symbol="n_e", help="Left out: 1.28.")
+    constant_pressure_angle: float | None = quantity(
+        "Peak pressure held for", "°", optional=True, low=0, high=90, symbol="epsilon_p", help="Crank angle after TDC. Left out: 10°."
+    )
+    pressure: tuple[PressurePoint, ...] = tables(
+        "Indicated pressure",
+        PressurePoint,
+        optional=True,
+        help="Over one cycle, linear between the points; instead of peak pressure and ratio.",
+    )
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        """What no single field can show: (key, reason)."""
+        of_the_cycle = (
+            ("peak_pressure_bar", self.peak_pressure), ("compression_ratio", self.compression_ratio),
+            ("intake_pressure_bar", self.intake_pressure), ("exhaust_pressure_bar", self.exhaust_pressure),
+            ("compression_exponent", self.compression_exponent), ("expansion_exponent", self.expansion_exponent),
+            ("constant_pressure_angle_deg", self.constant_pressure_angle),
+        )  # fmt: skip
+        if self.pressure:
+            yield from (
+                (key, "belongs to the simple cycle; the pressure table says it all: leave one of the two out")
+                for key, given in of_the_cycle
+                if given is not None
+            )
+            if len(self.pressure) < FEWEST_POINTS:
+                yield "pressure", f"has {len(self.pressure)} points; needs at least {FEWEST_POINTS} over the cycle"
+            yield from _doubled(self, 4 * pi)
+            return
+        for key, given in of_the_cycle[:2]:
+            if given is None:
+                yield key, "is missing; give peak pressure and compression ratio, or a table [[engine.gas.pressure]]"
+        if self.peak_pressure is None or self.compression_ratio is None:
+            return
+        n_c = COMPRESSION if self.compression_exponent is None else self.compression_exponent
+        end = (INTAKE if self.intake_pressure is None else self.intake_pressure) * self.compression_ratio**n_c
+        if self.peak_pressure <= end:
+            yield "peak_pressure_bar", f"must exceed the pressure at the end of compression, {end / 1e5:.4g} bar"
+
+
+def cycle_problems(gas: GasInputs, strokes: int) -> Iterator[tuple[str, str]]:
+    """What is wrong with the gas for an engine of so many strokes, with keys of [engine.gas]."""
+    if strokes == 2:
+        yield from _doubled(gas, 2 * pi)
+        if gas.exhaust_pressure is not None and not gas.pressure:
+            yield "exhaust_pressure_bar", "belongs to a four-stroke engine; the cycle of a two-stroke has no exhaust stroke: leave it out"
+
+
+def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, str]]:
+    """Points of the table that fall on one crank angle of the cycle; those of a two-stroke that do so in 720° as well are named once."""
+    if length < 4 * pi and any(True for _ in _doubled(gas, 4 * pi)):
+        return
+    order = sorted((point.angle % length, i) for i, point in enumerate(gas.pressure))
+    for (here, one), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
+        if there - here < SAME_ANGLE and one != other:
+            first, second = sorted((one, other))
+            yield (
+                f"pressure.{second}.angle_deg",
+                f"is the angle of point {first} too, {length / pi * 180:g}° being one cycle; every point needs its own",
+            )

@@ -1,0 +1,324 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The crank throw at the two positions that size it: the largest tangential force, and top dead centre at firing.
+
+Every cylinder is looked at in both; the one with the largest nominal stress governs and is shown.  The torque of the throws in front of
+it (towards the free end) passes through.  Signs: forces are positive towards the crank, tangential in the sense of rotation, radial
+towards the crank axis.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..catalogue import Material
+from ..sheet.arrays import Array, BoolArray
+from ..sheet.check import Check, check
+from ..sheet.quantity import group, result, value
+from ..sheet.step import Table
+from ..sheet.trace import about, untraced
+from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
+from . import cycle as c
+from . import formulas as f
+from . import throw_formulas as t
+from .cycle import TURN, Cycle
+from .gas import GasInputs
+from .throw_inputs import ThrowInputs
+
+if TYPE_CHECKING:
+    from .inputs import EngineInputs
+    from .solve import EngineResult
+
+POSITIONS = {"largest_tangential": "largest tangential force", "top_dead_centre": "top dead centre"}
+FIT = (0.01, 0.3)  # of the notch factors, ρ/d
+SAME_PIN = 1e-6  # rad
+SAME_STRESS = 1e-9
+
+
+@result
+class Section:
+    """Moments and stresses of one section of the throw."""
+
+    bending_moment: NewtonMetre = value("Bending moment", "N·m", "M")
+    torsion: NewtonMetre = value("Torsion", "N·m", "T")
+    bending_stress: Pascal = value("Bending stress, nominal", "MPa", "σ")
+    torsion_stress: Pascal = value("Torsion stress, nominal", "MPa", "τ")
+    von_mises: Pascal = value("Von Mises stress, nominal", "MPa", "σ_v")
+    notch_stress: Pascal | None = value("Von Mises stress at the fillet", "MPa", "σ_vk", default=None)
+
+
+@result
+class Position:
+    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
+
+    crank_angle: Radian = value("Crank angle after the firing of this cylinder", "°", "ε_k")
+    gas_force: Newton | None = value("Gas force on the piston", "N", "F_G", default=None)
+    inertia_force: Newton = value("Inertia force of the reciprocating mass", "N", "F_I")
+    piston_force: Newton = value("Force on the piston", "N", "F")
+    rod_force: Newton = value("Force in the rod", "N", "S")
+    side_thrust: Newton = value("Side thrust on the liner", "N", "N")
+    tangential_force: Newton = value("Tangential force at the pin", "N", "F_t")
+    radial_force: Newton = value("Radial force at the pin, towards the crank axis", "N", "F_r")
+    reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
+    reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
+    torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
+    pin: Section = group()
+    journal: Section = group()
+
+
+@result
+class ThrowResult:
+    """The governing throw in its two positions."""
+
+    cylinder: Number = value("Cylinder whose throw governs")
+    span: Metre = value("Distance of the middles of the main journals", "mm", "L")
+    notch_bending_pin: Number | None = value("Notch factor of the pin, bending", "", "K_b", default=None)
+    notch_torsion_pin: Number | None = value("Notch factor of the pin, torsion", "", "K_t", default=None)
+    notch_bending_journal: Number | None = value("Notch factor of the journal, bending", "", "K_b", default=None)
+    notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
+    largest_tangential: Position = group()
+    top_dead_centre: Position = group()
+
+
+class _Throw:
+    """One engine's throws: what the scan and the traced call have in common.  Works on floats as on arrays."""
+
+    def __init__(self, engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle | None, throw: ThrowInputs) -> None:
+        self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
+        self.length = cycle.length if cycle else TURN
+        self.span = t.span(l_j=throw.journal_length, t_w=throw.web_thickness, l_p=throw.pin_length)
+        self.notch: dict[str, tuple[float, float, float]] = {}
+        if throw.fillet_radius is not None:
+            for place, d in (("pin", throw.pin_diameter), ("journal", throw.journal_diameter)):
+                with about(f"fillet of the {place}"):
+                    ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
+                    self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
+
+    def rod(self, fires: Any, epsilon: Any) -> dict[str, Any]:
+        """The forces of the cylinders that fire at `fires`, at crank angles ε of the engine."""
+        engine, e = self.engine, self.e
+        own = c.own_angle(epsilon=epsilon, fires=fires, cycle=self.length)
+        alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
+        beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+        v_rel = f.relative_speed(alpha=alpha, beta=beta)
+        a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
+        F = F_I = c.inertia_force(M_alt=e.reciprocating_mass, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
+        F_G = None
+        if self.cycle:
+            x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+            F_G = c.gas_force(p=self.cycle.pressure(own, x), p_case=self.cycle.crankcase, D=engine.bore)
+            F = t.piston_force(F_G=F_G, F_I=F_I)
+        S = t.rod_force(F=F, beta=beta)
+        return dict(
+            crank_angle=own, gas_force=F_G, inertia_force=F_I, piston_force=F, rod_force=S, side_thrust=t.side_thrust(F=F, beta=beta),
+            tangential_force=t.tangential_force(F=F, v_rel=v_rel),
+            radial_force=t.radial_force(S=S, alpha=alpha, beta=beta, M_rot=e.rotating_mass, r=engine.crank_radius, omega=e.angular_speed),
+        )  # fmt: skip
+
+    def sections(self, F_t: Any, F_r: Any, T_v: Any) -> dict[str, Any]:
+        """Reactions, and the stresses of pin and journal, from the forces on the pin and the torque from in front."""
+        throw, r = self.throw, self.engine.crank_radius
+        R = t.reaction(F_t=F_t, F_r=F_r)
+        pin = self.stresses(
+            "pin", throw.pin_diameter, t.pin_bending(R=R, L=self.span), t.pin_torsion(F_t=F_t, r=r, T_v=T_v),
+            t.pin_fillet_bending(R=R, l_j=throw.journal_length, t_w=throw.web_thickness) if self.notch else None,
+        )  # fmt: skip
+        at_edge = t.journal_bending(R=R, l_j=throw.journal_length)
+        journal = self.stresses("journal", throw.journal_diameter, at_edge, t.journal_torsion(F_t=F_t, r=r, T_v=T_v), at_edge)
+        return dict(reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
+
+    def stresses(self, place: str, d: Metre, M: Any, T: Any, M_fillet: Any) -> Section:
+        sigma, tau = t.bending_stress(M=M, d=d), t.torsion_stress(T=T, d=d)
+        notch = None
+        if place in self.notch:
+            _, K_b, K_t = self.notch[place]
+            notch = t.notch_stress(K_b=K_b, sigma=sigma if M_fillet is M else t.bending_stress(M=M_fillet, d=d), K_t=K_t, tau=tau)
+        nominal = t.von_mises(sigma=sigma, tau=tau)
+        return Section(bending_moment=M, torsion=T, bending_stress=sigma, torsion_stress=tau, von_mises=nominal, notch_stress=notch)
+
+
+def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArray]:
+    """Which cylinders (second axis) run on the pin of each (first axis), itself too; and which stand on throws in front of it.
+
+    Two cylinders share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart.  Of two
+    throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
+    """
+    phi, z, psi = (np.asarray(part, dtype=float) for part in (e.crank.phi, e.crank.z, e.crank.psi))
+    number = np.arange(phi.size)
+    apart: Any = z[None, :] - z[:, None]
+    turned: Any = np.abs((phi[None, :] - phi[:, None] + math.pi) % TURN - math.pi)
+    other_bank: Any = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
+    shared: Any = (turned < SAME_PIN) & (np.abs(apart) < engine.cylinder_pitch / 2) & other_bank | np.eye(phi.size, dtype=bool)
+    in_front: Any = (apart < 0) | ((apart == 0) & (number[None, :] < number[:, None]))
+    return shared, in_front & ~shared
+
+
+def solve(
+    engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, throw: ThrowInputs, materials: Mapping[str, Material],
+    cycle: Cycle | None = None,
+) -> tuple[ThrowResult, tuple[Check, ...], tuple[str, ...], tuple[Table, ...]]:  # fmt: skip
+    """The governing throw of one engine at rated speed.
+
+    `firing` as for the torque.  `cycle`: the gas as the torque prepared it, so that one chain of lines leads to both.
+    """
+    fires: Any = np.asarray(firing, dtype=float)
+    if cycle is None and gas is not None:
+        with about("gas cycle"):
+            cycle = c.prepare(engine, e, gas)
+    crank = _Throw(engine, e, fires, cycle, throw)
+    shared, in_front = pins(engine, e)
+    with untraced():
+        angles = _positions(crank, shared)
+        worst = _stress_of_all(crank, shared, in_front, angles)
+    stress: Any = worst.max((0, 2))
+    k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
+    found: dict[str, Any] = {}
+    for (key, words), epsilon in zip(POSITIONS.items(), angles[:, k]):
+        found[key] = _position(crank, k, float(epsilon), shared[k], in_front[k], words)
+    factors: dict[str, Any] = {
+        f"notch_{kind}_{place}": crank.notch[place][i] for place in crank.notch for i, kind in ((1, "bending"), (2, "torsion"))
+    }
+    result = ThrowResult(cylinder=k + 1, span=crank.span, **factors, **found)
+    material = materials.get(throw.material)
+    return result, _checks(crank, result, material), _notes(crank, result, shared[k], material), _tables(result, worst)
+
+
+def _positions(crank: _Throw, shared: BoolArray) -> Array:
+    """The crank angles of the two positions (first axis) for each cylinder."""
+    if crank.cycle:
+        epsilon = c.points(crank.cycle, crank.fires)
+    else:
+        epsilon = np.linspace(0.0, TURN, 721)
+    tangential: Any = crank.rod(crank.fires, epsilon[:, None])["tangential_force"] @ shared.T
+    size: Any = c.amounts(tangential)
+    between: Any = np.array([c.highest(epsilon, column)[0] for column in size.T])
+    there: Any = c.amounts(np.einsum("kj,kj->k", crank.rod(crank.fires, between[:, None])["tangential_force"], shared))
+    largest = np.where(there >= size.max(0), between, epsilon[size.argmax(0)])
+    return np.stack([largest, crank.fires])
+
+
+def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
+    """Nominal von Mises stress by position, cylinder and place (pin, journal)."""
+    rods = crank.rod(crank.fires, angles[:, :, None])
+    F_t, F_r = (np.einsum("pkj,kj->pk", rods[part], shared) for part in ("tangential_force", "radial_force"))
+    T_v = np.einsum("pkj,kj->pk", rods["tangential_force"], in_front) * crank.engine.crank_radius
+    found = crank.sections(F_t, F_r, T_v)
+    return np.stack([found["pin"].von_mises, found["journal"].von_mises], -1)
+
+
+def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
+    """Cylinder k at one crank angle, recorded."""
+    with untraced():
+        others: Any = crank.rod(crank.fires, epsilon)["tangential_force"]
+    with about(f"throw of cylinder {k + 1}, {words}"):
+        T_v = t.torque_in_front(F_t=others[in_front], r=crank.engine.crank_radius)
+        own = crank.rod(float(crank.fires[k]), epsilon)
+    for j in np.flatnonzero(shared):
+        if j == k:
+            continue
+        with about(f"cylinder {j + 1} on the same pin, {words}"):
+            other = crank.rod(float(crank.fires[j]), epsilon)
+            for part in ("tangential_force", "radial_force"):
+                own[part] = t.both_rods(F=own[part], F_other=other[part])
+    with about(f"throw of cylinder {k + 1}, {words}"):
+        return Position(**own, **crank.sections(own["tangential_force"], own["radial_force"], T_v))
+
+
+# --- what is said about it --------------------------------------------------------------------------------------------------
+def _checks(crank: _Throw, result: ThrowResult, material: Material | None) -> tuple[Check, ...]:
+    found: list[Check] = []
+    limit = material.proof_stress if material else None
+    proof = f"proof stress of {crank.throw.material}"
+    for place, key in (("pin", "engine.throw.pin_diameter_mm"), ("journal", "engine.throw.journal_diameter_mm")):
+        both: list[Section] = [getattr(position, place) for position in (result.largest_tangential, result.top_dead_centre)]
+        nominal, notch = max(s.von_mises for s in both), max(s.notch_stress or 0.0 for s in both)
+        if limit is not None:
+            found.append(
+                check(
+                    f"engine.throw.stress_{place}", f"Von Mises stress of the {place}, nominal", nominal, "<=", limit, "MPa",
+                    f"{proof}; fatigue is not judged", f"A larger {key}: the stress falls with its cube.",
+                )
+            )  # fmt: skip
+        if limit is not None and place in crank.notch:
+            found.append(
+                check(
+                    f"engine.throw.notch_stress_{place}", f"Von Mises stress at the fillet of the {place}", notch, "<=", limit, "MPa",
+                    f"{proof}: above it the fillet yields locally", f"A larger engine.throw.fillet_radius_mm or {key}.", kind="advice",
+                )
+            )  # fmt: skip
+        if place in crank.notch:
+            found.append(
+                check(
+                    f"engine.throw.fillet_{place}", f"Fillet radius over diameter of the {place}", crank.notch[place][0], "in", FIT, "",
+                    f"range of the notch factors ({t.NOTCH})", "Outside it the notch stress is an extrapolation.", kind="advice",
+                )
+            )  # fmt: skip
+    return tuple(found)
+
+
+def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[str, ...]:
+    k = int(result.cylinder)
+    notes = [] if crank.engine.cylinders == 1 else [f"Throw: that of cylinder {k} governs; each was looked at in both positions."]
+    partners = [int(j) + 1 for j in np.flatnonzero(shared) if j + 1 != k]
+    if partners:
+        notes.append(f"Throw: cylinder {', '.join(map(str, partners))} runs on the same pin; both rods are taken to act at its middle.")
+    if crank.cycle is None:
+        notes.append("Throw: no gas is given; it is loaded by inertia alone.")
+    else:
+        notes.append("Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre.")
+    if material is None or material.proof_stress is None:
+        notes.append(f"Throw: the proof stress of {crank.throw.material} is not known, so its stresses are not judged.")
+    notes += [
+        "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals beyond that is left out.",
+        "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' stiffness are left out.",
+        "Throw: fatigue is not judged.",
+    ]
+    if crank.notch:
+        notes.append(
+            "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a web is not; "
+            "below ρ/d 0.03 published fits of them lie 10 % and more apart."
+        )
+    return tuple(notes)
+
+
+def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
+    positions = tuple((words, getattr(result, key)) for key, words in POSITIONS.items())
+    mega, cylinder = UNITS["MPa"].factor, int(result.cylinder)
+    names = ("F_G", "F_I", "S", "N", "F_t", "F_r", "R_f", "R_r")
+    forces = tuple(
+        (
+            words, math.degrees(p.crank_angle), p.gas_force, p.inertia_force, p.rod_force, p.side_thrust, p.tangential_force,
+            p.radial_force, p.reaction_front, p.reaction_rear,
+        )
+        for words, p in positions
+    )  # fmt: skip
+    stresses = tuple(
+        (
+            f"{place}, {words}", s.bending_moment, s.torsion, s.bending_stress / mega, s.torsion_stress / mega, s.von_mises / mega,
+            None if s.notch_stress is None else s.notch_stress / mega,
+        )
+        for words, p in positions for place, s in (("pin", p.pin), ("journal", p.journal))
+    )  # fmt: skip
+    found = [
+        Table(
+            "throw_forces", f"Forces on the throw of cylinder {cylinder}",
+            (("position", ""), ("ε_k", "°"), *((name, "N") for name in names)), forces,
+            "Gas, inertia, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals.",
+        ),
+        Table(
+            "throw_stresses", f"Stresses of the throw of cylinder {cylinder}",
+            (("section", ""), ("M", "N·m"), ("T", "N·m"), ("σ", "MPa"), ("τ", "MPa"), ("σ_v", "MPa"), ("σ_vk", "MPa")), stresses,
+            "σ_v nominal; σ_vk at the fillet, where its radius is given.",
+        ),
+    ]  # fmt: skip
+    if worst.shape[1] > 1:
+        found.append(
+            Table(
+                "throws", "Nominal von Mises stress of every throw",
+                (("throw", ""), ("pin, F_t", "MPa"), ("journal, F_t", "MPa"), ("pin, TDC", "MPa"), ("journal, TDC", "MPa")),
+                tuple((f"cylinder {k + 1}", *(float(s) / mega for s in worst[:, k].ravel())) for k in range(worst.shape[1])),
+                "At its largest tangential force (F_t) and at its firing (TDC).",
+            )
+        )  # fmt: skip
+    return tuple(found)

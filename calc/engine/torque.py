@@ -1,0 +1,252 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The torque about the crank: of the inertia forces always, of the gas where a cycle or an indicated pressure is given.
+
+Torque is positive in the sense of rotation; the block feels the opposite.  ε is the crank angle after the firing of cylinder 1.
+Cylinder k then stands ε − f_k after its own firing, which is the same as α_k = θ + φ_k − ψ_k with θ the angle of throw 1 from up.
+"""
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..sheet.arrays import Array
+from ..sheet.formula import formula
+from ..sheet.functions import cis, modulus, pi, resultant
+from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.step import Curve, Series
+from ..sheet.trace import about, untraced
+from ..sheet.units import CubicMetre, KilogramMetre2, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian, RadPerSecond, Watt
+from . import cycle as c
+from . import formulas as f
+from .cycle import TURN, Cycle
+from .gas import GasInputs
+
+if TYPE_CHECKING:
+    from .inputs import EngineInputs
+    from .solve import EngineResult
+
+ORDERS = 8
+POINTS = 720  # over a turn, for the inertia torque
+SMALL = 1e-9  # of the largest: an order so small is dust
+DRAWN = math.radians(1.0)
+WORK = "indicated work of the cycle: virtual work of the gas force"
+
+
+@result
+class TorqueResult:
+    """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
+
+    inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
+    inertia_torque: dict[str, Stated] = group()
+    gas_torque_peak: NewtonMetre | None = value("Largest gas torque, by amount", "N·m", "T_G", default=None)
+    torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
+    torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)
+    compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
+    indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle (N·m = J)", "N·m", "W_i", default=None)
+    indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
+    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
+    indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
+    energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle (N·m = J)", "N·m", "ΔE", default=None)
+    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
+    harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
+    cycle: Cycle | None  # the gas of a cylinder, for the crank throw
+
+
+# --- formulas ---------------------------------------------------------------------------------------------------------------
+@formula("T_I", "sum over the cylinders: torque of the inertia forces")
+def inertia_torque(T_k: NewtonMetre) -> NewtonMetre:
+    return resultant(T_k)
+
+
+@formula("T_G", "sum over the cylinders: torque of the gas forces")
+def gas_torque(T_k: NewtonMetre) -> NewtonMetre:
+    return resultant(T_k)
+
+
+@formula("T", "sum of the gas and inertia torques")
+def whole_torque(T_G: NewtonMetre, T_I: NewtonMetre) -> NewtonMetre:
+    return T_G + T_I
+
+
+@formula("|T|", "amount of the torque at the crank angle where it is largest")
+def amount(T: NewtonMetre) -> NewtonMetre:
+    return modulus(T)
+
+
+@formula(
+    "t_n", "Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle (two terms: Den Hartog, ch. 5)",
+    shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)", names={"fires": "f"},
+)  # fmt: skip
+def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
+    """Complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
+    found: Any = (np.fft.rfft(T_k) * (2 / np.size(T_k)))[1 : ORDERS + 1]
+    orders: Any = np.arange(1, ORDERS + 1)[:, None] * fires
+    sums: Any = resultant(cis(-orders))
+    found = found * sums
+    found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
+    return found
+
+
+@formula("T_n", "amplitude of one order of the inertia torque")
+def harmonic_amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(t_n)
+
+
+@formula("W_i", f"{WORK}, one cylinder", shows="∮ F_G·r·v_rel dε over the cycle")
+def indicated_work(T_k: NewtonMetre, epsilon: Radian) -> NewtonMetre:
+    """From the gas torque of one cylinder at the points of the cycle."""
+    return float(c.running(epsilon, T_k)[-1])
+
+
+@formula("p_mi", "definition of the indicated mean pressure", unit="bar")
+def mean_pressure(W_i: NewtonMetre, N: Number, V_h: CubicMetre) -> Pascal:
+    return W_i * N / V_h
+
+
+@formula("T_m", f"{WORK}, per radian of the cycle; inertia adds nothing")
+def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
+    return N * W_i / (pi * strokes)
+
+
+@formula("P_i", "definition of power", unit="kW")
+def indicated_power(T_m: NewtonMetre, omega: RadPerSecond) -> Watt:
+    return T_m * omega
+
+
+@formula(
+    "ΔE", "flywheel as generally published: largest fluctuation of the energy about its mean course",
+    shows="max − min over the cycle of ∫(T − T_m)dε",
+)  # fmt: skip
+def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
+    energy = c.running(epsilon, T - T_m)
+    return c.highest(epsilon, energy)[1] + c.highest(epsilon, -energy)[1]
+
+
+@formula("δ_s", "speed irregularity (ω_max − ω_min)/ω_m of a flywheel, ΔE = J·ω²·δ_s")
+def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSecond) -> Number:
+    return Delta_E / (J * omega**2)
+
+
+# --- torque at any crank angles ---------------------------------------------------------------------------------------------
+def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any, epsilon: Any) -> tuple[Any, Any]:
+    """Gas and inertia torque of each cylinder (last axis) at crank angles ε.  Without gas the first is None."""
+    length = gas.length if gas else TURN
+    own = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
+    alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
+    beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+    v_rel = f.relative_speed(alpha=alpha, beta=beta)
+    a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
+    F_I = c.inertia_force(M_alt=e.reciprocating_mass, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
+    T_I = c.torque_of(F=F_I, r=engine.crank_radius, v_rel=v_rel)
+    if gas is None:
+        return None, T_I
+    x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    F_G = c.gas_force(p=gas.pressure(own, x), p_case=gas.crankcase, D=engine.bore)
+    return c.torque_of(F=F_G, r=engine.crank_radius, v_rel=v_rel), T_I
+
+
+def solve(
+    engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
+) -> tuple[TorqueResult, tuple[Curve, ...], tuple[str, ...]]:
+    """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
+    fires: Any = np.asarray(firing, dtype=float)
+    found, curve = _inertia(engine, e, fires)
+    notes = ["The block feels the opposite of the torque about the crank; no masses can balance it."]
+    if gas is None:
+        notes.append("No gas is given: the torque is that of the inertia forces alone.")
+        return TorqueResult(**found, cycle=None), (curve,), tuple(notes)
+    with about("gas cycle"):
+        cycle = c.prepare(engine, e, gas)
+    notes += cycle.notes
+    notes.append("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off.")
+    if flywheel_inertia is not None:
+        notes.append("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
+    result = TorqueResult(**found, **_gas(engine, e, fires, cycle, flywheel_inertia), cycle=cycle)
+    return result, _curves(engine, e, fires, cycle, result), tuple(notes)
+
+
+def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dict[str, Any], Curve]:
+    """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
+    epsilon: Any = np.arange(POINTS + 1) * (TURN / POINTS)
+    with untraced():
+        one: Any = at(engine, e, None, 0.0, epsilon[:-1])[1]
+    turned: Any = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires).sum(1)
+    whole: Any = np.fft.irfft(np.fft.rfft(one) * turned, POINTS)
+    whole = np.append(whole, whole[0])
+    best, _ = c.highest(epsilon, c.amounts(whole))
+    with about("largest inertia torque"):
+        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, best)[1]))
+    with about("inertia torque"):
+        t: Any = torque_harmonics(T_k=one, fires=fires)
+        orders = {
+            f"order_{n}": Stated(Described(f"Inertia torque of order {n}", "N·m", f"T_{n}"), harmonic_amplitude(t_n=complex(t_n)))
+            for n, t_n in enumerate(t, 1) if abs(t_n) > SMALL * abs(t).max()
+        }  # fmt: skip
+    curve = Curve(
+        "torque", "Inertia torque about the crank over one turn", "crank angle after TDC of cylinder 1, °", "T, N·m",
+        (Series("inertia", np.degrees(epsilon[::2]), whole[::2]),),
+    )  # fmt: skip
+    return {"inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": tuple(complex(t_n) for t_n in t)}, curve
+
+
+def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, flywheel_inertia: float | None) -> dict[str, Any]:
+    """What the gas gives: work, peaks, mean and fluctuation."""
+    epsilon = c.points(cycle, fires)
+    with untraced():
+        of_gas, of_inertia = at(engine, e, cycle, fires, epsilon[:, None])
+        gas_only: Any = of_gas.sum(-1)
+        whole: Any = gas_only + of_inertia.sum(-1)
+        best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
+        T_G_k, _ = at(engine, e, cycle, fires, best)
+    W_i = indicated_work(T_k=of_gas[:, 0], epsilon=epsilon)  # of cylinder 1, whose corners are among the points
+    T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
+    with about("largest gas torque"):
+        peak_gas = amount(T=gas_torque(T_k=T_G_k))
+    best = _angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True)
+    with about("largest torque"):
+        T_G_k, T_I_k = at(engine, e, cycle, fires, best)
+        peak = amount(T=whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k)))
+    Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
+    uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
+    return {
+        "gas_torque_peak": peak_gas, "torque_peak": peak, "torque_peak_angle": best,
+        "compression_end_pressure": cycle.compression_end, "indicated_work": W_i,
+        "indicated_mean_pressure": mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), "mean_torque": T_m,
+        "indicated_power": indicated_power(T_m=T_m, omega=e.angular_speed), "energy_fluctuation": Delta_E,
+        "speed_irregularity": uneven,
+    }  # fmt: skip
+
+
+def _angle_of_peak(
+    engine: "EngineInputs", e: "EngineResult", cycle: Cycle, fires: Any, epsilon: Any, torque: Any, *, inertia: bool
+) -> float:
+    """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one of them."""
+    size = c.amounts(torque)
+    between, _ = c.highest(epsilon, size)
+    with untraced():
+        T_G, T_I = at(engine, e, cycle, fires, between)
+    found = c.amounts(T_G.sum() + (T_I.sum() if inertia else 0.0))
+    return between if found >= size.max() else float(epsilon[size.argmax()])
+
+
+# --- curves -----------------------------------------------------------------------------------------------------------------
+def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
+    epsilon: Any = np.arange(round(cycle.length / DRAWN) + 1) * DRAWN
+    degrees = np.degrees(epsilon)
+    with untraced():
+        T_G, T_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
+        alpha: Any = e.tdc_angle + epsilon
+        beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+        x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+        p = cycle.pressure(epsilon, x)
+    assert result.mean_torque is not None
+    torque = Curve(
+        "torque", "Torque about the crank over the cycle", "crank angle after the firing of cylinder 1, °", "T, N·m",
+        (Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I)),
+        limits=(("mean", result.mean_torque),),
+    )  # fmt: skip
+    pressure = Curve(
+        "pressure", "Pressure in a cylinder over its cycle", "crank angle after its firing, °", "p, bar", (Series("p", degrees, p / 1e5),)
+    )
+    return torque, pressure
