@@ -20,6 +20,8 @@ COMMANDS = {
     "report": "write the PDF calculation report",
     "replay": "run scripted designs and compare with what they expect",
     "set": "edit a design file in place, comments kept",
+    "choose": "search for the user: a ranked table, of which one row can be taken",
+    "sweep": "many designs at once, a row of a CSV table for each",
     "validate": "published reference values beside ours",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -57,6 +59,21 @@ def parser() -> argparse.ArgumentParser:
 
     add["set"].add_argument("file")
     add["set"].add_argument("changes", nargs="+", metavar=KEY_VALUE)
+
+    add["choose"].add_argument("file")
+    add["choose"].add_argument("step", metavar="STEP", help="engine: firing orders")
+    add["choose"].add_argument("--json", action="store_true", help="print one JSON object")
+    add["choose"].add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
+    add["choose"].add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
+
+    add["sweep"].add_argument("file")
+    add["sweep"].add_argument(
+        "--vary", action="extend", nargs="+", required=True, metavar="KEY=LO:HI:N", help="inputs to vary; also KEY=VALUE,VALUE,…"
+    )
+    add["sweep"].add_argument("--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first")
+    add["sweep"].add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
+    add["sweep"].add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
+    add["sweep"].add_argument("-o", "--output", metavar="OUT.csv", help="default: to the terminal")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
 

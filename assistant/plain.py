@@ -115,7 +115,7 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
         "values": {v.id: {"value": _finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
-        "tables": {f"{o.key}.{t.id}": _table(t) for o in shown for t in o.tables},
+        "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
         "checks": [
             {
                 "id": c.id,
@@ -144,7 +144,7 @@ def results_json(document: Document, results: Results, step: str | None = None, 
     }
 
 
-def _table(table: Table) -> dict[str, Any]:
+def table_json(table: Table) -> dict[str, Any]:
     """A table with its cells as they are: words, numbers in the unit of their column, null."""
     return {
         "title": table.title,

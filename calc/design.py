@@ -76,10 +76,9 @@ class Design:
             yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
 
     def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, str]]:
-        from .imbalance.webs import pins_of
-
         pins = sum(body.pin is not None for body in imbalance.crank_bodies)
-        if pins and pins_of(engine, pins) is None:
+        sharing = engine.layout != "inline" and 2 * pins == engine.cylinders
+        if pins and pins != engine.cylinders and not sharing:
             shared = f", or {engine.cylinders // 2} that two cylinders share" if engine.layout != "inline" else ""
             yield "imbalance.crank_bodies", f"have {pins} crankpins; this engine has {engine.cylinders}{shared}"
         if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:

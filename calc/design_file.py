@@ -253,6 +253,11 @@ def address(data: Table, key: str) -> tuple[str | int, ...]:
             found.append(index)
             here = here[index]
             continue
+        if isinstance(here, tuple):  # a list of numbers, by place
+            if not (part.isascii() and part.isdigit() and int(part[:9]) < len(here)) or i + 1 < len(parts):
+                raise _no_such(key, f"has {len(here)} numbers; name one by its place, from 0 to {len(here) - 1}")
+            found.append(int(part))
+            break
         known = keys(cls) if cls is not None else {}
         if part not in known:
             raise _no_such(key, _unknown(part, known) if known else f'"{".".join(parts[:i])}" has no parts')
@@ -260,6 +265,8 @@ def address(data: Table, key: str) -> tuple[str | int, ...]:
         about = known[part].about
         cls = about.table
         here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
+        if about.kind in ("series", "integers") and isinstance(here, list):
+            here = tuple(here)
     if cls is not None:
         raise _no_such(key, "is a table; name one of its keys: " + ", ".join(keys(cls)))
     return tuple(found)

@@ -88,7 +88,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
     e = part("engine", design.engine, engine.solve, design.engine)
     i = part(
         "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, design.countershaft is not None,
-        design.gears.wheels[-1].teeth if design.gears and design.gears.wheels else None, _axis(design), after=(e,),
+        shaft_teeth(design), shaft_axis(design), after=(e,),
     )  # fmt: skip
     first_speed = _first_speed(design)
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
@@ -127,7 +127,12 @@ def _first_speed(design: Design) -> float | None:
     return design.engine.rated_speed if design.engine is not None else None
 
 
-def _axis(design: Design) -> complex | None:
+def shaft_teeth(design: Design) -> int | None:
+    """The teeth of the wheel on the counter-shaft: the last of the train."""
+    return design.gears.wheels[-1].teeth if design.countershaft is not None and design.gears is not None and design.gears.wheels else None
+
+
+def shaft_axis(design: Design) -> complex | None:
     """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
     place = design.countershaft.axis if design.countershaft is not None else None
     return complex(*place) if place is not None else None

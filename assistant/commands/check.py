@@ -14,9 +14,7 @@ from calc.solve import solve
 
 
 def run(asked: Namespace) -> int:
-    keys = [step.key for step in STEPS]
-    if asked.step is not None and asked.step not in keys:
-        raise BadInput("--step", [InputError(0, "", asked.step, "is no step; the steps are " + ", ".join(keys))])
+    known_step(asked.step)
     file, changes = asked.file, list(asked.changes)
     if file is None and changes and "=" not in changes[-1]:
         file = changes.pop()  # `check --set KEY=VALUE FILE`
@@ -31,6 +29,13 @@ def run(asked: Namespace) -> int:
     else:
         print_results(results, asked.step)
     return exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
+
+
+def known_step(step: str | None) -> None:
+    """Raises BadInput where there is no such step."""
+    keys = [known.key for known in STEPS]
+    if step is not None and step not in keys:
+        raise BadInput("--step", [InputError(0, "", step, "is no step; the steps are " + ", ".join(keys))])
 
 
 def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Design]:

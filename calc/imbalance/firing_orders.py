@@ -112,26 +112,29 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
         return {n: order(n, c_n, kappa, engine, many) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
 
 
-def firing_order_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, most: int = 12) -> Table:
-    """The best orders, one row for those that share a crank."""
-    rows: list[tuple[str | float, ...]] = []
-    seen: list[Array] = []
-    found = firing_orders(imbalance, engine, e)
-    for one in found:
-        if seen and np.allclose(seen[-1], one.crank_angles):
-            continue
-        seen.append(one.crank_angles)
-        if len(rows) < most:
-            rows.append((
-                "-".join(map(str, one.order)), crank_words(one.crank_angles), one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2,
-                one.couple_2,
-            ))  # fmt: skip
-    return Table(
-        "firing_orders", "Evenly firing orders, the one that leaves least first",
-        (("order", ""), ("crank angles", "°"), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"), ("C order 2", "N·m")),
-        tuple(rows),
-        f"{len(found)} orders on {len(seen)} different cranks; of each crank the first order by number. Ranked by all forces, and couples over one pitch.",
-    )  # fmt: skip
+COLUMNS = (
+    ("order", ""), ("crank angles", "°"), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"), ("C order 2", "N·m"),
+)  # fmt: skip
+TITLE = "Evenly firing orders, the one that leaves least first"
+RANKED = "Ranked by the forces, and the couples over one pitch, of all orders."
+
+
+def orders_table(found: list[FiringOrder], most: int) -> Table:
+    """The best orders, each with its number in the ranking."""
+    rows = tuple((n, *_row(one)) for n, one in enumerate(found[:most], 1))
+    return Table("firing_orders", TITLE, (("no.", ""), *COLUMNS), rows, f"{len(rows)} of {len(found)} orders. {RANKED}")
+
+
+def cranks_table(found: list[FiringOrder], most: int = 12) -> Table:
+    """The best cranks, each with the first by number of the orders that it can fire in."""
+    cranks = [one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)]
+    note = f"{len(found)} orders on {len(cranks)} different cranks; of each crank the first order by number. {RANKED}"
+    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one) for one in cranks[:most]), note)
+
+
+def _row(one: FiringOrder) -> tuple[str | float, ...]:
+    peaks = one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2, one.couple_2
+    return ("-".join(map(str, one.order)), crank_words(one.crank_angles), *peaks)
 
 
 def crank_words(angles: Array) -> str:

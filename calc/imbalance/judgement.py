@@ -58,10 +58,12 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
         )
     if turns_backward:
         turn = "turn" if " and " in turns_backward else "turns"
-        text = f"Proposed: one shaft at −1 times crank speed{' (as designed)' if shaft else ''}, because {turns_backward} of first order {turn} "
-        text += "backward, and nothing on the crank can take it."
+        done = " (as designed)" if shaft else ""
+        text = f"Proposed: one shaft at −1 times crank speed{done}, because {turns_backward} of first order {turn} backward, "
+        text += "and nothing on the crank can take it."
         if (roll := result.remedy["backward_shaft"].roll_torque_at_100_mm) is not None and F_b > first[0]:
-            text += f" It carries a force: each 100 mm beside the crank's axis cost a roll torque of {short(roll)} N·m; two shafts at ±1 cost none."
+            text += f" It carries a force: each 100 mm beside the crank's axis cost a roll torque of {short(roll)} N·m; "
+            text += "two shafts at ±1 cost none."
         said.append(text)
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     if plus or minus:

@@ -117,7 +117,10 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
         rows.append((remedy.title, needs, *left, remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm))
     return Table(
         "remedies", "Before and after each remedy",
-        (("remedy", ""), ("shafts", ""), ("F order 1", "N"), ("C order 1", "N·m"), ("F order 2", "N"), ("C order 2", "N·m"), ("roll torque", "N·m")),
+        (
+            ("remedy", ""), ("shafts", ""), ("F order 1", "N"), ("C order 1", "N·m"), ("F order 2", "N"), ("C order 2", "N·m"),
+            ("roll torque", "N·m"),
+        ),
         tuple(rows),
         "Peaks over the turn. Shafts by unbalance U (force) and unbalance times arm U·Δz (couple), directions with cylinder 1 at TDC. "
         "Roll torque of a single shaft that carries a force: where its place is not given, 100 mm beside the crank.",

@@ -166,7 +166,8 @@ def remedies(
     """Every remedy that has something to take.
 
     `first` and `second` are the vectors F⁺ F⁻ C⁺ C⁻ of the engine whose rotating masses alone are balanced; `whole` force and couple
-    of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank carries; `axis` where a single shaft stands [m], real up, imaginary to the side, None where not known.
+    of crank counterweights for the whole reciprocating mass; `kappa` the share that the design's crank carries; `axis`
+    where a single shaft stands [m], real up, imaginary to the side, None where not known.
     """
 
     def shaft(i: int, F: Any, C: Any) -> tuple[BalanceShaft | None, Any, Any]:

@@ -13,7 +13,7 @@ from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Radian
 from . import formulas as f
-from .firing_orders import firing_order_table
+from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .judgement import checks, proposals
 from .orders import Order, order
@@ -117,7 +117,7 @@ def solve(
         found = values(imbalance, engine, e, shaft_teeth, axis)
     tables, notes = bob_table(imbalance, engine, e)
     if 2 < engine.cylinders <= LISTED:
-        tables += (firing_order_table(imbalance, engine, e),)
+        tables += (cranks_table(firing_orders(imbalance, engine, e)),)
     return Outcome(
         "imbalance",
         result=found,

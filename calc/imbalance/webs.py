@@ -186,7 +186,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     wanted: Any = None
     if bob is not None:
         crank: Any = e.crank
-        m_b: Any = bob if np.ndim(bob) == 0 else bob[pins_of(engine, len(bob))]
+        m_b: Any = bob if np.ndim(bob) == 0 else bob[_pins(engine, len(bob))]
         with about("pulley and flywheel"):
             M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
             place: dict[str, Any] = dict(M_eq=column(M_eq), m_b=m_b, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
@@ -315,10 +315,6 @@ def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult)
     return (table,), tuple(notes)
 
 
-def pins_of(engine: EngineInputs, count: int) -> Any:
-    """The crankpin, from 0, that each cylinder runs on; None where a crank of so many pins does not fit the engine."""
-    if count == engine.cylinders:
-        return np.arange(count)
-    if engine.layout != "inline" and 2 * count == engine.cylinders:
-        return places(engine)
-    return None
+def _pins(engine: EngineInputs, count: int) -> Any:
+    """The crankpin, from 0, that each cylinder runs on: one each, or one for the cylinders of two banks that stand side by side."""
+    return np.arange(count) if count == engine.cylinders else places(engine)

@@ -205,4 +205,6 @@ def published(result: Any, prefix: str) -> Iterator[Published]:
 
 
 def _published(id: str, about: Described, inside: Any) -> Published:
-    return Published(id, UNITS[about.unit].shown(float(inside)), about.unit, about.label, about.symbol, inside)
+    unit = UNITS[about.unit]
+    shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))  # an array: many designs at once
+    return Published(id, shown, about.unit, about.label, about.symbol, inside)

@@ -14,19 +14,10 @@ from calc.engine.solve import solve as solve_engine
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.imbalance.solve import solve as solve_imbalance
 
+from .engines import R753, solved
+from .test_properties import motion
+
 ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
-R753 = dict(
-    name="R753IE4", layout="inline", cylinders=3, strokes=4, bore=0.094, crank_radius=0.0535, rod_length=0.163, cylinder_pitch=0.112,
-    firing_order=(1, 3, 2), piston_mass=1.178, rod_mass=1.015, rod_cg_to_big_end=0.05, crankpin_bearing_mass=0.055, rated_speed=2600 / 60,
-)  # fmt: skip
-
-
-def solved(imbalance=None, **changes):
-    engine = EngineInputs(**{**R753, **changes})
-    assert list(engine.problems()) == []
-    found = solve_engine(engine).result
-    return engine, found, solve_imbalance(imbalance or ImbalanceInputs(), engine, found).result
-
 
 @pytest.mark.parametrize("row", ROWS, ids=[r["engine"] for r in ROWS])
 def test_published_engine(row):
@@ -43,6 +34,24 @@ def test_published_engine(row):
         found = [abs(order.force_forward) / unit, abs(order.force_backward) / unit]
         found += [abs(order.couple_forward) / unit / 0.112, abs(order.couple_backward) / unit / 0.112]
         assert found == pytest.approx(row[name], abs=1e-4)
+
+
+@pytest.mark.parametrize("row", ROWS, ids=[r["engine"] for r in ROWS])
+def test_published_engine_in_phase(row):
+    """Modulus and phase of the same engines against the Fourier coefficients of their exact motion."""
+    if "phi" not in row:
+        pytest.skip("given by its firing order")
+    n = len(row["z"])
+    engine, e, i = solved(
+        ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=n, firing_order=None, bank_of_cylinder=tuple(row["bank"]),
+        axial_positions=tuple(0.112 * z for z in row["z"]), crank_angles=tuple(math.radians(p) for p in row["phi"]),
+        bank_angle=math.radians(row.get("bank_angle", 180 if row.get("layout") == "boxer" else 0)),
+    )  # fmt: skip
+    force, couple = motion(engine, e, np.arange(256) * 2 * np.pi / 256)
+    F, C = np.fft.fft(force) / 256, np.fft.fft(couple) / 256
+    for order in (1, 2):
+        expected = [F[order], F[-order], C[order], C[-order]]
+        assert np.abs(np.array(i.orders[f"order_{order}"].vectors) - expected).max() < 1e-10 * i.one_force
 
 
 @pytest.mark.parametrize("fraction, forward, vertical, horizontal", [

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
+
+import json
+from argparse import Namespace
+from pathlib import Path
+
+from assistant.commands.check import changed
+from assistant.plain import print_summary, table_json, table_lines
+from assistant.saving import edited_text, write_atomic
+from calc.design_file import Document, design, read
+from calc.engine import solve as engine
+from calc.imbalance.firing_orders import FiringOrder, crank_words, firing_orders, orders_table
+from calc.imbalance.inputs import ImbalanceInputs
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.solve import solve
+
+CHOICES = {"engine": "firing orders, the one that leaves least first"}
+
+
+def run(asked: Namespace) -> int:
+    if asked.step not in CHOICES:
+        known = ", ".join(f"{step} ({what})" for step, what in CHOICES.items())
+        raise BadInput(
+            "contralbero choose", [InputError(0, "STEP", asked.step, f"there is nothing to choose here yet; there is for {known}")]
+        )
+    document = read(asked.file)
+    made = design(document)
+    if made.engine is None:
+        raise BadInput(asked.file, [InputError(0, "engine", "", "needed: firing orders belong to an engine")])
+    try:
+        found = firing_orders(made.imbalance or ImbalanceInputs(), made.engine, engine.values(made.engine))
+    except NoSolution as none:
+        raise BadInput(asked.file, [InputError(document.lines.get("engine.cylinders", 0), "engine.cylinders", "", str(none))]) from None
+    if asked.apply is not None:
+        return _apply(document, Path(asked.file), found, asked.apply)
+    table = orders_table(found, asked.top)
+    if asked.json:
+        print(json.dumps({"schema": 1, "step": "engine", **table_json(table)}, ensure_ascii=False, indent=1))
+        return 0
+    print("\n".join(table_lines(table)))
+    print("\n`--apply N` writes the N-th order into the design; `--top N` shows more.")
+    return 0
+
+
+def _apply(document: Document, path: Path, found: list[FiringOrder], number: int) -> int:
+    if not 1 <= number <= len(found):
+        raise BadInput("--apply", [InputError(0, "", str(number), f"must be a row of the table, from 1 to {len(found)}")])
+    one = found[number - 1]
+    changes = [f"engine.firing_order={list(one.order)}", "engine.crank_angles_deg="]
+    _, made = changed(document, changes)
+    text = edited_text(document.raw.decode("utf-8"), {"engine.firing_order": list(one.order), "engine.crank_angles_deg": None})
+    try:
+        write_atomic(path, text.encode("utf-8"))
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+    print_summary(solve(made))
+    print(
+        f"\n{path} now fires {'-'.join(map(str, one.order))} (crank angles {crank_words(one.crank_angles)}°); as it was before: {path}.bak"
+    )
+    return 0

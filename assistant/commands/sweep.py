@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero sweep`: many designs at once, a row of a CSV table for each."""
+
+import sys
+from argparse import Namespace
+from collections import Counter
+from pathlib import Path
+
+from assistant.commands.check import changed, known_step
+from assistant.plain import sign
+from assistant.saving import write_atomic
+from calc.design_file import read
+from calc.sheet.check import ORDER
+from calc.sheet.errors import BadInput, InputError
+from calc.sweep import sweep, varied
+
+
+def run(asked: Namespace) -> int:
+    known_step(asked.step)
+    document, _ = changed(read(asked.file), asked.changes)
+    swept = sweep(document, varied(document, asked.vary), asked.step, asked.values)
+    counts = Counter(swept.verdicts)
+    summary = f"{len(swept.rows)} designs: " + ", ".join(f"{counts[v]} {sign(v)}" for v in ORDER if counts[v])
+    if asked.output is None:
+        swept.write(sys.stdout)
+        print(summary, file=sys.stderr)
+        return 0
+    from io import StringIO
+
+    path = Path(asked.output)
+    text = StringIO()
+    swept.write(text)
+    try:
+        write_atomic(path, text.getvalue().encode("utf-8"))
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+    print(f"{summary}\n{path}: {len(swept.header)} columns")
+    return 0

@@ -1,0 +1,134 @@
+"""Firing orders from cranks, cranks from firing orders, and all orders of a layout."""
+
+import math
+
+import numpy as np
+import pytest
+
+from calc.engine import solve as engine
+from calc.engine.crank import crank, firing
+from calc.engine.firing import evenest, in_order
+from calc.engine.inputs import EngineInputs
+from calc.imbalance.firing_orders import firing_orders
+from calc.imbalance.inputs import ImbalanceInputs
+from calc.sheet.errors import NoSolution
+
+from ..imbalance.engines import R753, solved
+
+
+def fired(**changes):
+    inputs = EngineInputs(**{**R753, **changes})
+    assert list(inputs.problems()) == []
+    return firing(inputs, crank(inputs, 0.0))
+
+
+def angles(*degrees):
+    return tuple(map(math.radians, degrees))
+
+
+@pytest.mark.parametrize("changes, order, intervals", [
+    (dict(crank_angles=angles(0, 240, 120), firing_order=None), (1, 3, 2), (240, 240, 240)),
+    (dict(crank_angles=angles(0, 120, 240), firing_order=None), (1, 2, 3), (240, 240, 240)),
+    (dict(cylinders=1, firing_order=None), (1,), (720,)),
+    (dict(cylinders=2, firing_order=None), (1, 2), (360, 360)),
+    (dict(cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (180, 540)),
+    (dict(cylinders=4, firing_order=None, crank_angles=angles(0, 180, 180, 0)), (1, 3, 4, 2), (180, 180, 180, 180)),
+    (dict(cylinders=6, firing_order=None, crank_angles=angles(0, 240, 120, 120, 240, 0)), (1, 5, 3, 6, 2, 4), (120,) * 6),
+    (dict(cylinders=3, strokes=2, firing_order=(1, 3, 2)), (1, 3, 2), (120, 120, 120)),
+    (dict(cylinders=4, firing_order=(1, 3, 2, 4), crank_angles=angles(0, 270, 90, 180)), (1, 3, 2, 4), (270, 180, 90, 180)),
+    (dict(layout="vee", cylinders=2, bank_angle=math.radians(45), firing_order=None, crank_angles=(0.0, 0.0)), (1, 2), (405, 315)),
+    (dict(layout="boxer", cylinders=2, firing_order=None, crank_angles=angles(0, 180)), (1, 2), (360, 360)),
+])  # fmt: skip
+def test_a_crank_fires(changes, order, intervals):
+    found = fired(**changes)
+    assert found.order == order
+    assert np.degrees(found.intervals) == pytest.approx(intervals)
+
+
+@pytest.mark.parametrize("cylinders, strokes", [(3, 4), (5, 4), (6, 4), (4, 4), (3, 2), (5, 2), (7, 4)])
+def test_an_order_gives_a_crank_that_fires_in_it(cylinders, strokes):
+    """There and back: the crank of every order allows that order, evenly; four strokes on an even crank allow others as well."""
+    from itertools import islice, permutations
+
+    for rest in islice(permutations(range(2, cylinders + 1)), 60):
+        order = (1, *rest)
+        inputs = EngineInputs(**{**R753, "cylinders": cylinders, "strokes": strokes, "firing_order": order})
+        throws = crank(inputs, 0.0)
+        found = in_order(throws.phi, throws.psi, strokes, order)
+        assert found is not None and np.ptp(found.intervals) < 1e-9
+        allowed = [f.order for f in evenest(throws.phi, throws.psi, strokes)]
+        assert order in allowed
+        assert len(allowed) == (2 ** (cylinders // 2 - 1) if strokes == 4 and cylinders % 2 == 0 else 1)
+
+
+def test_an_order_may_begin_anywhere():
+    assert fired(firing_order=(3, 2, 1)).order == (1, 3, 2)
+    assert solved(firing_order=(3, 2, 1))[2].orders["order_1"].vectors == pytest.approx(solved()[2].orders["order_1"].vectors)
+
+
+def test_an_order_that_a_crank_can_not_fire_is_named():
+    """The five's crank of 1-2-4-5-3 would need 1080° for the order turned round."""
+    inputs = EngineInputs(**{**R753, "cylinders": 5, "crank_angles": angles(0, -144, -576, -288, -432), "firing_order": (1, 3, 5, 4, 2)})
+    ((key, reason),) = inputs.problems()
+    assert key == "firing_order" and "1-2-4-5-3" in reason
+
+
+def test_a_four_stroke_crank_may_fire_in_another_order_unevenly():
+    found = fired(crank_angles=angles(0, 240, 120), firing_order=(1, 2, 3))
+    assert np.degrees(found.intervals) == pytest.approx((120, 120, 480))
+
+
+@pytest.mark.parametrize("crank_angles, verdict", [(angles(0, 240, 120), "pass"), (angles(0, 230, 120), "warn"), (angles(0, 239.5, 120), "pass")])
+def test_uneven_firing_is_a_warning(crank_angles, verdict):
+    outcome = engine.solve(EngineInputs(**{**R753, "crank_angles": crank_angles, "firing_order": None}))
+    assert {c.id: c.verdict for c in outcome.checks}["engine.firing.even"] == verdict
+
+
+@pytest.mark.parametrize("cylinders, count", [(1, 1), (2, 1), (3, 2), (4, 6), (5, 24), (6, 120), (8, 5040)])
+def test_all_orders_are_listed_the_best_first(cylinders, count):
+    inputs, e, _ = solved(cylinders=cylinders, firing_order=tuple(range(1, cylinders + 1)))
+    found = firing_orders(ImbalanceInputs(), inputs, e)
+    assert len({one.order for one in found}) == len(found) == count
+    left = [one.left for one in found]
+    assert left == sorted(left) or max(b - a for a, b in zip(left[1:], left)) < 1e-4 * max(left)
+
+
+def test_a_listed_order_leaves_what_the_engine_with_it_leaves():
+    inputs, e, _ = solved(cylinders=5, firing_order=(1, 2, 3, 4, 5))
+    for one in firing_orders(ImbalanceInputs(), inputs, e)[::5]:
+        orders = solved(cylinders=5, firing_order=one.order)[2].orders
+        assert one.couple_1_backward == pytest.approx(orders["order_1"].couple_backward, abs=1e-9)
+        assert one.couple_2 == pytest.approx(orders["order_2"].couple_peak, abs=1e-9)
+
+
+def test_the_usual_orders_are_among_the_best():
+    """1-3-4-2 leaves no more than any other four; of the five, 1-2-4-5-3 leaves the least first-order couple."""
+    inputs, e, _ = solved(cylinders=4, firing_order=(1, 2, 3, 4))
+    found = {one.order: one.left for one in firing_orders(ImbalanceInputs(), inputs, e)}
+    assert found[1, 3, 4, 2] == pytest.approx(min(found.values()))
+    inputs, e, _ = solved(cylinders=5, firing_order=(1, 2, 3, 4, 5))
+    five = firing_orders(ImbalanceInputs(), inputs, e)
+    usual = next(one for one in five if one.order == (1, 2, 4, 5, 3))
+    assert usual.couple_1_backward == pytest.approx(min(one.couple_1_backward for one in five))
+
+
+@pytest.mark.parametrize("cylinders, left", [(10, 0.0), (12, 0.0)])
+def test_long_engines_find_a_crank_that_leaves_no_low_order(cylinders, left):
+    inputs, e, _ = solved(cylinders=cylinders, firing_order=None)
+    best = firing_orders(ImbalanceInputs(), inputs, e)[0]
+    assert best.couple_1_backward == pytest.approx(left, abs=1e-6) and best.couple_2 == pytest.approx(left, abs=1e-6)
+
+
+def test_more_cylinders_than_can_be_listed_are_refused():
+    inputs, e, _ = solved(
+        layout="vee", cylinders=12, bank_angle=math.radians(60), firing_order=(1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10),
+        bank_of_cylinder=(0,) * 6 + (1,) * 6,
+    )  # fmt: skip
+    with pytest.raises(NoSolution, match="up to 9 cylinders"):
+        firing_orders(ImbalanceInputs(), inputs, e)
+
+
+@pytest.mark.parametrize("cylinders", range(1, 13))
+def test_every_inline_engine_has_an_order_without_being_asked(cylinders):
+    found = fired(cylinders=cylinders, firing_order=None)
+    assert np.ptp(found.intervals) < 1e-9

@@ -1,0 +1,129 @@
+"""The crank of the R753IE4 on the balancing machine (Finotti 2013, 2.6), and cranks of other throws."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from calc.design_file import design, read
+from calc.imbalance.inputs import CrankBody, ImbalanceInputs, Unbalance
+from calc.imbalance.solve import solve
+
+from .engines import solved
+
+GAMMA = design(read(Path(__file__).parents[3] / "designs" / "r753ie4_gamma.toml"))
+
+
+def webs(**changes):
+    return solved(replace(GAMMA.imbalance, **changes))[2].webs
+
+
+def test_the_bare_crank():
+    """S (0.337, −0.717) kg·mm; C (−44.13, 4430.98) kg·mm², z towards the flywheel; 328.5 N·m at 2600 rpm."""
+    bare = webs().crank["bare"]
+    assert (bare.unbalance_up * 1e3, bare.unbalance_side * 1e3) == pytest.approx((0.337, -0.717), abs=5e-4)
+    assert (bare.product_up * 1e6, bare.product_side * 1e6) == pytest.approx((-44.13, 4430.98), abs=5e-3)
+    assert bare.couple == pytest.approx(328.5, abs=0.05)
+
+
+def test_the_crank_with_the_bobs_as_stated():
+    """427.4 g on every pin: S (0.337, −0.6617), C (−54.659, 0.719); 0.096 N·m on the machine, 4.05 at rated speed."""
+    stated = webs().crank["stated"]
+    assert (stated.unbalance_up * 1e3, stated.unbalance_side * 1e3) == pytest.approx((0.337, -0.6617), abs=5e-4)
+    assert (stated.product_up * 1e6, stated.product_side * 1e6) == pytest.approx((-54.659, 0.719), abs=5e-4)
+    assert stated.couple_on_machine == pytest.approx(0.096, abs=5e-4)
+    assert stated.couple == pytest.approx(4.05, abs=5e-3)
+
+
+def test_equal_bobs_of_427_grams():
+    found = webs()
+    assert [bob.number * 1e3 for bob in found.bob_mass.values()] == pytest.approx([427.469] * 3, abs=5e-4)
+    assert found.crank["balanced"].product_side == 0
+
+
+def test_bobs_per_pin_take_the_whole_couple_and_keep_the_middle_one():
+    found = webs(bob_mode="per_pin")
+    assert found.bob_mass["2"].number == pytest.approx(webs().bob_mass["2"].number)
+    assert found.crank["balanced"].couple < 1e-9
+    assert found.bob_mass["1"].number > found.bob_mass["3"].number
+
+
+def test_least_squares_are_least():
+    """No change of a bob lowers S² + C²/a²."""
+    found = webs(bob_mode="least_squares")
+    a = 0.112
+
+    def badness(state):
+        return state.unbalance_up**2 + state.unbalance_side**2 + (state.product_up**2 + state.product_side**2) / a**2
+
+    best = badness(found.crank["balanced"])
+    assert best <= min(badness(webs(bob_mode=mode).crank["balanced"]) for mode in ("equal", "per_pin"))
+    bobs = [bob.number for bob in found.bob_mass.values()]
+    bodies = GAMMA.imbalance.crank_bodies
+    pins = [next(b for b in bodies if b.pin == j) for j in (1, 2, 3)]
+    for j in range(3):
+        for change in (-1e-4, 1e-4):
+            tried = [bob + change * (k == j) for k, bob in enumerate(bobs)]
+            S = sum(b.mass * complex(b.x, b.y) for b in bodies) + sum(m * complex(b.x, b.y) for m, b in zip(tried, pins))
+            C = sum(b.mass * complex(b.x, b.y) * b.z for b in bodies) + sum(m * complex(b.x, b.y) * b.z for m, b in zip(tried, pins))
+            assert abs(S) ** 2 + abs(C) ** 2 / a**2 > best
+
+
+def test_what_pulley_and_flywheel_must_supply():
+    """(1503.3 − 427.4) g on every pin: 827.8 N·m at 2600 rpm."""
+    found = webs()
+    assert found.equivalent_mass * 1e3 == pytest.approx(1503.325, abs=5e-4)
+    assert found.missing_forward_couple == pytest.approx(827.8, abs=0.05)
+    assert found.missing_forward_force == pytest.approx(0, abs=1e-9)
+
+
+def test_given_unbalances_supply_it():
+    """A pulley and a flywheel of opposite unbalance, in the direction that is asked for, leave nothing."""
+    wanted = webs()
+    U, arm = wanted.missing_forward_couple / solved()[1].angular_speed ** 2 / 0.5, 0.25
+    given = (
+        Unbalance(name="pulley", unbalance=U, angle=wanted.missing_forward_couple_phase + math.pi, z=-arm),
+        Unbalance(name="flywheel", unbalance=U, angle=wanted.missing_forward_couple_phase, z=arm),
+    )
+    found = webs(unbalances=given)
+    assert found.unbalances_couple == pytest.approx(wanted.missing_forward_couple)
+    assert found.unbalances_force == pytest.approx(0, abs=1e-9)
+    assert found.unbalances_couple_left == pytest.approx(0, abs=1e-9)
+    assert solved(replace(GAMMA.imbalance, unbalances=given))[2].orders["order_1"].vectors == solved()[2].orders["order_1"].vectors
+
+
+def planar(cylinders=4):
+    """A flat four of pins and webs whose webs balance bobs of 0.4 kg."""
+    side = (1, -1, -1, 1)
+    z = [0.1 * (k - 1.5) for k in range(4)]
+    pins = [CrankBody(name=f"pin-{k + 1}", mass=0.5, x=0.05 * side[k], y=0.0, z=z[k], pin=k + 1) for k in range(4)]
+    webs_ = [CrankBody(name=f"web-{k + 1}", mass=0.9, x=-0.05 * side[k], y=0.0, z=z[k]) for k in range(4)]
+    return (*pins, *webs_)
+
+
+def test_a_planar_crank_is_balanced_by_least_squares():
+    """Equal bobs have no couple across the throw: said, and solved all the same."""
+    inputs, e, _ = solved(cylinders=4, firing_order=(1, 3, 4, 2))
+    outcome = solve(ImbalanceInputs(crank_bodies=planar()), inputs, e)
+    state = outcome.result.webs.crank["balanced"]
+    assert abs(state.unbalance) < 1e-12 and state.couple < 1e-6
+    assert any("least squares" in note for note in outcome.notes)
+
+
+@pytest.mark.parametrize("changes, key", [
+    (dict(crank_bodies=(CrankBody(name="web", mass=1.0, x=0.0, y=0.0, z=0.0),)), "crank_bodies"),
+    (dict(crank_bodies=(CrankBody(name="pin", mass=1.0, x=0.0, y=0.0, z=0.0, pin=2),)), "crank_bodies"),
+    (dict(counterweight_span=0.3), "counterweight_radius_mm"), (dict(counterweight_radius=0.3), "counterweight_span_mm"),
+])  # fmt: skip
+def test_what_makes_no_sense_is_named(changes, key):
+    assert key in [k for k, _ in ImbalanceInputs(**changes).problems()]
+
+
+def test_the_bodies_of_many_speeds_at_once():
+    _inputs, _e, _ = solved()
+    speeds = np.array([10.0, 20.0, 40.0])
+    many = solved(GAMMA.imbalance, rated_speed=speeds)[2].webs
+    assert many.crank["bare"].couple == pytest.approx(webs().crank["bare"].couple * (speeds * 60 / 2600) ** 2)
+    assert many.missing_forward_couple.shape == (3,)

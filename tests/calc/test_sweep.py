@@ -1,0 +1,95 @@
+"""Many designs at once: the grid, the columns, and that the two ways of computing give the same."""
+
+import csv
+import io
+from pathlib import Path
+
+import pytest
+
+from calc.design_file import design, read
+from calc.sheet.errors import BadInput
+from calc.solve import solve
+from calc.sweep import _each, _together, _vectorised, sweep, varied
+
+GAMMA = read(Path(__file__).parents[2] / "designs" / "r753ie4_gamma.toml")
+
+
+def test_the_grid_runs_over_every_combination_the_last_input_fastest():
+    swept = sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000:2000:3", "imbalance.crank_balance_fraction=0,0.5"]), "imbalance")
+    assert swept.header[:2] == ("engine.rated_speed_rpm", "imbalance.crank_balance_fraction")
+    assert [tuple(row[:2]) for row in swept.rows] == [(n, k) for n in (1000.0, 1500.0, 2000.0) for k in (0.0, 0.5)]
+
+
+@pytest.mark.parametrize("texts", [
+    ["engine.rated_speed_rpm=800:2600:3", "engine.rod_length_mm=140,170"], ["engine.cylinder_offset_mm=-5:5:3", "engine.piston_mass_g=900,1300"],
+    ["imbalance.crank_balance_fraction=0:1:3"], ["engine.crank_radius_mm=40,60", "engine.rod_cg_to_big_end_mm=40:60:3"],
+])  # fmt: skip
+def test_together_and_one_by_one_give_the_same(texts):
+    """The call on arrays, and a solution for every design: same columns, same numbers, same verdicts."""
+    inputs = varied(GAMMA, texts)
+    base = design(GAMMA)
+    assert _vectorised(base, inputs, "imbalance")
+    import itertools
+
+    grid = list(itertools.product(*(v.values for v in inputs)))
+    together = list(_together(GAMMA, base, inputs, grid))
+    alone = list(_each(GAMMA, inputs, grid, "imbalance"))
+    for (values, verdicts), (expected, judged) in zip(together, alone, strict=True):
+        assert verdicts == judged
+        largest = max(abs(number) for number, _ in expected.values())
+        for id, (number, unit) in expected.items():
+            if id.endswith("_phase") or id.endswith("_axis"):
+                continue  # of a vector of next to no length the direction is anything
+            assert values[id][1] == unit
+            assert values[id][0] == pytest.approx(number, rel=1e-9, abs=1e-12 * largest), id
+
+
+def test_a_row_is_what_the_design_gives():
+    swept = sweep(GAMMA, varied(GAMMA, ["bearings.front.length_mm=27.5,34"]), "bearings", ["bearings.front.film"])
+    for length, film, verdict in swept.rows:
+        results = solve(design(GAMMA.with_value("bearings.front.length_mm", length)))
+        assert film == results.values()["bearings.front.film"].shown
+        assert verdict == results.outcomes["bearings"].verdict
+
+
+def test_it_is_written_as_csv():
+    text = io.StringIO()
+    sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=2000,2600"]), "imbalance", ["imbalance.required_couple"]).write(text)
+    rows = list(csv.reader(text.getvalue().splitlines()))
+    assert rows[0] == ["engine.rated_speed_rpm", "imbalance.required_couple [N·m]", "verdict.imbalance"]
+    assert float(rows[2][1]) == pytest.approx(572.932, abs=5e-4)
+
+
+def test_elements_of_a_list_of_numbers_can_be_varied():
+    swept = sweep(GAMMA, varied(GAMMA, ["countershaft.bearing_positions_mm.1=160,167.5"]), "countershaft", ["countershaft.reaction_rear"])
+    assert swept.rows[0][1] > swept.rows[1][1]
+
+
+@pytest.mark.parametrize("text, reason", [
+    ("engine.rated_speed_rpm", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_sped_rpm=1:2:3", "did you mean"), ("engine.cylinders=3:4:3", "whole numbers"),
+    ("engine.rated_speed_rpm=1000:2000", "LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1000:2000:2.5", "whole NUMBER"),
+    ("engine.rated_speed_rpm=a:b:3", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1:2:99999999", "at most"),
+    ("engine.rated_speed_rpm=1000:2000:1", "one value"), ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
+])  # fmt: skip
+def test_what_can_not_be_varied_is_named(text, reason):
+    with pytest.raises(BadInput, match=reason):
+        varied(GAMMA, [text])
+
+
+def test_all_that_is_wrong_is_named_at_once():
+    with pytest.raises(BadInput) as bad:
+        varied(GAMMA, ["engine.rated_sped_rpm=1:2:3", "engine.bore_mm", "engine.rated_speed_rpm=1:2:0"])
+    assert len(bad.value.errors) == 3
+
+
+@pytest.mark.parametrize("step", ["imbalance", "countershaft"])
+def test_a_combination_that_is_no_engine_is_named_before_anything_is_solved(step):
+    with pytest.raises(BadInput, match="the crank could not turn"):
+        sweep(GAMMA, varied(GAMMA, ["engine.crank_radius_mm=60,140", "engine.rod_length_mm=100:180:3"]), step)
+    with pytest.raises(BadInput, match="must be a number from 1 to 30000"):
+        sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000,99999"]), step)
+
+
+def test_an_unknown_value_is_named():
+    with pytest.raises(BadInput, match="did you mean"):
+        sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000,2000"]), "imbalance", ["imbalance.required_coupl"])
