@@ -86,6 +86,8 @@ class Design:
 
     def _names(self) -> Iterable[tuple[str, Any, Any]]:
         known_oils, solids = self.oils, self.materials
+        if self.engine is not None and self.engine.throw is not None:
+            yield "engine.throw.material", self.engine.throw.material, solids
         if self.countershaft is not None:
             yield "countershaft.material", self.countershaft.material, solids
         if self.bearings is not None:

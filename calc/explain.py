@@ -74,11 +74,14 @@ def _named(design: Design) -> Iterator[tuple[int, str]]:
     oils, materials = design.oils, design.materials
     for step in design.asked():
         inputs = getattr(design, step.key)
+        if step.key == "engine" and inputs.throw is not None and (known := materials.get(inputs.throw.material)) is not None:
+            yield id(known.proof_stress), f"engine.throw.material ({known.name})"
         for attribute in ("oil", "material", "housing_material"):
             name = getattr(inputs, attribute, None)
             known = oils.get(name) if attribute == "oil" else materials.get(name)  # type: ignore[arg-type]
             for f in fields(known) if known is not None else ():
-                yield id(getattr(known, f.name)), f"{step.key}.{attribute} ({name})"
+                if isinstance(number := getattr(known, f.name), float):
+                    yield id(number), f"{step.key}.{attribute} ({name})"
 
 
 def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:

@@ -85,7 +85,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
     part = _Parts(before)
     oils, materials = design.oils, design.materials
 
-    e = part("engine", design.engine, engine.solve, design.engine)
+    e = part("engine", design.engine, engine.solve, design.engine, materials)
     i = part(
         "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, design.countershaft is not None,
         shaft_teeth(design), shaft_axis(design), after=(e,),

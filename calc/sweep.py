@@ -179,7 +179,8 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
                 errors += [InputError(0, f"--vary {v.key}", e.value, e.reason) for e in bad.errors if e.key == v.key]
     _raise(document, errors)
     for k, at in enumerate(grid):
-        one = replace(base.engine, **{name: float(column[k]) for name, column in changed["engine"].items()})
+        numbers: dict[str, Any] = {name: float(column[k]) for name, column in changed["engine"].items()}
+        one = replace(base.engine, **numbers)
         errors += [InputError(0, f"{_words(inputs, at)}: engine.{key}", "", reason) for key, reason in one.problems()]
     _raise(document, errors)
     engines = replace(base.engine, **changed["engine"])

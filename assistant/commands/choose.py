@@ -29,7 +29,7 @@ def run(asked: Namespace) -> int:
     if made.engine is None:
         raise BadInput(asked.file, [InputError(0, "engine", "", "needed: firing orders belong to an engine")])
     try:
-        found = firing_orders(made.imbalance or ImbalanceInputs(), made.engine, engine.values(made.engine))
+        found = firing_orders(made.imbalance or ImbalanceInputs(unbalances=(), crank_bodies=()), made.engine, engine.values(made.engine))
     except NoSolution as none:
         raise BadInput(asked.file, [InputError(document.lines.get("engine.cylinders", 0), "engine.cylinders", "", str(none))]) from None
     if asked.apply is not None:

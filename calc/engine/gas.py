@@ -101,10 +101,11 @@ def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, str]]:
     if length < 4 * pi and any(True for _ in _doubled(gas, 4 * pi)):
         return
     order = sorted((point.angle % length, i) for i, point in enumerate(gas.pressure))
+    pressure = [point.pressure for point in gas.pressure]
     for (here, one), (there, other) in zip(order, [*order[1:], *((a + length, i) for a, i in order[:1])]):
-        if there - here < SAME_ANGLE and one != other:
+        if there - here < SAME_ANGLE and one != other and pressure[one] != pressure[other]:  # a closed cycle ends as it began
             first, second = sorted((one, other))
             yield (
                 f"pressure.{second}.angle_deg",
-                f"is the angle of point {first} too, {length / pi * 180:g}° being one cycle; every point needs its own",
+                f"is the angle of point {first} too, {length / pi * 180:g}° being one cycle; give one pressure for it",
             )

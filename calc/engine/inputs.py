@@ -4,7 +4,9 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ..sheet.quantity import choice, inputs, integer, integers, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, integer, integers, quantity, series, table, tables, text
+from .gas import GasInputs, cycle_problems
+from .throw_inputs import ThrowInputs
 
 USUAL_ORDERS = {
     1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4), 7: (1, 2, 4, 6, 7, 5, 3),
@@ -95,7 +97,13 @@ class EngineInputs:
     rated_speed: float = quantity(
         "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
     )
+    flywheel_inertia: float | None = quantity(
+        "Inertia of the flywheel", "kg·m²", optional=True, above=0, high=1e5, symbol="J", help="With the gas: the speed irregularity."
+    )
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
+
+    gas: GasInputs | None = table("Gas", GasInputs, optional=True, help="Pressure in the cylinders: torque over the cycle.")
+    throw: ThrowInputs | None = table("Crank throw", ThrowInputs, optional=True, help="Pin, journal and web: stresses of the crank.")
 
     def problems(self) -> Iterable[tuple[str, str]]:
         """What no single field can show: (key, reason)."""
@@ -104,6 +112,8 @@ class EngineInputs:
             return
         if self.strokes == 3:
             yield "strokes", "must be 2 or 4"
+        if self.gas is not None:
+            yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         for key, given in (
             ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles),
             ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),

@@ -16,6 +16,7 @@ from ..sheet.step import Curve, Outcome, Series
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond
 from . import formulas as f
+from . import torque
 from .crank import Crank, column, crank, firing
 from .firing import Firing
 from .inputs import EngineInputs
@@ -119,14 +120,27 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
     """One engine: what `values` gives, when it fires, and the torque about its crank."""
     with trace() as lines:
         e = values(engine)
-    fires = firing(engine, e.crank)
+        fires = firing(engine, e.crank)
+        with about("torque"):
+            turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
+        stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
         e, firing_interval=engine.strokes * math.pi / engine.cylinders, firing_interval_shortest=float(fires.intervals.min()),
-        firing_interval_longest=float(fires.intervals.max()),
+        firing_interval_longest=float(fires.intervals.max()), torque=turning, throw=stressed,
     )  # fmt: skip
     return Outcome(
-        "engine", result=e, checks=_checks(e), lines=tuple(lines), curves=(_acceleration(engine, e),), notes=_notes(engine, e, fires)
-    )
+        "engine", result=e, checks=(*_checks(e), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves), tables=tables,
+        notes=(*_notes(engine, e, fires), *notes, *more),
+    )  # fmt: skip
+
+
+def _throw(engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque.TorqueResult, materials: Mapping[str, Material]) -> Any:
+    """Stresses of a crank throw, where one is described."""
+    if engine.throw is None:
+        return None, (), (), ()
+    from . import throw
+
+    return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 
 def _checks(e: EngineResult) -> tuple[Check, ...]:

@@ -43,11 +43,11 @@ class TorqueResult:
     torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
     torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)
     compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
-    indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle (N·m = J)", "N·m", "W_i", default=None)
+    indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle", "J", "W_i", default=None)
     indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
     mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
     indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
-    energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle (N·m = J)", "N·m", "ΔE", default=None)
+    energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
     speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
     harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
     cycle: Cycle | None  # the gas of a cylinder, for the crank throw
