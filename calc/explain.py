@@ -74,8 +74,8 @@ def _named(design: Design) -> Iterator[tuple[int, str]]:
     oils, materials = design.oils, design.materials
     for step in design.asked():
         inputs = getattr(design, step.key)
-        if step.key == "engine" and inputs.throw is not None and (known := materials.get(inputs.throw.material)) is not None:
-            yield id(known.proof_stress), f"engine.throw.material ({known.name})"
+        if step.key == "engine" and inputs.throw is not None and (steel := materials.get(inputs.throw.material)) is not None:
+            yield id(steel.proof_stress), f"engine.throw.material ({steel.name})"
         for attribute in ("oil", "material", "housing_material"):
             name = getattr(inputs, attribute, None)
             known = oils.get(name) if attribute == "oil" else materials.get(name)  # type: ignore[arg-type]

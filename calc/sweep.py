@@ -15,8 +15,10 @@ import numpy as np
 from .design import Design
 from .design_file import Document, address, design, quantity_of
 from .engine import solve as engine
+from .engine.inputs import EngineInputs
 from .imbalance import judgement
 from .imbalance import solve as imbalance
+from .imbalance.inputs import ImbalanceInputs
 from .sheet.check import worst
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import keys, published
@@ -105,7 +107,7 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     grid = list(product(*(v.values for v in inputs)))
     base = design(document)
     rows = _together(document, base, inputs, grid) if _vectorised(base, inputs, step) else _each(document, inputs, grid, step)
-    names: dict[str, str] = {}
+    names: dict[str, None] = {}
     units: dict[str, str] = {}
     filled: list[tuple[dict[str, Any], dict[str, str]]] = []
     for values, verdicts in rows:
@@ -154,7 +156,7 @@ def _vectorised(base: Design, inputs: Sequence[Varied], step: str | None) -> boo
     """Whether all rows can be computed in one call: the imbalance step alone, over plain numbers of engine and crank."""
     if step != "imbalance" or base.engine is None or base.imbalance is None:
         return False
-    plain = {f"engine.{k}" for k, about in keys(type(base.engine)).items() if about.about.kind == "number"} | {
+    plain = {f"engine.{k}" for k, about in keys(EngineInputs).items() if about.about.kind == "number"} | {
         "imbalance.crank_balance_fraction"
     }
     if base.imbalance.crank_bodies:
@@ -168,7 +170,7 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
     changed: dict[str, dict[str, Any]] = {"engine": {}, "imbalance": {}}
     for i, v in enumerate(inputs):
         table, key = address(document.data, v.key)
-        about = keys(type(getattr(base, str(table))))[str(key)]
+        about = keys(EngineInputs if table == "engine" else ImbalanceInputs)[str(key)]
         changed[str(table)][about.attribute] = np.array([about.about.units.inside(at[i]) for at in grid])
     errors = []
     for v in inputs:  # the range of every number once, by the ordinary path; then what only the whole engine can show

@@ -11,7 +11,6 @@ from assistant.saving import edited_text, write_atomic
 from calc.design_file import Document, design, read
 from calc.engine import solve as engine
 from calc.imbalance.firing_orders import FiringOrder, crank_words, firing_orders, orders_table
-from calc.imbalance.inputs import ImbalanceInputs
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.solve import solve
 
@@ -26,10 +25,11 @@ def run(asked: Namespace) -> int:
         )
     document = read(asked.file)
     made = design(document)
-    if made.engine is None:
-        raise BadInput(asked.file, [InputError(0, "engine", "", "needed: firing orders belong to an engine")])
+    if made.engine is None or made.imbalance is None:
+        missing = "engine" if made.engine is None else "imbalance"
+        raise BadInput(asked.file, [InputError(0, missing, "", "needed: firing orders are ranked by what they leave of the imbalance")])
     try:
-        found = firing_orders(made.imbalance or ImbalanceInputs(unbalances=(), crank_bodies=()), made.engine, engine.values(made.engine))
+        found = firing_orders(made.imbalance, made.engine, engine.values(made.engine))
     except NoSolution as none:
         raise BadInput(asked.file, [InputError(document.lines.get("engine.cylinders", 0), "engine.cylinders", "", str(none))]) from None
     if asked.apply is not None:

@@ -18,7 +18,7 @@ from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerS
 from . import formulas as f
 from . import torque
 from .crank import Crank, column, crank, firing
-from .firing import Firing
+from .firing import DUST, TURN, Firing
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)
@@ -146,6 +146,7 @@ def _throw(engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque
 def _checks(e: EngineResult) -> tuple[Check, ...]:
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
+    uneven = uneven if uneven > DUST * TURN else 0.0
     return (
         check(
             "engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", "usual range of vehicle engines (Finotti 2013, 2.1)",
