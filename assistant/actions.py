@@ -45,7 +45,11 @@ ACTIONS: tuple[Action, ...] = (
     Action("pane_back", "shift+f6", "h", "", "Previous pane", "Moves to the pane before.", call="pane(-1)"),
     Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step.", wide=True),
     Action("report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
-    Action("curve", "f9", "c", "Curve", "Next curve", "Shows the next curve of the step.", wide=True),
+    Action("curve", "f9", "c", "Curve", "Next curve", "Shows the next curve of the step; after the curves its tables.", wide=True),
+    Action("variant", "f10", "b", "Shaft", "Counter-shaft on or off",
+           "Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it.", wide=True),
+    Action("crank_on", "", "greater_than_sign", "", "Turn the crank on", "Turns the vectors of a curve on by 10°.", call="crank(1)"),
+    Action("crank_back", "", "less_than_sign", "", "Turn the crank back", "Turns the vectors of a curve back by 10°.", call="crank(-1)"),
     Action("undo", "ctrl+z", "u", "Undo", "Undo", "Takes back the last edit of the design; the edits of one field in a row are one."),
     Action("redo", "ctrl+y", "r", "", "Redo", "Makes the edit again that was taken back."),
     Action("save", "ctrl+s", "w", "Save", "Save",
@@ -73,8 +77,9 @@ ACTIONS: tuple[Action, ...] = (
 BY_ID = {action.id: action for action in ACTIONS}
 
 KEY_NAMES = {
-    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "escape": "Esc", "enter": "Enter",
-    "pageup": "PgUp", "pagedown": "PgDn", "up": "↑", "down": "↓", "left": "←", "right": "→",
+    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":",
+    "greater_than_sign": ">", "less_than_sign": "<", "escape": "Esc", "enter": "Enter", "pageup": "PgUp", "pagedown": "PgDn",
+    "up": "↑", "down": "↓", "left": "←", "right": "→",
 }  # fmt: skip
 
 

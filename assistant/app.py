@@ -15,7 +15,7 @@ from textual.screen import Screen
 
 from calc.sheet.errors import BadInput
 
-from .actions import BY_ID
+from .actions import BY_ID, key_name
 from .screens.workbench import Workbench
 from .session import Session
 from .widgets.signs import Signs
@@ -65,6 +65,10 @@ class ContralberoApp(App[int]):
         self.session = session
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
+
+    def shown_key(self, id: str) -> str:
+        """The first key of an action, as the table and the user's key map have it."""
+        return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
 
     def tell(self, text: str, severity: Any = "information") -> None:
         """Say something for a moment; the text is never read as markup."""

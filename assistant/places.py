@@ -51,14 +51,18 @@ def changed(here: Any, where: Place, content: Any) -> Any:
 
 def without_empty(data: Table, where: Place) -> Table:
     """A table that may be left out and has lost its last key is left out."""
-    for end in range(len(where) - 1, 1, -1):
-        outer = where[:end]
-        here: Any = data
-        for part in outer:
-            here = here[part]
-        if here == {} and described(outer).kind == "table" and described(outer).optional:
-            data = changed(data, outer, None)
+    while (outer := optional_table(where)) is not None and content_at(data, outer) in ({}, None):
+        data = changed(data, outer, None)
+        where = outer
     return data
+
+
+def optional_table(where: Place) -> Place | None:
+    """The innermost table around a place, inside its step, that may be left out."""
+    for end in range(len(where) - 1, 1, -1):
+        if isinstance(where[end - 1], str) and described(where[:end]).kind == "table" and described(where[:end]).optional:
+            return where[:end]
+    return None
 
 
 def error_place(data: Any, key: str) -> Place:
@@ -78,6 +82,11 @@ def error_place(data: Any, key: str) -> Place:
 def key_at(where: Place) -> str:
     """A place as its last key: what the design file calls it."""
     return str(where[-1]) if where else ""
+
+
+def first_key(where: Place) -> str:
+    """The first key of a table, or of an element of an array of tables."""
+    return next(iter(keys(described(where).table)), "")
 
 
 def owner(where: Place) -> type:

@@ -19,7 +19,7 @@ from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
 from .history import History, State
-from .places import Place, changed, content_at, described, error_place, without_empty
+from .places import Place, changed, content_at, described, error_place, optional_table, without_empty
 from .recovery import Edits, Memory
 from .saving import ChangedOnDisk, SaveError, differences, edited_text, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
@@ -204,7 +204,8 @@ class Session:
         where = self.place(key)
         texts = {k: v for k, v in self._state.texts.items() if k != where}
         try:
-            content = numbers.value(text, described(where))
+            gone = not text.strip() and optional_table(where) is not None  # such a table goes with its last key, so a key must go too
+            content = None if gone else numbers.value(text, described(where))
         except numbers.NotUnderstood as no:
             self._step(State(self._state.data, {**texts, where: (text, str(no))}), where)
             return str(no)
@@ -240,6 +241,13 @@ class Session:
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(State(changed(self._state.data, where, there or None), texts), where)
+        self.seal()
+
+    def put_table(self, where: Place, there: bool) -> None:
+        """Add a table that may be left out, with no key yet (what it needs is then reported as missing); or leave it out."""
+        texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
+        self.seal()
+        self._step(State(changed(self._state.data, where, {} if there else None), texts), where)
         self.seal()
 
     def ask(self, step: str) -> None:

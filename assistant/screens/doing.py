@@ -184,9 +184,23 @@ class Doing:
     def action_curve(self) -> None:
         me = self._me
         pane = me.query_one(CurvePane)
-        if len(pane.curves) < 2:
-            me.app.tell("This step has no other curve." if pane.curves else "This step has no curve.")
+        if len(pane.leaves) < 2:
+            me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
         pane.action_turn(1)
+
+    def action_variant(self) -> None:
+        me = self._me
+        pane = me.query_one(CurvePane)
+        shown = pane.next_variant()
+        if not shown:
+            me.app.tell("This curve has one variant only: the counter-shaft can not be switched off in it.")
+        elif not pane.display:
+            me.app.tell(f"The curve is shown {shown}.")
+
+    def action_crank(self, by: int) -> None:
+        me = self._me
+        if not me.query_one(CurvePane).turn_crank(by):
+            me.app.tell("This curve has no vectors that turn with the crank.")
 
     # --- editing
     def action_nudge(self, by: int) -> None:
@@ -342,8 +356,8 @@ class Doing:
         text = ""
         if isinstance(focused, ItemList) and focused.item is not None:
             text = getattr(focused.item, what) or focused.item.line
-        elif me.pane == "curve" and (curve := me.query_one(CurvePane).curve) is not None:
-            text = curve.title
+        elif me.pane == "curve" and (leaf := me.query_one(CurvePane).leaf) is not None:
+            text = leaf.title
         else:
             place = me.form.here() or me.form.last
             if place is not None and (place[-1] is not None) and me.session.text(place):

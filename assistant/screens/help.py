@@ -140,6 +140,8 @@ class HelpScreen(ModalScreen[None]):
                 "On the heading of a list of elements: leaf through them; + adds one, − takes it out. On the curve: the next one.",
             )
         )
+        lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, takes it out."))
+        lines.append(self.described("Shift+← Shift+→", "", "On a table of results that is too wide: further columns."))
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

@@ -18,6 +18,7 @@ from ..sheets import Sheet
 from ..solving import Answer, Job, run
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
+from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
 
 if TYPE_CHECKING:
@@ -79,7 +80,7 @@ class Live(Screen[None]):
 
     def set_stale(self, stale: bool) -> None:
         """Dim the results that do not belong to what the fields say."""
-        for results in (*self.query(Checks), *self.query(Calculation)):
+        for results in (*self.query(Checks), *self.query(Calculation), *self.query(TableList)):
             results.set_stale(stale)
 
     def _say_slow(self) -> None:

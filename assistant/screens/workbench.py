@@ -17,7 +17,7 @@ from calc.design import STEPS
 from calc.sheet.step import Step
 
 from ..actions import ACTIONS
-from ..places import Place
+from ..places import Place, first_key
 from ..session import Session
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
@@ -33,6 +33,7 @@ from ..widgets.message_line import MessageLine
 from ..widgets.pane import Pane
 from ..widgets.step_bar import StepBar
 from ..widgets.steps import Steps
+from ..widgets.table_heading import TableHeading
 from ..widgets.taken import Taken
 from ..widgets.top_line import TopLine
 from .doing import VIEWS, Doing
@@ -129,11 +130,23 @@ class Workbench(Doing, Live):
         index = self.session.add(place)
         self.form.chosen[place] = index
         self.edited()
-        self.form.rebuild((*place, index, next(iter(self.session.value((*place, index)) or {"": 0}))))
+        self.form.rebuild((*place, index, first_key(place)))
 
     def on_array_heading_removed(self, event: ArrayHeading.Removed) -> None:
         event.stop()
         self.session.remove(event.heading.row.place, event.index)
+        self.edited()
+
+    def on_table_heading_added(self, event: TableHeading.Added) -> None:
+        event.stop()
+        place = event.heading.row.place
+        self.session.put_table(place, True)
+        self.edited()
+        self.form.rebuild((*place, first_key(place)))
+
+    def on_table_heading_removed(self, event: TableHeading.Removed) -> None:
+        event.stop()
+        self.session.put_table(event.heading.row.place, False)
         self.edited()
 
     def on_form_asked(self, event: Form.Asked) -> None:
@@ -187,7 +200,7 @@ class Workbench(Doing, Live):
         self.query_one(Checks).show(outcome)
         if results is not None:
             self.query_one(Calculation).show(self.prepare(results, self.step))
-            self.query_one(CurvePane).show(self.step.key, outcome.curves if outcome is not None else ())
+            self.query_one(CurvePane).show(self.step.key, (*outcome.curves, *outcome.tables) if outcome is not None else ())
         self.form.refresh_taken()
         if outcome is not None:
             bad = sum(c.verdict != "pass" for c in outcome.checks)
@@ -277,8 +290,10 @@ class Workbench(Doing, Live):
         field = self.form.field
         if field is not None:
             shown.show(field.about.label, meaning(field.about))
-        elif isinstance(self.focused, ArrayHeading):
-            shown.show(self.focused.row.about.label, f"{self.focused.row.about.help} {ArrayHeading.HELP}".strip())
+        elif isinstance(self.focused, (ArrayHeading, TableHeading)):
+            heading = self.focused
+            text = f"{heading.row.about.help} {heading.HELP}".strip()
+            shown.show(heading.row.about.label, f"{self.app.signs.mark('invalid')} {heading.reason}. {text}" if heading.reason else text)
         elif isinstance(self.focused, Taken):
             shown.show("From earlier steps", "Enter, or typing a number, goes to the step that owns the value.")
         elif self.focused is not None and self.pane == "inputs":

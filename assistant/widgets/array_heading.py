@@ -49,12 +49,13 @@ class ArrayHeading(Widget, can_focus=True):
         super().__init__()
         self.row = row
         self.session = session
+        self.reason = ""  # why the array as a whole is not accepted
         self._looks: tuple[object, ...] = ()
 
-    def redraw(self, row: Row) -> None:
+    def redraw(self, row: Row, reason: str) -> None:
         """Draw anew if there is something new to draw."""
-        looks = (row.shown, self.names())
-        self.row = row
+        looks = (row.shown, self.names(), reason)
+        self.row, self.reason = row, reason
         if looks != self._looks:
             self._looks = looks
             self.refresh()
@@ -65,9 +66,9 @@ class ArrayHeading(Widget, can_focus=True):
     def render(self) -> Content:
         names = self.names()
         shown = self.row.shown
-        ascii = self.app.signs.ascii
-        before, after, minus = ("<", ">", "-") if ascii else ("◂", "▸", "−")
-        title = self.row.about.label
+        signs = self.app.signs
+        before, after, minus = ("<", ">", "-") if signs.ascii else ("◂", "▸", "−")
+        title = f"{signs.mark('invalid')} {self.row.about.label}" if self.reason else self.row.about.label
         if shown is None or shown >= len(names):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
@@ -80,7 +81,7 @@ class ArrayHeading(Widget, can_focus=True):
                 self._link(after, "leaf(1)"),
             ]
         buttons: list[Content | str] = [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link("+ add", "add")]
-        left = Content.assemble((" " + title, "bold"), *middle)
+        left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content.assemble(left, " " * gap, *buttons)
 

@@ -22,10 +22,13 @@ from .choice import Choice
 from .entry import Entry
 from .field import Field
 from .rows import Row, rows
+from .table_heading import TableHeading
 from .taken import Taken
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
+
+Shape = list[tuple[str, Place]]  # kind and place of each row
 
 
 class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
@@ -44,7 +47,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self.step = step
         self.session = session
         self.chosen: dict[Place, int] = {}
-        self._shape: list[tuple[str, Place]] = []
+        self._shape: Shape = []
         self.last: Place | None = None  # the field that was edited last
         self._stale = False  # the form has to be made anew
         self._remaking = False
@@ -60,7 +63,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self._shape = []
             text = f" This design has no step {self.step.title}.\n\n Enter adds it, with the values of the example; undo takes it out."
             return [Static(Content(text))]
-        found = rows(self.step, self.session.data, self.chosen)
+        found = self._rows()
         self._shape = _shape(found)
         made: list[Widget] = []
         for row in found:
@@ -69,10 +72,16 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     made.append(Field(row, self.session, self._words(row)))
                 case "array":
                     made.append(ArrayHeading(row, self.session))
+                case "option":
+                    made.append(TableHeading(row, self.session))
                 case _:
                     first = bool(made) and isinstance(made[-1], ArrayHeading)
                     made.append(Static(self._heading(row), classes="heading -first" if first else "heading"))
         return [*made, Taken(self.session, self.step.key)]
+
+    def _rows(self) -> list[Row]:
+        editing = [self.field.place] if self.is_mounted and self.field is not None else []
+        return rows(self.step, self.session.data, self.chosen, [*editing, *self.session.reasons()])
 
     def _heading(self, row: Row) -> Content:
         last = row.place[-1]
@@ -90,22 +99,39 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             if bool(self._shape) != (self.step.key in self.session.data):
                 self.rebuild()
             return
-        found = rows(self.step, self.session.data, self.chosen)
+        found = self._rows()
+        if not self._remaking:
+            self._hide(_shape(found))
         if _shape(found) != self._shape:
             self.rebuild()
             return
         by_place = {row.place: row for row in found}
-        for child in self.children:
+        standing = [child for child in self.children if child.display]
+        for child in standing:
             if isinstance(child, Field):
                 child.row = by_place[child.place]
                 child.show(reasons.get(child.place, ""))
-            elif isinstance(child, ArrayHeading):
-                child.redraw(by_place[child.row.place])
+            elif isinstance(child, (ArrayHeading, TableHeading)):
+                child.redraw(by_place[child.row.place], reasons.get(child.row.place, ""))
         headings = [row for row in found if row.kind == "heading"]
-        for row, heading in zip(headings, self.query(".heading").results(Static)):
+        for row, heading in zip(headings, (child for child in standing if isinstance(child, Static))):
             made = self._heading(row)
             if str(heading.content) != made.plain:
                 heading.update(made, layout=False)
+
+    def _settle(self) -> None:
+        """A table that lost its last key loses its fields when the focus has left them."""
+        if self.display and self._shape and not self._remaking:
+            self._hide(_shape(self._rows()))
+
+    def _hide(self, shape: Shape) -> None:
+        """Hide the fields of tables that are no longer there.  They are not taken away: no key is lost that is typed meanwhile."""
+        absent = [place for kind, place in shape if kind == "option" and content_at(self.session.data, place) is None]
+        gone = [entry for entry in self._shape if entry not in shape and any(entry[1][: len(place)] == place for place in absent)]
+        if gone and [entry for entry in self._shape if entry not in gone] == shape:
+            for child, entry in zip([child for child in self.children if child.display], self._shape):
+                child.display = entry not in gone
+            self._shape = shape
 
     def refresh_taken(self) -> None:
         for taken in self.query(Taken):
@@ -137,22 +163,31 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if self._back or self._wanted is not None:
             self._back = False
             self.focus_place(self._wanted)
+            self.call_after_refresh(self._bring_into_view)
+
+    def _bring_into_view(self) -> None:
+        """What has the focus in a form that was just made: it had no place yet when it got the focus."""
+        focused = self.screen.focused
+        if focused is not None and focused in self.walk_children():
+            (self.field or focused).scroll_visible(animate=False)
 
     # --- focus
     def stops(self) -> list[Widget]:
         """Everything in the form that takes the focus, in order."""
         found: list[Widget] = []
         for child in self.children:
+            if not child.display:
+                continue
             if isinstance(child, Field):
                 found.append(child.box)
-            elif isinstance(child, ArrayHeading) or (isinstance(child, Taken) and child.items):
+            elif isinstance(child, (ArrayHeading, TableHeading)) or (isinstance(child, Taken) and child.items):
                 found.append(child)
         return found
 
     def here(self) -> Place | None:
         """The place that has the focus."""
         focused = self.screen.focused
-        if isinstance(focused, ArrayHeading):
+        if isinstance(focused, (ArrayHeading, TableHeading)):
             return focused.row.place
         field = self.field
         return field.place if field is not None else None
@@ -168,7 +203,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         stops = {}
         for stop in self.stops():
             owner = stop.parent if isinstance(stop.parent, Field) else stop
-            stops[owner.place if isinstance(owner, Field) else owner.row.place if isinstance(owner, ArrayHeading) else ()] = stop
+            stops[owner.row.place if isinstance(owner, (Field, ArrayHeading, TableHeading)) else ()] = stop
         wanted = stops.get(place) if place else stops.get(self.last) if self.last else None
         if wanted is None and place and any(isinstance(part, int) for part in place):
             for end, part in enumerate(place):  # an element that is not shown: leaf to it
@@ -176,7 +211,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     self.chosen[place[:end]] = part
                     self.rebuild(place)
                     return
-        target = wanted or next(iter(stops.values()), self)
+        around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
+        target = wanted or (stops[around[0]] if around else next(iter(stops.values()), self))
         target.focus()
 
     def go(self, by: int) -> None:
@@ -201,6 +237,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.session.seal()
             owner.rewrite()
             owner.redraw()
+            self.call_after_refresh(self._settle)
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Enter accepts and goes on."""
@@ -222,5 +259,5 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.post_message(self.Asked(self.step))
 
 
-def _shape(found: list[Row]) -> list[tuple[str, Place]]:
+def _shape(found: list[Row]) -> Shape:
     return [(row.kind, row.place) for row in found]

@@ -128,6 +128,10 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         else:
             self.post_message(self.Moved(self))
 
+    def on_show(self) -> None:
+        """What was set while the list was hidden, and had no width, is built now; its size need not have changed."""
+        self.rebuild()
+
     def notify_style_update(self) -> None:
         super().notify_style_update()
         self.refresh()

@@ -3,6 +3,8 @@
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,17 +15,21 @@ from textual.content import Content
 from textual.strip import Strip
 from textual_hires_canvas import Canvas
 from textual_plot import HiResMode, NumericAxisFormatter, PlotWidget
-from textual_plot.plot_widget import Legend
+from textual_plot.plot_widget import Legend, LinePlot
 
 from calc.sheet.step import Curve
 
-from .signs import Signs
+from .sight import TURN, Sight
+from .signs import Look, Signs
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
+DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
+DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5))  # of each pattern, in dots: drawn, left out
+EIGHTHS = " ▁▂▃▄▅▆▇█"
 
 
 class Numbers(NumericAxisFormatter):
@@ -41,6 +47,10 @@ class Sheet(Canvas):
 
     app: "ContralberoApp"
 
+    def on_resize(self) -> None:
+        """The plot may have been drawn before its margins had their new size."""
+        self.query_ancestor(Plot).fit()
+
     def render_line(self, y: int) -> Strip:
         strip = super().render_line(y)
         if not strip.cell_length:
@@ -48,8 +58,24 @@ class Sheet(Canvas):
         return Strip([Segment(s.text.translate(PLAIN), s.style) for s in strip]) if self.app.signs.ascii else strip
 
 
+@dataclass
+class Line(LinePlot):
+    look: Look
+
+
+@dataclass
+class Bars:
+    """One series of a bar chart: `number` of `count` in each group."""
+
+    x: Any
+    y: Any
+    number: int
+    count: int
+    look: Look
+
+
 class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
-    """Braille lines in a frame; the labels of the axes stand above, in the legend."""
+    """Braille lines, or bars, in a frame; the labels of the axes stand above, in the legend."""
 
     def __init__(self) -> None:
         super().__init__(allow_pan_and_zoom=False)
@@ -57,6 +83,9 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_reactive(PlotWidget.margin_bottom, 1)
         self.set_x_formatter(Numbers())
         self.set_y_formatter(Numbers())
+        self.bars: list[Bars] = []
+        self.marks: list[tuple[complex, str]] = []
+        self._shown: tuple[Sight, Signs] | None = None
 
     def compose(self) -> ComposeResult:
         with Grid():
@@ -68,23 +97,39 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         super().render()
         return Content("")
 
-    def draw(self, curve: Curve, signs: Signs) -> None:
-        """The lines of a curve and its limits, in the space that there is."""
-        mode = None if signs.ascii else HiResMode.BRAILLE
+    def fit(self) -> None:
+        """Draw anew on canvases whose size has changed."""
+        self._needs_canvas_resize = True
+        self._rerender()
+
+    def on_resize(self) -> None:
+        """True scale and ticks depend on the room, and that on the rows of the legend too."""
+        self._needs_canvas_resize = True
+        if self._shown is not None:
+            self.draw(*self._shown)
+
+    # --- content
+    def draw(self, sight: Sight, signs: Signs) -> None:
+        """What is seen of a curve, in the space that there is.  The axes span all variants and all crank angles."""
+        self._shown = sight, signs
+        curve = sight.curve
         self.clear()
-        x_low, x_high = _extent([s.x for s in curve.series])
-        y_low, y_high = _extent([*(s.y for s in curve.series), [limit for _, limit in curve.limits]])
+        self.bars, self.marks = [], []
+        x_low, x_high, y_low, y_high = extent(curve)
         if not all(map(math.isfinite, (x_low, x_high, y_low, y_high))):
             return
-        for n, series in enumerate(curve.series):
+        for n, series in enumerate(sight.series):
             x, y = np.asarray(series.x, float), np.asarray(series.y, float)
             whole = np.isfinite(x) & np.isfinite(y)
-            if whole.any():
-                self.plot(x[whole], y[whole], line_style=signs.line(n), hires_mode=mode)
+            if curve.bars:
+                self.bars.append(Bars(x[whole], y[whole], n, len(sight.series), signs.look(n)))
+            elif whole.any():
+                self._line(x[whole], y[whole], signs.look(n))
         for _, limit in curve.limits:
-            self.plot(np.array([x_low, x_high]), np.array([limit, limit]), line_style=signs.limit(), hires_mode=mode)
+            self._line(np.array([x_low, x_high]), np.array([limit, limit]), signs.limit())
+        self._vectors(sight, signs)
         room = ROOM * (y_high - y_low) or 0.5 * abs(y_high) or 1.0
-        y_low, y_high = y_low - room, y_high + room
+        y_low, y_high = y_low - (room if y_low or not curve.bars else 0.0), y_high + room
         if x_low == x_high:
             x_low, x_high = x_low - (abs(x_low) or 1.0) / 2, x_high + (abs(x_high) or 1.0) / 2
         height = max(2, self.size.height - self.margin_bottom - 2)
@@ -94,10 +139,96 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         if curve.equal:
             x_low, x_high, y_low, y_high = _round(x_low, x_high, y_low, y_high, width, height)
             y_ticks = ticks(y_low, y_high, max(2, round(height * 0.8)))
-        self.set_xticks(ticks(x_low, x_high, max(2, width // 7)))
+        places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
+        self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7)))
         self.set_yticks(y_ticks)
         self.set_xlimits(x_low, x_high)
         self.set_ylimits(y_low, y_high)
+
+    def _line(self, x: Any, y: Any, look: Look) -> None:
+        self._datasets.append(Line(x, y, None if look.plain else HiResMode.BRAILLE, look.colour, look))
+        self._labels.append(None)
+
+    def _vectors(self, sight: Sight, signs: Signs) -> None:
+        """The vectors tip to tail: real is up, imaginary to the right."""
+        n = len(sight.series)
+        for chain in sight.chains:
+            points = chain.at(math.radians(sight.degrees))
+            for tail, tip in pairwise(points):
+                self._line(np.array([tail.imag, tip.imag]), np.array([tail.real, tip.real]), signs.look(n))
+                n += 1
+            self.marks += [(points[0], "+" if signs.ascii else "┼"), (points[-1], "@" if signs.ascii else "●")]
+
+    # --- drawing
+    def _render_plot(self) -> None:
+        super()._render_plot()
+        canvas = self.query_one("#plot", Canvas)
+        if canvas._canvas_size is None or self._scale_rectangle.area == 0:
+            return
+        for bars in self.bars:
+            self._render_bars(canvas, bars)
+        style = str(self.get_component_rich_style("plot--tick"))
+        for point, char in self.marks:
+            canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, style)
+
+    def _render_line_plot(self, dataset: LinePlot) -> None:
+        if not isinstance(dataset, Line) or not (dataset.look.plain or dataset.look.pattern):
+            super()._render_line_plot(dataset)
+            return
+        canvas, look = self.query_one("#plot", Canvas), dataset.look
+        if look.plain:
+            pixels = [self.get_pixel_from_coordinate(x, y) for x, y in zip(dataset.x, dataset.y)]
+            for (x0, y0), (x1, y1) in pairwise(pixels):
+                canvas.draw_line(x0, y0, x1, y1, look.plain, look.colour)
+            return
+        points = np.array([self.get_hires_pixel_from_coordinate(x, y) for x, y in zip(dataset.x, dataset.y)], float)
+        way = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.diff(points, axis=0) * DOTS).T))])
+        on, off = DASHES[look.pattern]
+        there = np.arange(0.0, way[-1], 0.5)
+        there = there[there % (on + off) < on]
+        drawn = [(float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))]
+        if drawn:
+            canvas.set_hires_pixels(drawn, HiResMode.BRAILLE, look.colour)
+
+    def _render_bars(self, canvas: Canvas, bars: Bars) -> None:
+        """Upright bars of whole cells in width; only a whole fill has a fine end."""
+        room = self._scale_rectangle
+        places = places_of(self._shown[0].curve) if self._shown is not None else []
+        pitch = min(np.diff(places), default=1.0) * room.width / (self._x_max - self._x_min)
+        wide = max(1, int((pitch - 1) / bars.count))
+        scale = room.height / (self._y_max - self._y_min)
+        zero = room.bottom - round(-self._y_min * scale)  # the row above which bars stand
+        fine = not bars.look.plain and bars.look.pattern == 0
+        for x, y in zip(bars.x, bars.y):
+            left = self.get_pixel_from_coordinate(x, 0.0)[0] - bars.count * wide // 2 + bars.number * wide
+            cells = abs(y) * scale
+            full = int(cells) if fine and y > 0 else round(cells)
+            column = [zero - 1 - i if y > 0 else zero + i for i in range(full)]
+            drawn = [(row, bars.look.bar_mark) for row in column]
+            if fine and y > 0 and (end := EIGHTHS[round((cells - full) * 8)]) != " ":
+                drawn.append((zero - 1 - full, end))
+            for row, char in drawn:
+                for cell in range(left, left + wide):
+                    if room.x <= cell < room.right and room.y <= row < room.bottom:
+                        canvas.set_pixel(cell, row, char, bars.look.colour)
+
+
+def places_of(curve: Curve) -> list[float]:
+    """Where the groups of a bar chart stand."""
+    return sorted({float(x) for series in curve.series for x in series.x if math.isfinite(x)})
+
+
+def extent(curve: Curve) -> tuple[float, float, float, float]:
+    """What the axes of a curve have to hold, over all its variants and all crank angles: x from, to, y from, to."""
+    xs, ys = [s.x for s in curve.series], [*(s.y for s in curve.series), [limit for _, limit in curve.limits]]
+    if curve.equal:
+        tips = [z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))]
+        xs, ys = [*xs, [z.imag for z in tips]], [*ys, [z.real for z in tips]]
+    (x_low, x_high), (y_low, y_high) = _extent(xs), _extent(ys)
+    if curve.bars:
+        gap = min(np.diff(places_of(curve)), default=1.0) / 2
+        x_low, x_high, y_low, y_high = x_low - gap, x_high + gap, min(y_low, 0.0), max(y_high, 0.0)
+    return x_low, x_high, y_low, y_high
 
 
 def _extent(parts: Sequence[Any]) -> tuple[float, float]:

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Signs, words and colours of the states.  Sign and word carry the meaning; the colour only helps."""
 
+from dataclasses import dataclass
+
 from calc.sheet.check import SIGNS
 
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
@@ -21,6 +23,26 @@ LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
 LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")
 
 LINES_GREY = ("#C0C0C0", "#808080")
+LINE_MARKS, BAR_MARKS = "━╍┈", "█▒░"  # whole, dashed, dotted; where the colours are used up, or there are none
+PLAIN_MARKS = "*x=o%&"
+
+
+@dataclass(frozen=True)
+class Look:
+    """How one line, or one set of bars, is told from the others.  `pattern`: 0 whole, 1 dashed, 2 dotted; `plain`: its character where
+    nothing finer can be drawn, else empty."""
+
+    colour: str
+    pattern: int = 0
+    plain: str = ""
+
+    @property
+    def line_mark(self) -> str:
+        return self.plain or LINE_MARKS[self.pattern]
+
+    @property
+    def bar_mark(self) -> str:
+        return self.plain or BAR_MARKS[self.pattern]
 
 
 class Signs:
@@ -41,11 +63,12 @@ class Signs:
             return "bold" if state in BOLD else "not dim"
         return f"bold {colour}" if state in BOLD else colour
 
-    def line(self, n: int) -> str:
-        """The colour of the n-th line of a curve."""
+    def look(self, n: int) -> Look:
+        """Of the n-th line, or set of bars, of a curve.  Without colours, grey and pattern change together."""
         lines = LINES_GREY if not self.colour else LINES_DARK if self.dark else LINES_LIGHT
-        return lines[n % len(lines)]
+        pattern = n // len(lines) if self.colour else n
+        return Look(lines[n % len(lines)], pattern % len(LINE_MARKS), PLAIN_MARKS[n % len(PLAIN_MARKS)] if self.ascii else "")
 
-    def limit(self) -> str:
-        """The colour of a limit in a curve."""
-        return (DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF"
+    def limit(self) -> Look:
+        """Of a limit in a curve."""
+        return Look((DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", plain="-" if self.ascii else "")

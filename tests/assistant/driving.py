@@ -2,6 +2,8 @@
 """Driving the screen in tests: keys, waiting, and what can be read on it."""
 
 import asyncio
+import time
+from collections.abc import Callable
 
 from textual import events
 from textual.keys import _character_to_key
@@ -17,6 +19,8 @@ CHARACTERS = {
     "left_square_bracket": "[",
     "right_square_bracket": "]",
     "colon": ":",
+    "greater_than_sign": ">",
+    "less_than_sign": "<",
     "plus": "+",
     "minus": "-",
     "space": " ",
@@ -52,6 +56,15 @@ async def settled(pilot: Pilot[int]) -> None:
         await pilot.pause()
         await pilot.app.workers.wait_for_complete([w for w in pilot.app.workers if w.group.startswith("form-")])
     await pilot.pause()
+
+
+async def until(pilot: Pilot[int], holds: Callable[[], bool], limit: float = 10.0) -> None:
+    """Wait until something holds that the screen comes to by itself."""
+    end = time.perf_counter() + limit
+    while not holds():
+        assert time.perf_counter() < end, "it never came to that"
+        await pilot.pause()
+        await asyncio.sleep(0.01)
 
 
 async def strike(pilot: Pilot[int], *keys: str) -> None:

@@ -6,7 +6,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from hypothesis import given
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from assistant import saving
@@ -105,6 +105,7 @@ def test_differences_lead_from_one_to_the_other() -> None:
     assert differences(old, old) == []
 
 
+@settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])  # a loaded machine is no mistake
 @given(st.dictionaries(st.sampled_from("abcd"), st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x))),
        st.dictionaries(st.sampled_from("abcd"), st.recursive(st.integers() | st.text(max_size=5), lambda x: st.dictionaries(st.sampled_from("xyz"), x))))  # fmt: skip
 def test_any_tables_can_be_led_to_any_others(old: dict[str, object], new: dict[str, object]) -> None:

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The heading of a table that may be left out: `Gas  + add` where it is, `Gas  −` above its fields where it is there."""
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, ClassVar
+
+from textual import events
+from textual.binding import Binding, BindingType
+from textual.content import Content
+from textual.message import Message
+from textual.style import Style
+from textual.widget import Widget
+
+from ..places import content_at
+from ..session import Session
+from .rows import Row
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+
+class TableHeading(Widget, can_focus=True):
+    app: "ContralberoApp"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("plus", "add", "Add the table", show=False),
+        Binding("minus,delete", "remove", "Remove the table", show=False),
+    ]
+    HELP = "This part may be left out. + adds it, with its fields empty; − takes it out with all its fields. Undo takes either back."
+
+    @dataclass
+    class Added(Message):
+        heading: "TableHeading"
+
+    @dataclass
+    class Removed(Message):
+        heading: "TableHeading"
+
+    def __init__(self, row: Row, session: Session) -> None:
+        super().__init__()
+        self.row = row
+        self.session = session
+        self.reason = ""  # why the table as a whole is not accepted
+
+    @property
+    def there(self) -> bool:
+        return content_at(self.session.data, self.row.place) is not None
+
+    def redraw(self, row: Row, reason: str) -> None:
+        self.row = row
+        self.reason = reason
+        self.refresh()
+
+    def render(self) -> Content:
+        minus = "-" if self.app.signs.ascii else "−"
+        text, action = (minus, "remove") if self.there else ("+ add", "add")
+        link = Content.styled(text, "bold" if self.has_focus else "dim").stylize(Style.from_meta({"@click": action}))
+        signs = self.app.signs
+        left = Content.styled(f" {self.row.about.label}", "bold" if self.there else "bold dim")
+        if self.reason:
+            left = Content.styled(f" {signs.mark('invalid')} {self.row.about.label}", signs.style("invalid"))
+        return Content.assemble(left, " " * max(2, self.size.width - left.cell_length - link.cell_length - 1), link)
+
+    def action_add(self) -> None:
+        if not self.there:
+            self.post_message(self.Added(self))
+
+    def action_remove(self) -> None:
+        if self.there:
+            self.post_message(self.Removed(self))
+
+    def on_focus(self, event: events.Focus) -> None:
+        self.refresh()
+
+    def on_blur(self, event: events.Blur) -> None:
+        self.refresh()
