@@ -337,3 +337,47 @@ def test_tables_in_json():
         }
     }  # fmt: skip
     assert "engine.remedies" not in results_json(document, results, "gears")["tables"]
+
+
+# --- sweep and choose ---------------------------------------------------------------------------------------------------------
+def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):
+    out = tmp_path / "speeds.csv"
+    done = run("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1000:2600:5", "--step", "imbalance", "-o", out)
+    assert done.returncode == 0 and "5 designs: 5 ▲ warn" in done.stdout
+    rows = out.read_text(encoding="utf-8").splitlines()
+    assert len(rows) == 6 and rows[0].startswith("engine.rated_speed_rpm,imbalance.order_1.force_forward [N]")
+
+
+def test_sweep_without_a_file_prints_the_table_alone():
+    done = run("sweep", GAMMA, "--vary", "countershaft.masses.rear.angle_deg=20,30", "--step", "countershaft", "--values", "countershaft.residual_order_1_couple")
+    assert done.returncode == 0
+    assert done.stdout.splitlines()[0] == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
+    assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == ["fail", "pass"] and "2 designs" in done.stderr
+
+
+def test_sweep_names_all_that_is_wrong():
+    done = run("sweep", GAMMA, "--vary", "engine.rated_sped_rpm=1:2:3", "engine.cylinders=3:4:3")
+    assert done.returncode == 2 and done.stdout == ""
+    assert "did you mean" in done.stderr and "whole numbers" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
+    path = tmp_path / "five.toml"
+    assert run("new", path, "--engine", "inline-5").returncode == 0
+    listed = json.loads(run("choose", path, "engine", "--json", "--top", "30").stdout)
+    orders = [row[1] for row in listed["rows"]]
+    assert len(orders) == 24 and "1-2-4-5-3" in orders
+    number = orders.index("1-5-2-4-3") + 1 if "1-5-2-4-3" in orders else 2
+    done = run("choose", path, "engine", "--apply", number)
+    assert done.returncode == 0 and f"now fires {orders[number - 1]}" in done.stdout
+    assert str(list(map(int, orders[number - 1].split("-")))) in path.read_text(encoding="utf-8")
+    assert path.with_suffix(".toml.bak").exists()
+
+
+@pytest.mark.parametrize("arguments, words", [
+    (("choose", GAMMA, "gears"), "nothing to choose here yet"), (("choose", GAMMA, "engine", "--apply", "9"), "from 1 to 2"),
+    (("choose", DESIGNS / "timing_pair.toml", "engine"), "needed"), (("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1:2:3", "--step", "gear"), "is no step"),
+])  # fmt: skip
+def test_what_can_not_be_chosen_or_swept_is_said(arguments, words):
+    done = run(*arguments)
+    assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr

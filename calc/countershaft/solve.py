@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.check import Check, check
 from ..sheet.quantity import result, value
@@ -31,6 +32,7 @@ class CountershaftResult:
     reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
     slope_front: Radian | None = value("Slope of the front journal, as given", "mrad", "θ_f", default=None)
@@ -71,6 +73,7 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         left = f.residual_backward(C_b=C_backward, C_S=C_S)
         residual = f.residual_couple(C_f=C_forward, C_b=left)
         residual_force = f.residual_force(F_f=F_forward, F_b=F_backward, F_S=F_S)
+        roll = roll_torque(p=complex(*shaft.axis), F=F_S) if shaft.axis is not None else None
         R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
         R_f = f.reaction_front(F_S=F_S, R_r=R_r)
         rear, front = f.reaction(R=R_r), f.reaction(R=R_f)
@@ -84,6 +87,7 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         reaction_front=front,
         reaction_rear=rear,
         eccentric_mass=together,
+        roll_torque=roll,
         force_vector=F_S,
         couple_vector=C_S,
         slope_front=slopes[0] if slopes else None,

@@ -10,6 +10,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, modulus, pi, resultant, sin
 from ..sheet.units import (
     Kilogram,
+    KilogramMetre,
     KilogramMetre2,
     Metre,
     Newton,
@@ -168,3 +169,23 @@ def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
 @formula("ΔC/tooth", "exact difference of two vectors one tooth of the shaft's wheel apart")
 def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
+
+
+@formula("F_S", "Finotti 2013, 2.3.3: the shaft opposes the backward force of the first order", names={"F_b": "F_1⁻"})
+def required_force(F_b: PhasorNewton) -> PhasorNewton:
+    return -F_b
+
+
+@formula("U", "force over ω²: the unbalance that the shaft needs", unit="kg·mm")
+def required_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
+    return F_S / omega**2
+
+
+@formula("ΔF/1°", "exact difference of two vectors one degree apart")
+def force_per_degree(F_S: Newton) -> Newton:
+    return 2 * F_S * sin(pi / 360)
+
+
+@formula("ΔF/tooth", "exact difference of two vectors one tooth of the shaft's wheel apart")
+def force_per_tooth(F_S: Newton, z: Number) -> Newton:
+    return 2 * F_S * sin(pi / z)

@@ -30,12 +30,14 @@ def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, 
     def advice(name: str, label: str, value: float, limit: float, unit: str, what: str) -> Check:
         return check(f"imbalance.{name}", label, value, "<=", limit, unit, OWN, what, kind="advice")
 
-    alone = advice("order_1.backward", "First-order couple turning backward", first.couple_backward, FIRST * couple, "N·m", counter)
+    alone = (
+        advice("order_1.backward", "First-order couple turning backward", first.couple_backward, FIRST * couple, "N·m", counter),
+        advice("order_1.backward_force", "First-order force turning backward", first.force_backward, FIRST * force, "N", backward),
+    )
     return (
-        *(() if shaft else (alone,)),
+        *(() if shaft else alone),
         advice("order_1.forward", "First-order couple turning forward", first.couple_forward, FIRST * couple, "N·m", forward),
         advice("order_1.forward_force", "First-order force turning forward", first.force_forward, FIRST * force, "N", forward),
-        advice("order_1.backward_force", "First-order force turning backward", first.force_backward, FIRST * force, "N", backward),
         advice("order_2.couple", "Second-order couple left", second.couple_peak, SECOND * lam * couple, "N·m", two),
         advice("order_2.force", "Second-order force left", second.force_peak, SECOND * lam * force, "N", two),
     )

@@ -11,7 +11,7 @@ from ..engine.solve import ORDERS, EngineResult
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace, untraced
-from ..sheet.units import KilogramMetre2, Newton, NewtonMetre, Radian
+from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
 from . import formulas as f
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
@@ -33,6 +33,11 @@ class ImbalanceResult:
     required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
     required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
     required_unbalance_product: KilogramMetre2 = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz")
+    required_force: Newton | None = value("Force that the counter-shaft must supply", "N", "F_S", default=None)
+    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
+    required_unbalance: KilogramMetre | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None)
+    mistiming_force_per_degree: Newton | None = value("Force left per degree of mistiming", "N", default=None)
+    mistiming_force_per_tooth: Newton | None = value("Force left per tooth of mistiming at the shaft's wheel", "N", default=None)
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
     mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
     remedy: dict[str, Remedy] = group()
@@ -71,6 +76,7 @@ def values(
         product = f.unbalance_product(C_S=length, omega=e.angular_speed)
         mistiming = f.couple_per_degree(C_S=length)
         by_tooth = f.couple_per_tooth(C_S=length, z=float(shaft_teeth)) if shaft_teeth else None
+        forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else {}
     crank: Any = e.crank
     one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     one_couple = one_force * engine.cylinder_pitch
@@ -92,6 +98,7 @@ def values(
         required_unbalance_product=product,
         mistiming_per_degree=mistiming,
         mistiming_per_tooth=by_tooth,
+        **forces,
         remedy=remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis),
         counterweight=weights,
         webs=webs(imbalance, engine, e),
@@ -99,6 +106,19 @@ def values(
         one_force=one_force,
         one_couple=one_couple,
     )
+
+
+def _force_shaft(backward: Any, omega: RadPerSecond, teeth: int | None) -> dict[str, Any]:
+    """What a shaft must supply of force, where the engine has a first-order force that turns backward."""
+    wanted = f.required_force(backward)
+    length = f.force_length(F=wanted)
+    return {
+        "required_force": length,
+        "required_force_phase": f.force_direction(F=wanted),
+        "required_unbalance": f.required_unbalance(F_S=length, omega=omega),
+        "mistiming_force_per_degree": f.force_per_degree(F_S=length),
+        "mistiming_force_per_tooth": f.force_per_tooth(F_S=length, z=float(teeth)) if teeth else None,
+    }
 
 
 def solve(
