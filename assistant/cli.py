@@ -70,7 +70,9 @@ def parser() -> argparse.ArgumentParser:
     add["sweep"].add_argument(
         "--vary", action="extend", nargs="+", required=True, metavar="KEY=LO:HI:N", help="inputs to vary; also KEY=VALUE,VALUE,…"
     )
-    add["sweep"].add_argument("--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first")
+    add["sweep"].add_argument(
+        "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first"
+    )
     add["sweep"].add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     add["sweep"].add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
     add["sweep"].add_argument("-o", "--output", metavar="OUT.csv", help="default: to the terminal")

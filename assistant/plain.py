@@ -41,6 +41,8 @@ def _print_step(outcome: Outcome) -> None:
         print()
         for line in table_lines(table):
             print(f"  {line}".rstrip())
+    for proposal in outcome.proposals:
+        print(f"  proposed: {proposal}")
     for erratum in outcome.errata:
         print(f"  source differs: {erratum.about} {short(erratum.source_value)} {erratum.unit} ({erratum.source}). {erratum.why}")
     for note in outcome.notes:
@@ -139,6 +141,7 @@ def results_json(document: Document, results: Results, step: str | None = None, 
             for o in shown
             for e in o.errata
         ],
+        "proposals": {o.key: list(o.proposals) for o in shown if o.proposals},
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "reasons": {o.key: o.reason for o in shown if o.reason},
     }

@@ -38,6 +38,7 @@ class Sheet:
 
     entries: tuple[Entry, ...] = ()
     errata: tuple[Erratum, ...] = ()  # those that belong to no single line
+    proposals: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     line_of: dict[str, int] = field(default_factory=dict)
 
@@ -66,7 +67,7 @@ def sheet(outcome: Outcome, step: int) -> Sheet:
             )
         )  # fmt: skip
     rest = tuple(e for e in outcome.errata if e.about not in line_of)
-    return Sheet(tuple(entries), rest, outcome.notes, line_of)
+    return Sheet(tuple(entries), rest, outcome.proposals, outcome.notes, line_of)
 
 
 def _size(value: Any) -> float | None:

@@ -144,6 +144,7 @@ def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: 
         ("notes", notes),
         ("formulas", derivation(context, step, outcome.lines)),
         ("results", value_blocks(context, outcome)),
+        ("proposals", [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", table_blocks(context, outcome.tables)),
         ("checks", check_blocks(context, outcome.checks)),
         ("figures", figure_blocks(context.number(outcome.curves), w["figure"], plots)),

@@ -17,7 +17,7 @@ WORDS: dict[str, dict[str, str]] = {
         "id": "Name of the value", "source": "Source", "advice": "advice",
         "steps": "Steps", "attention": "Failures and warnings", "errata": "Where the source is wrong",
         "source_value": "Its method", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
-        "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results", "tables": "Tables", "checks": "Checks",
+        "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results", "proposals": "Proposed remedies", "tables": "Tables", "checks": "Checks",
         "figures": "Figures", "figure": "Figure", "summary": "Summary",
         "defaults": "* default of the program, not given in the design file.",
         "left_out": "Left out, chosen by the program where it is needed: {names}.",

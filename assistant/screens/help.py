@@ -84,7 +84,8 @@ class HelpScreen(ModalScreen[None]):
             step = work.step
             outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
             lines = [Content.styled(f"Step {STEPS.index(step) + 1} of {len(STEPS)}: {step.title}", "bold")]
-            lines += [Content(f"· {note}") for note in (outcome.notes if outcome is not None else ())]
+            said = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
+            lines += [Content(f"· {text}") for text in said]
             if outcome is not None and outcome.reason:
                 lines.append(Content(outcome.reason))
         return [*lines, Content("")]

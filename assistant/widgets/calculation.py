@@ -21,8 +21,7 @@ class Typesetter:
         self.signs, self.width = signs, width
 
     def items(self, sheet: Sheet) -> list[Item]:
-        width = self.width
-        items: list[Item] = []
+        items = self._said("Proposed", "proposal", sheet.proposals)
         about = ""
         for entry in sheet.entries:
             if entry.about != about:
@@ -33,12 +32,13 @@ class Typesetter:
         if sheet.errata:
             items.append(Item("", [Content(""), Content.styled("Errors of the sources", "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
-        if sheet.notes:
-            items.append(Item("", [Content(""), Content.styled("Assumed", "bold")]))
-            items += [
-                Item(f"note {n}", [Content(row) for row in wrap(f"· {note}", width, 2)], line=note) for n, note in enumerate(sheet.notes)
-            ]
-        return items
+        said = self._said("Assumed", "note", sheet.notes)
+        return [*items, *([Item("", [Content("")])] if said else []), *said]
+
+    def _said(self, title: str, kind: str, texts: tuple[str, ...]) -> list[Item]:
+        """Sentences under a title."""
+        made = [Item(f"{kind} {n}", [Content(row) for row in wrap(f"· {text}", self.width, 2)], line=text) for n, text in enumerate(texts)]
+        return [Item("", [Content.styled(title, "bold")]), *made] if made else []
 
     def _entry(self, entry: Entry) -> Item:
         width = self.width

@@ -54,14 +54,14 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
     if turns_forward:
         done = "as designed" if abs(kappa - 0.5) < 1e-9 else f"the design has {kappa:g}"
         said.append(
-            f"Proposed: counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), because they "
+            f"Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), because they "
             f"take all of first order that turns forward: {turns_forward}."
             + ("" if turns_backward else " Nothing of first order turns backward: no shaft is needed for it.")
         )
     if turns_backward:
         turn = "turn" if " and " in turns_backward else "turns"
         done = " (as designed)" if shaft else ""
-        text = f"Proposed: one shaft at −1 times crank speed{done}, because {turns_backward} of first order {turn} backward, "
+        text = f"One shaft at −1 times crank speed{done}, because {turns_backward} of first order {turn} backward, "
         text += "and nothing on the crank can take it."
         if (roll := result.remedy["backward_shaft"].roll_torque_at_100_mm) is not None and F_b > first[0]:
             text += f" It carries a force: each 100 mm beside the crank's axis cost a roll torque of {short(roll)} N·m; "
@@ -70,9 +70,10 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
     plus, minus = _what(F_p, C_p, *second), _what(F_m, C_m, *second)
     if plus or minus:
         how = shafts_words(result.remedy["second_order_shafts"].shafts)
+        how = how[0].upper() + how[1:]
         both = _what(F_p + F_m, C_p + C_m, *second)
         said.append(
-            f"Proposed, where the comfort asked for is worth it: {how} times crank speed, because {both} of second order "
+            f"{how} times crank speed, where the comfort is worth it, because {both} of second order "
             f"{'are' if ' and ' in both else 'is'} left at the peak; "
             "neither the crank nor a shaft at crank speed changes it."
         )

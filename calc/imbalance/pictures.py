@@ -12,6 +12,7 @@ from .orders import DUST
 if TYPE_CHECKING:
     from .solve import ImbalanceResult
 
+DRAWN = 1e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 WITHOUT = "without the counter-shaft"
 Shaft = tuple[complex, complex]  # its force and couple, cylinder 1 at TDC; they turn backward
 KINDS = (("couple", "couple", "C", "N·m", 2), ("force", "force", "F", "N", 0))
@@ -26,7 +27,7 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
     made: list[Curve] = []
     for kind, word, symbol, unit, at in KINDS:
         one = result.one_couple if kind == "couple" else result.one_force
-        if max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2]) <= DUST * one:
+        if max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2]) <= DRAWN * one:
             continue
         both = ((WITHOUT, vectors), (with_, after)) if any(abs(v) > DUST * one for v in vectors[1][at : at + 2]) else (("", vectors),)
         variants = tuple(name for name, _ in both) if len(both) > 1 else ()

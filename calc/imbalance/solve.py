@@ -146,8 +146,8 @@ def solve(
         curves=pictures(found),
         tables=(remedy_table(found, imbalance.crank_balance_fraction), *tables),
         errata=_errata(imbalance, found) if shaft else (),
+        proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         notes=(
-            *proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
             *notes,
             "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only.",
             "The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.",

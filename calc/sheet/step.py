@@ -105,6 +105,7 @@ class Outcome:
     curves: tuple[Curve, ...] = ()
     tables: tuple[Table, ...] = ()
     errata: tuple[Erratum, ...] = ()
+    proposals: tuple[str, ...] = ()  # what could be done about what was found, and why
     notes: tuple[str, ...] = ()  # assumptions, and what the program chose
     reason: str = ""
 
