@@ -21,7 +21,7 @@ class Typesetter:
         self.signs, self.width = signs, width
 
     def items(self, sheet: Sheet) -> list[Item]:
-        items = self._said("Proposed", "proposal", sheet.proposals)
+        items: list[Item] = []
         about = ""
         for entry in sheet.entries:
             if entry.about != about:
@@ -32,13 +32,14 @@ class Typesetter:
         if sheet.errata:
             items.append(Item("", [Content(""), Content.styled("Errors of the sources", "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
-        said = self._said("Assumed", "note", sheet.notes)
-        return [*items, *([Item("", [Content("")])] if said else []), *said]
-
-    def _said(self, title: str, kind: str, texts: tuple[str, ...]) -> list[Item]:
-        """Sentences under a title."""
-        made = [Item(f"{kind} {n}", [Content(row) for row in wrap(f"· {text}", self.width, 2)], line=text) for n, text in enumerate(texts)]
-        return [Item("", [Content.styled(title, "bold")]), *made] if made else []
+        for title, kind, texts in (("Proposed", "proposal", sheet.proposals), ("Assumed", "note", sheet.notes)):
+            if texts:
+                items.append(Item("", [Content(""), Content.styled(title, "bold")]))
+                items += [
+                    Item(f"{kind} {n}", [Content(row) for row in wrap(f"· {text}", self.width, 2)], line=text)
+                    for n, text in enumerate(texts)
+                ]
+        return items
 
     def _entry(self, entry: Entry) -> Item:
         width = self.width
@@ -108,6 +109,8 @@ class Calculation(ItemList):
         errata = len(self.sheet.errata) + sum(len(e.errata) for e in self.sheet.entries)
         if errata:
             parts.append(f"{errata} erratum" if errata == 1 else f"{errata} errata")
+        if self.sheet.proposals:
+            parts.append(f"{len(self.sheet.proposals)} proposed")
         if self.sheet.notes:
             parts.append(f"{len(self.sheet.notes)} assumed")
         return " · ".join(parts)

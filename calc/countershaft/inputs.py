@@ -39,7 +39,7 @@ class CountershaftInputs:
     )
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's", "mm", optional=True, count=(2, 2), low=-5000, high=5000, symbol="p_S",
-        help="[up, side], side 90° further in the sense of crank rotation. A shaft that carries a force beside the crank raises a roll torque.",
+        help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft raises a roll torque.",
     )  # fmt: skip
     masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass)
 

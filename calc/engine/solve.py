@@ -149,13 +149,14 @@ def _checks(e: EngineResult) -> tuple[Check, ...]:
     uneven = uneven if uneven > DUST * TURN else 0.0
     return (
         check(
-            "engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", "usual range of vehicle engines (Finotti 2013, 2.1)",
-            "A longer rod lowers λ and with it every second-order force and couple.", kind="advice",
+            "engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "",
+            "usual range of vehicle engines (Finotti 2013, 2.1)", "A longer rod lowers λ and with it every second-order force and couple.", kind="advice",
         ),
         check(
             "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°",
             "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)",
-            "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.", kind="advice",
+            "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.",
+            kind="advice",
         ),
     )  # fmt: skip
 
