@@ -381,3 +381,11 @@ def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
 def test_what_can_not_be_chosen_or_swept_is_said(arguments, words):
     done = run(*arguments)
     assert done.returncode == 2 and words in done.stderr and "Traceback" not in done.stderr
+
+
+def test_where_nothing_can_be_listed_the_exit_code_is_three(tmp_path):
+    path = tmp_path / "v12.toml"
+    assert run("new", path, "--engine", "v12-60").returncode == 0
+    assert run("set", path, "engine.bank_angle_deg=65").returncode == 0
+    done = run("choose", path, "engine")
+    assert done.returncode == 3 and "not listed" in done.stderr

@@ -2,6 +2,7 @@
 """`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
 
 import json
+import sys
 from argparse import Namespace
 from pathlib import Path
 
@@ -31,7 +32,8 @@ def run(asked: Namespace) -> int:
     try:
         found = firing_orders(made.imbalance, made.engine, engine.values(made.engine))
     except NoSolution as none:
-        raise BadInput(asked.file, [InputError(document.lines.get("engine.cylinders", 0), "engine.cylinders", "", str(none))]) from None
+        print(f"{asked.file}: engine: {none}", file=sys.stderr)
+        return 3
     if asked.apply is not None:
         return _apply(document, Path(asked.file), found, asked.apply)
     table = orders_table(found, asked.top)

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """All evenly firing orders of a layout, with what each leaves, the best first."""
 
+import math
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import permutations, product
 from typing import Any
 
 import numpy as np
 
-from ..engine.crank import crank, throw_angles
+from ..engine.crank import crank, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.arrays import Array
@@ -19,7 +21,7 @@ from ..sheet.units import Newton, NewtonMetre
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 
-ALL, SYMMETRIC = 9, 12  # cylinders up to which every order is tried, and up to which those of symmetrical inline cranks are
+ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which those of the cranks that are built are
 
 
 @record
@@ -42,7 +44,8 @@ class FiringOrder:
 def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> list[FiringOrder]:
     """Every order that begins with cylinder 1, as an evenly firing crank of this layout, ranked; orders of equal cranks stand together.
 
-    Raises NoSolution for more than nine cylinders (inline: twelve; there only cranks that are symmetrical about the middle are tried).
+    From ten to twelve cylinders only the cranks that are built are tried: symmetrical inline ones, and common or opposed pins of two banks.
+    Raises NoSolution for more.
     """
     n = engine.cylinders
     orders: Any = np.array(list(_orders(engine)), dtype=np.int8)
@@ -67,20 +70,47 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     ]  # fmt: skip
 
 
-def _orders(engine: EngineInputs) -> Any:
+def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     n = engine.cylinders
     if n <= ALL:
         return ((1, *rest) for rest in permutations(range(2, n + 1)))
-    if engine.layout != "inline" or n > SYMMETRIC:
+    found = [] if n > SOME else list(_symmetric(n)) if engine.layout == "inline" else list(_paired(engine))
+    if not found:
         raise NoSolution(
             f"firing orders of {n} cylinders in this layout are not listed",
-            f"they are for up to {ALL} cylinders, for inline engines up to {SYMMETRIC}",
+            f"every order is tried for up to {ALL} cylinders; up to {SOME} those of symmetrical inline cranks, and of two banks on common "
+            "(boxer: opposed) pins, where these fire evenly",
             "give the crank angles or one firing order; `check` shows what it leaves",
         )
-    return _symmetric(n)
+    return found
 
 
-def _symmetric(n: int) -> Any:
+def _paired(engine: EngineInputs) -> Iterator[tuple[int, ...]]:
+    """Orders of a vee whose cylinders side by side share a pin, and of a boxer whose neighbours run on opposed ones."""
+    n, row = engine.cylinders, places(engine)
+    shift = 0.0 if engine.layout == "boxer" else (engine.bank_angle or 0.0) / (engine.strokes * math.pi / n)
+    rows = [np.flatnonzero(row == k).tolist() for k in range(n // 2)]
+    if abs(shift - round(shift)) > 1e-9 or any(len(pair) != 2 for pair in rows):
+        return
+    apart = n // 2 if engine.strokes == 4 else n  # places so far apart share a crank angle
+    place = [-1] * n
+
+    def fill(k: int, free: frozenset[int]) -> Iterator[tuple[int, ...]]:
+        if k == len(rows):
+            yield tuple(int(c) + 1 for c in np.argsort(place))
+            return
+        first, second = sorted(rows[k], key=lambda c: bank[c])
+        for p in (0,) if first == 0 else sorted(free):
+            for q in sorted({(p + round(shift)) % n, (p + round(shift) + apart) % n}):
+                if p != q and {p, q} <= free and (second != 0 or q == 0):
+                    place[first], place[second] = p, q
+                    yield from fill(k + 1, free - {p, q})
+
+    bank = engine.bank_of_cylinder or tuple(c % 2 for c in range(n))
+    yield from fill(0, frozenset(range(n)))
+
+
+def _symmetric(n: int) -> Iterator[tuple[int, ...]]:
     """Orders of inline cranks whose ends mirror each other: throws that pair in one plane (n even), or at opposite angles (n odd)."""
     pairs = n // 2
     for middle in range(1, n) if n % 2 else (0,):

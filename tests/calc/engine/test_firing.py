@@ -119,11 +119,28 @@ def test_long_engines_find_a_crank_that_leaves_no_low_order(cylinders, left):
     assert best.couple_1_backward == pytest.approx(left, abs=1e-6) and best.couple_2 == pytest.approx(left, abs=1e-6)
 
 
-def test_more_cylinders_than_can_be_listed_are_refused():
-    inputs, e, _ = solved(
-        layout="vee", cylinders=12, bank_angle=math.radians(60), firing_order=(1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10),
-        bank_of_cylinder=(0,) * 6 + (1,) * 6,
-    )  # fmt: skip
+V12 = dict(
+    layout="vee", cylinders=12, bank_angle=math.radians(60), firing_order=(1, 7, 5, 11, 3, 9, 6, 12, 2, 8, 4, 10),
+    bank_of_cylinder=(0,) * 6 + (1,) * 6,
+)  # fmt: skip
+
+
+def test_a_vee_twelve_is_listed_on_common_pins():
+    """Every listed order has one pin for the two cylinders of a row; the maker's own is among those that leave least."""
+    inputs, e, _ = solved(**V12)
+    found = firing_orders(ImbalanceInputs(), inputs, e)
+    assert len({one.order for one in found}) == len(found)
+    for one in found:
+        assert np.allclose(np.exp(1j * one.crank_angles[:6]), np.exp(1j * one.crank_angles[6:]))
+    assert next(one for one in found if one.order == V12["firing_order"]).left == pytest.approx(found[0].left, abs=1e-6 * e.reciprocating_mass)
+
+
+@pytest.mark.parametrize("changes", [
+    dict(layout="vee", cylinders=14, bank_angle=math.radians(60), firing_order=tuple(range(1, 15))),
+    dict(layout="vee", cylinders=12, bank_angle=math.radians(65), firing_order=tuple(range(1, 13))),
+])  # fmt: skip
+def test_engines_that_can_not_be_listed_are_refused(changes):
+    inputs, e, _ = solved(**changes)
     with pytest.raises(NoSolution, match="up to 9 cylinders"):
         firing_orders(ImbalanceInputs(), inputs, e)
 
