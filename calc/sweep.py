@@ -89,6 +89,8 @@ def _values(said: str, whole: bool, words: bool) -> tuple[Any, ...]:
     if ":" in said:
         if len(numbers) != 3 or numbers[2] != int(numbers[2]) or numbers[2] < 1:
             raise ValueError("must be LOW:HIGH:NUMBER with a whole NUMBER of values, 1 or more")
+        if numbers[2] > MOST_ROWS:
+            raise ValueError(f"asks for {parts[2]} values; at most {MOST_ROWS} designs at once")
         if numbers[2] == 1 and numbers[0] != numbers[1]:
             raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more")
         numbers = np.linspace(numbers[0], numbers[1], int(numbers[2])).tolist()

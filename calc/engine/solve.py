@@ -147,18 +147,14 @@ def _checks(e: EngineResult) -> tuple[Check, ...]:
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = uneven if uneven > DUST * TURN else 0.0
+    usual = "usual range of vehicle engines (Finotti 2013, 2.1)"
+    longer = "A longer rod lowers λ and with it every second-order force and couple."
+    rule = "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)"
+    advice = "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even."
     return (
-        check(
-            "engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "",
-            "usual range of vehicle engines (Finotti 2013, 2.1)", "A longer rod lowers λ and with it every second-order force and couple.", kind="advice",
-        ),
-        check(
-            "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°",
-            "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)",
-            "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.",
-            kind="advice",
-        ),
-    )  # fmt: skip
+        check("engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", usual, longer, kind="advice"),
+        check("engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"),
+    )
 
 
 def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """The figures of this step, without and with the counter-shaft: loci with their turning vectors, bars over the orders, a whole turn."""
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..sheet.number import short
+from ..sheet.number import SUBSCRIPTS, short
 from ..sheet.step import Curve, Series, Table, Turning
 from .orders import DUST
 
@@ -42,18 +43,18 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
 
 
 def _locus(word: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[str, ...], supplied: complex, one: float) -> Curve:
-    """The path of order 1 and of all orders together, and the vectors of order 1 that draw it."""
+    """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of these."""
+    before = both[0][1]
+    shown = next(n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one)
+    index = str(shown).translate(SUBSCRIPTS)
     theta = np.radians(np.arange(0, 361, 3.0))
     series, chains = [], []
     for variant, vectors in both:
-        everything: Any = np.zeros(theta.size, complex)
-        for n, order in vectors.items():
-            everything += order[at] * np.exp(1j * n * theta) + order[at + 1] * np.exp(-1j * n * theta)
-        first: Any = vectors[1][at] * np.exp(1j * theta) + vectors[1][at + 1] * np.exp(-1j * theta)
-        series.append(Series("order 1", first.imag, first.real, variant))
+        path, everything = _path(vectors, (shown,), at, theta), _path(vectors, vectors, at, theta)
+        series.append(Series(f"order {shown}", path.imag, path.real, variant))
         series.append(Series("all orders", everything.imag, everything.real, variant))
-        forward, backward = both[0][1][1][at], both[0][1][1][at + 1]
-        parts = [(f"{symbol}₁⁺ forward", forward, 1), (f"{symbol}₁⁻ backward", backward, -1)]
+        forward, backward = before[shown][at], before[shown][at + 1]
+        parts = [(f"{symbol}{index}⁺ forward", forward, shown), (f"{symbol}{index}⁻ backward", backward, -shown)]
         if variant and variant != WITHOUT:
             parts.append(("counter-shaft", supplied, -1))
         if parts := [part for part in parts if abs(part[1]) > DUST * one]:
@@ -62,6 +63,14 @@ def _locus(word: str, symbol: str, unit: str, at: int, both: Any, variants: tupl
         "locus" if word == "couple" else "locus_force", f"Locus of the {word}", f"horizontal, {unit}", f"vertical, {unit}",
         tuple(series), equal=True, variants=variants, turning=tuple(chains),
     )  # fmt: skip
+
+
+def _path(vectors: Any, orders: Iterable[int], at: int, theta: Any) -> Any:
+    """The sum of the turning vectors of some orders at crank angles."""
+    path: Any = np.zeros(theta.size, complex)
+    for n in orders:
+        path += vectors[n][at] * np.exp(1j * n * theta) + vectors[n][at + 1] * np.exp(-1j * n * theta)
+    return path
 
 
 def _bars(word: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[str, ...]) -> Curve:
@@ -80,9 +89,7 @@ def _turn(word: str, symbol: str, unit: str, at: int, both: Any, variants: tuple
     theta = np.radians(degrees)
     series = []
     for variant, vectors in both:
-        everything: Any = np.zeros(theta.size, complex)
-        for n, order in vectors.items():
-            everything += order[at] * np.exp(1j * n * theta) + order[at + 1] * np.exp(-1j * n * theta)
+        everything = _path(vectors, vectors, at, theta)
         series += [Series("vertical", degrees, everything.real, variant), Series("horizontal", degrees, everything.imag, variant)]
     turn = "crank angle from TDC of cylinder 1, °"
     return Curve(
