@@ -153,7 +153,9 @@ def _checks(e: EngineResult) -> tuple[Check, ...]:
     advice = "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even."
     return (
         check("engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", usual, longer, kind="advice"),
-        check("engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"),
+        check(
+            "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"
+        ),
     )
 
 
