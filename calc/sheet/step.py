@@ -72,13 +72,17 @@ class Curve:
 
 @dataclass(frozen=True, slots=True)
 class Table:
-    """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty)."""
+    """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty).
+
+    `covers`: values whose ids begin with this stand in the table; the report's results leave them out, audit excepted.
+    """
 
     id: str
     title: str
     columns: tuple[tuple[str, str], ...]
     rows: tuple[tuple[str | float | None, ...], ...]
     note: str = ""
+    covers: str = ""
 
 
 @dataclass(frozen=True, slots=True)
