@@ -77,10 +77,13 @@ class Design:
 
     def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, str]]:
         pins = sum(body.pin is not None for body in imbalance.crank_bodies)
-        sharing = engine.layout != "inline" and 2 * pins == engine.cylinders
-        if pins and pins != engine.cylinders and not sharing:
-            shared = f", or {engine.cylinders // 2} that two cylinders share" if engine.layout != "inline" else ""
-            yield "imbalance.crank_bodies", f"have {pins} crankpins; this engine has {engine.cylinders}{shared}"
+        there = engine.cylinders
+        if engine.layout != "inline":  # cylinders of two banks may share a pin
+            from .engine.crank import crank, pin_of_cylinder
+
+            there = int(pin_of_cylinder(engine, crank(engine, 0.0)).max()) + 1
+        if pins and pins != there:
+            yield "imbalance.crank_bodies", f"have {pins} crankpins; the throws of this engine stand on {there}"
         if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
             yield "imbalance.crank_bodies_throw_at_tdc", f"must be a cylinder of this engine, from 1 to {engine.cylinders}"
 

@@ -17,6 +17,9 @@ from .sheet.trace import Line
 from .solve import Results
 
 
+SHORT = 64  # elements of an array that single numbers are taken from
+
+
 @dataclass(frozen=True)
 class Link:
     """One line of a chain and the inputs that enter it directly, as keys of the design file."""
@@ -29,8 +32,22 @@ def chain(results: Results, value_id: str) -> list[Link]:
     """The lines that lead to a value, in the order in which they were computed; empty for a value taken straight from an input."""
     lines = [line for outcome in results.outcomes.values() for line in outcome.lines]
     made = {id(line.value): number for number, line in enumerate(lines)}
-    start = made.get(id(results.values()[value_id].inside))
-    inputs = dict(_inputs(results.design)) | dict(_named(results.design))
+    equal = {line.value: number for number, line in enumerate(lines) if isinstance(line.value, (float, complex))}
+    parts = list(_parts(lines))
+
+    def maker(x: Any, before: int = len(lines)) -> int | None:
+        """The line that made a number: the very object, or else the array that it is taken from."""
+        number = made.get(id(x))
+        if number is None and isinstance(x, (float, complex)) and not _common(x):
+            number = equal.get(x)
+        if number is None and isinstance(x, (float, complex)) and not _common(x):
+            number = next((n for n, array in reversed(parts) if n < before and np.any(array == x)), None)
+        return number if number is not None and number < before else None
+
+    start = maker(results.values()[value_id].inside)
+    inputs: dict[int, list[tuple[str, str]]] = {}
+    for identity, origin_key, symbol in (*_inputs(results.design), *((number, key, "") for number, key in _named(results.design))):
+        inputs.setdefault(identity, []).append((origin_key, symbol))
     columns = list(_columns(results.design))
     wanted: set[int] = set()
     todo = [] if start is None else [start]
@@ -38,17 +55,44 @@ def chain(results: Results, value_id: str) -> list[Link]:
         number = todo.pop()
         if number not in wanted:
             wanted.add(number)
-            todo += [made[id(a)] for a in lines[number].arguments.values() if made.get(id(a), number) < number]
+            todo += [m for a in lines[number].arguments.values() if (m := maker(a, number)) is not None]
 
-    def origin(argument: Any) -> str | None:
+    counts = list(_counts(results.design))
+
+    def origin(name: str, argument: Any) -> str | None:
         """The key of an argument that comes straight from the file; an array may be a column of an array of tables."""
         if isinstance(argument, np.ndarray):
             return next((key for key, column in columns if np.array_equal(argument, column)), None)
-        return inputs.get(id(argument))
+        if isinstance(argument, int):  # whole numbers are one object wherever they stand: their name tells them apart
+            return next((key for key, names, number in counts if name in names and number == argument), None)
+        found = inputs.get(id(argument), [])  # numbers that the program takes by default may be one object: the symbol tells them apart
+        return next((key for key, symbol in found if symbol == name), found[0][0] if found else None)
 
     return [
-        Link(lines[n], tuple(key for a in lines[n].arguments.values() if id(a) not in made and (key := origin(a)))) for n in sorted(wanted)
+        Link(line, tuple(key for name, a in line.arguments.items() if id(a) not in made and (key := origin(name, a))))
+        for line in (lines[n] for n in sorted(wanted))
     ]
+
+
+def _parts(lines: list[Line]) -> Iterator[tuple[int, Any]]:
+    """The lines whose value is a short array, of which single numbers are taken on."""
+    for number, line in enumerate(lines):
+        if isinstance(line.value, np.ndarray) and line.value.ndim == 1 and line.value.size <= SHORT:
+            yield number, line.value
+
+
+def _common(x: complex) -> bool:
+    """Whether a number is one that turns up anywhere: 0, 1, ½ …"""
+    return abs(x - complex(round(x.real, 3), round(x.imag, 3))) < 1e-12
+
+
+def _counts(design: Design) -> Iterator[tuple[str, tuple[str, ...], int]]:
+    """Each whole number of the steps: its key, the names that it has in formulas, and itself."""
+    for step in design.asked():
+        inputs = getattr(design, step.key)
+        for key in keys(_class(inputs)).values():
+            if key.about.kind == "integer" and (number := getattr(inputs, key.attribute)) is not None:
+                yield f"{step.key}.{key.key}", (key.about.symbol, key.attribute), number
 
 
 def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, ...]]]:
@@ -66,7 +110,8 @@ def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, 
 
 def origin(results: Results, value_id: str) -> str | None:
     """The key of a value that is an input itself."""
-    return dict(_inputs(results.design)).get(id(results.values()[value_id].inside))
+    wanted = id(results.values()[value_id].inside)
+    return next((key for number, key, _ in _inputs(results.design) if number == wanted), None)
 
 
 def _named(design: Design) -> Iterator[tuple[int, str]]:
@@ -84,9 +129,10 @@ def _named(design: Design) -> Iterator[tuple[int, str]]:
                     yield id(number), f"{step.key}.{attribute} ({name})"
 
 
-def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:
-    """The identity of every number of the design and its key."""
+def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str, str]]:
+    """The identity of every number of the design, its key and its symbol."""
     by_attribute = {key.attribute: key.key for key in keys(_class(inputs)).values()}
+    symbols = {key.attribute: key.about.symbol for key in keys(_class(inputs)).values()}
     for f in fields(inputs):
         content = getattr(inputs, f.name)
         key = f"{prefix}.{by_attribute.get(f.name, f.name)}" if prefix else by_attribute.get(f.name, f.name)
@@ -96,9 +142,9 @@ def _inputs(inputs: Any, prefix: str = "") -> Iterator[tuple[int, str]]:
             for i, part in enumerate(content):
                 yield from _inputs(part, f"{key}.{getattr(part, 'name', i)}")
         elif isinstance(content, (float, tuple)) and content != ():
-            yield id(content), key
+            yield id(content), key, symbols.get(f.name, "")
             if isinstance(content, tuple):
-                yield from ((id(item), key) for item in content)
+                yield from ((id(item), key, "") for item in content if isinstance(item, float))
 
 
 def _class(inputs: Any) -> Any:

@@ -6,12 +6,15 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, BoolArray, IndexArray
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import Metre, Number, Radian
 from .firing import Firing, in_order, most_even
-from .inputs import USUAL_ORDERS, EngineInputs
+from .inputs import EngineInputs, usual_order
+
+
+SAME_PIN = 1e-6  # rad
 
 
 @formula("φ", "Finotti 2013, 2.4: even firing, throw k at ψ_k − i_k·180°·strokes/N", shows="φ from ψ − i·π·strokes/N, counted from throw 1")
@@ -50,22 +53,28 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     n = engine.cylinders
     chosen: list[str] = []
     bank = _banks(engine)
+    if engine.layout != "inline" and engine.bank_of_cylinder is None:
+        chosen.append(f"Banks {', '.join(map(str, bank.tolist()))} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.")
     given = 0.0 if engine.bank_angle is None else engine.bank_angle
     opening: Any = math.pi if engine.layout == "boxer" else column(given)
     psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
     if engine.crank_angles is not None:
-        phi: Any = np.asarray(engine.crank_angles)
+        given_phi: Any = np.asarray(engine.crank_angles)
+        phi: Any = given_phi - given_phi[..., :1]
+        if np.any(given_phi[..., 0]):
+            chosen.append("The crank angles are counted from cylinder 1: that of its throw is taken off all of them.")
     else:
-        order = engine.firing_order or USUAL_ORDERS[n]
+        order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
-            chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: {_why(n)}.")
+            chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: {_why(n, engine.strokes)}.")
         place: Any = np.empty(n)
         place[np.asarray(order) - 1] = np.arange(n)
         phi = throw_angles(psi=psi, i=place, strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
         z: Any = np.asarray(engine.axial_positions)
     else:
-        row: Any = places(engine) if engine.layout == "vee" else np.arange(n)  # side by side; the stagger of vee banks is neglected
+        row: Any = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
+        row = 2 * row + (bank != bank[0]) if engine.layout == "boxer" else row
         z = axial_positions(k=row, a=column(engine.cylinder_pitch))
     theta_0: Any = psi[..., 0] + tdc_angle
     return Crank(phi, z, psi, theta_0 if np.ndim(theta_0) else float(theta_0), tuple(chosen))
@@ -73,10 +82,31 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
 
 def firing(engine: EngineInputs, throws: Crank) -> Firing:
     """When the cylinders of one engine fire: in the order given, else in the most even one that its crank allows."""
-    given = engine.firing_order or (USUAL_ORDERS.get(engine.cylinders) if engine.crank_angles is None else None)
+    usual = usual_order(engine.cylinders, engine.strokes)
+    given = engine.firing_order or (usual if engine.crank_angles is None else None)
     first = given.index(1) if given else 0
     found = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
-    return found or most_even(throws.phi, throws.psi, engine.strokes, USUAL_ORDERS.get(engine.cylinders, ()))
+    return found or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
+
+
+def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
+    """Which cylinders (second axis) run on the crankpin of each (first axis), itself too.
+
+    Two share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart.
+    """
+    n = engine.cylinders
+    if engine.layout == "inline":
+        return np.eye(n, dtype=bool)
+    phi, z, psi = throws.phi, throws.z, throws.psi
+    turned: Any = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
+    near: Any = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
+    other_bank: Any = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
+    return (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool)
+
+
+def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
+    """The crankpin, from 0, that each cylinder runs on; pins are numbered in the order of their first cylinders."""
+    return np.unique(sharing(engine, throws).argmax(1), return_inverse=True)[1]
 
 
 def column(x: Any) -> Any:
@@ -84,10 +114,9 @@ def column(x: Any) -> Any:
     return x[..., None] if isinstance(x, np.ndarray) else x
 
 
-def _why(n: int) -> str:
-    return (
-        f"the usual one of an inline engine with {n} cylinders" if n <= 6 or n == 8 else "it leaves the least forces and couples at λ 0.3"
-    )
+def _why(n: int, strokes: int) -> str:
+    usual = n <= 3 or (strokes == 4 and n in (4, 5, 6, 8))
+    return f"the usual one of an inline engine with {n} cylinders" if usual else "of those that were tried it leaves the least, at λ = 0.3"
 
 
 def places(engine: EngineInputs) -> Any:

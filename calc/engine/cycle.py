@@ -40,7 +40,7 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
     since: Any = np.mod(epsilon - fires, cycle)
-    found = np.where(cycle - since < DUST, 0.0, since)
+    found = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
     return found if found.ndim else found.item()  # type: ignore[return-value]
 
 
@@ -214,6 +214,17 @@ def highest(x: Any, y: Any) -> tuple[float, float]:
         return float(x[np.argmax(y)]), float(np.max(y))
     way = min(max(-slope / (2 * bend), -a), b)
     return float(x[i] + way), float(max(np.max(y), y[i] + way * (slope + bend * way)))
+
+
+def first_highest(x: Any, y: Any) -> float:
+    """The place of the largest value; of peaks of equal height the first."""
+    top = np.max(y)
+    inner = np.arange(1, y.size - 1)
+    peaks = inner[(y[1:-1] >= y[:-2]) & (y[1:-1] >= y[2:]) & (y[1:-1] > top - 1e-3 * abs(top))]
+    found = [highest(x[i - 1 : i + 2], y[i - 1 : i + 2]) for i in peaks.tolist()]
+    found += [(float(x[i]), float(y[i])) for i in (0, -1)]
+    best = max(height for _, height in found)
+    return min(place for place, height in found if height >= best - 1e-6 * abs(best))
 
 
 def amounts(y: Any) -> Any:

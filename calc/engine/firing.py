@@ -6,6 +6,7 @@ A cylinder fires at one of its top dead centres.  Angles are crank angles after 
 """
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,11 +20,15 @@ DUST = 1e-9  # of a turn: two dead centres nearer than this are one
 
 @record
 class Firing:
-    """`order` of the cylinders, numbered from 1; `angles` one per cylinder [rad]; `intervals` in the order, the last one to cylinder 1."""
+    """`order` of the cylinders, numbered from 1; `angles` one per cylinder [rad]; `intervals` in the order, the last one to cylinder 1.
+
+    `chosen`: what the crank and the order leave open, and how it was taken.
+    """
 
     order: tuple[int, ...]
     angles: Array
     intervals: Array
+    chosen: str = ""
 
 
 def dead_centres(phi: Array, psi: Array) -> Array:
@@ -41,17 +46,22 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
     idle = round((strokes * math.pi - float(np.sum(gaps))) / TURN)  # whole turns that the dead centres leave over
     if idle < 0:
         return None
+    chosen = ""
     for _ in range(idle):  # pistons that stand at TDC together fire a turn apart; what is left lies before cylinder 1
         together = np.flatnonzero(gaps == 0.0)
         gaps[together[0] if together.size else -1] += TURN
+        if not together.size and len(order) > 1:
+            chosen = "The order leaves a whole turn without firing; it is taken before cylinder 1."
     angles = np.empty(len(order))
     angles[k] = np.concatenate(([0.0], np.cumsum(gaps)[:-1]))
-    return Firing(order, angles, gaps)
+    return Firing(order, angles, gaps, chosen)
 
 
 def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> Firing:
     """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
-    return evenest(phi, psi, strokes, usual)[0]
+    found = evenest(phi, psi, strokes, usual)
+    said = "one of {} equally even ways in which this crank can fire; give firing_order for another".format(len(found))
+    return replace(found[0], chosen=f"The firing order is chosen: {said}." if len(found) > 1 else "")
 
 
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:

@@ -8,11 +8,22 @@ from ..sheet.quantity import choice, inputs, integer, integers, quantity, series
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
 
-USUAL_ORDERS = {
+# Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that leaves least.
+FOUR_STROKE = {
     1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 2, 4, 5, 3), 6: (1, 5, 3, 6, 2, 4), 7: (1, 2, 4, 6, 7, 5, 3),
     8: (1, 6, 2, 5, 8, 3, 7, 4), 9: (1, 2, 4, 6, 8, 9, 7, 5, 3), 10: (1, 2, 3, 4, 5, 10, 9, 8, 7, 6),
     11: (1, 2, 4, 6, 8, 10, 11, 9, 7, 5, 3), 12: (1, 2, 3, 4, 5, 6, 12, 11, 10, 9, 8, 7),
 }  # fmt: skip
+TWO_STROKE = {
+    1: (1,), 2: (1, 2), 3: (1, 3, 2), 4: (1, 3, 4, 2), 5: (1, 5, 2, 3, 4), 6: (1, 6, 2, 4, 3, 5), 7: (1, 7, 2, 5, 4, 3, 6),
+    8: (1, 8, 2, 6, 4, 5, 3, 7), 9: (1, 9, 2, 7, 4, 5, 6, 3, 8), 10: (1, 9, 4, 7, 2, 10, 3, 5, 6, 8),
+    11: (1, 11, 2, 9, 4, 7, 6, 5, 8, 3, 10), 12: (1, 11, 9, 4, 2, 12, 7, 5, 3, 10, 8, 6),
+}  # fmt: skip
+
+
+def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
+    """The firing order that is taken for an inline engine where none is given."""
+    return (FOUR_STROKE if strokes == 4 else TWO_STROKE).get(cylinders)
 
 
 @inputs
@@ -108,12 +119,16 @@ class EngineInputs:
     def problems(self) -> Iterable[tuple[str, str]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
-        if n != n:  # not given as a number: nothing to compare with
-            return
         if self.strokes == 3:
             yield "strokes", "must be 2 or 4"
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
+        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
+            yield "rod_length_mm", "must be longer than crank radius plus cylinder offset: the crank could not turn"
+        if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
+            yield "rod_cg_to_big_end_mm", "must not exceed the rod length"
+        if n != n:  # not given as a number: nothing to compare with
+            return
         for key, given in (
             ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles),
             ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),
@@ -124,7 +139,7 @@ class EngineInputs:
             yield "firing_order", f"must name each cylinder from 1 to {n} once"
         elif reason := self._not_fired():
             yield "firing_order", reason
-        if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n not in USUAL_ORDERS):
+        if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
             yield "crank_angles_deg", "needed here: give the crank angles, or the firing order of an evenly firing engine"
         if self.layout != "vee" and self.bank_angle:
             yield "bank_angle_deg", "belongs to a vee engine; leave it out"
@@ -134,10 +149,6 @@ class EngineInputs:
             yield "bank_of_cylinder", "an inline engine has bank 0 only"
         if self.layout == "inline" and n > 12:
             yield "cylinders", "an inline engine has at most 12"
-        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            yield "rod_length_mm", "must be longer than crank radius plus cylinder offset: the crank could not turn"
-        if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
-            yield "rod_cg_to_big_end_mm", "must not exceed the rod length"
 
     def _not_fired(self) -> str:
         """Why a crank of given angles can not fire in the given order; empty where it can."""

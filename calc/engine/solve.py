@@ -11,17 +11,20 @@ import numpy as np
 from ..catalogue import Material
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
-from ..sheet.quantity import group, result, value
-from ..sheet.step import Curve, Outcome, Series
+from ..sheet.functions import modulus, pi
+from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.step import Curve, Outcome, Series, Table
 from ..sheet.trace import about, trace, untraced
-from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, RadPerSecond
+from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
 from . import formulas as f
 from . import torque
-from .crank import Crank, column, crank, firing
+from .crank import Crank, column, crank, firing, pin_of_cylinder
 from .firing import DUST, TURN, Firing
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)
+GAP = math.radians(60.0)  # without a point in a table of pressure
+IRREGULAR = 0.05
 EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
 
@@ -45,6 +48,7 @@ class EngineResult:
     firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
     firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
     firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
+    harmonic: dict[str, Stated] | None = group(default=None)
     torque: Any = group(spread=True, default=None)  # TorqueResult
     throw: Any = group(default=None)  # ThrowResult
     crank: Crank
@@ -66,6 +70,21 @@ def points(lam: Any, delta: Any) -> int:
     """How many crank angles carry the whole acceleration: its harmonics fall like e^(−nη) with cosh η = (1 − |δ|)/λ."""
     eta = np.arccosh(np.min((1 - np.abs(delta)) / lam))
     return int(2 ** np.ceil(np.log2(min(65536.0, 8 + 80 / max(eta, 1e-6)))))
+
+
+@formula("Δ", "Finotti 2013, 2.4: firing interval 180°·strokes/N")
+def firing_interval(strokes: Number, N: Number) -> Radian:
+    return pi * strokes / N
+
+
+@formula("Δ_min", "crank angles between one firing and the next, over the working cycle", shows="the shortest of the firing intervals")
+def shortest_interval(gaps: Radian) -> Radian:
+    return float(np.min(gaps))
+
+
+@formula("Δ_max", "crank angles between one firing and the next, over the working cycle", shows="the longest of the firing intervals")
+def longest_interval(gaps: Radian) -> Radian:
+    return float(np.max(gaps))
 
 
 def _peak(y: Any) -> tuple[Any, Any]:
@@ -121,15 +140,20 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
     with trace() as lines:
         e = values(engine)
         fires = firing(engine, e.crank)
+        interval = firing_interval(strokes=engine.strokes, N=engine.cylinders)
+        gaps: Any = fires.intervals
+        shortest, longest = shortest_interval(gaps=gaps), longest_interval(gaps=gaps)
         with about("torque"):
             turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
+        with about("harmonics of the piston's acceleration"):
+            named = _harmonics(e)
         stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
-        e, firing_interval=engine.strokes * math.pi / engine.cylinders, firing_interval_shortest=float(fires.intervals.min()),
-        firing_interval_longest=float(fires.intervals.max()), torque=turning, throw=stressed,
+        e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed, harmonic=named,
     )  # fmt: skip
     return Outcome(
-        "engine", result=e, checks=(*_checks(e), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves), tables=tables,
+        "engine", result=e, checks=(*_checks(engine, e), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves),
+        tables=(_crank_table(engine, e, fires), *tables),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip
 
@@ -143,7 +167,35 @@ def _throw(engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque
     return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 
-def _checks(e: EngineResult) -> tuple[Check, ...]:
+@formula("|c_n|", "amplitude of one order of a/(ω²·r)")
+def harmonic_amplitude(c_n: PhasorNumber) -> Number:
+    return modulus(c_n)
+
+
+def _harmonics(e: EngineResult) -> dict[str, Stated]:
+    """The orders of the piston's acceleration over ω²·r, those that there are."""
+    return {
+        f"order_{n}": Stated(Described(f"Piston acceleration over ω²·r, order {n}", "", f"c_{n}"), harmonic_amplitude(c_n=c))
+        for n, c in zip(ORDERS, e.harmonics) if c
+    }  # fmt: skip
+
+
+def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
+    """Cylinder by cylinder, where everything stands: what the layout was taken for."""
+    pin = pin_of_cylinder(engine, e.crank)
+    degrees = [np.round(np.degrees(x), 4) + 0.0 for x in (e.crank.psi, e.crank.phi, fires.angles)]
+    rows = tuple(
+        (float(k + 1), float(degrees[0][k]), float(degrees[1][k]), float(pin[k] + 1), float(e.crank.z[k]) * 1e3, float(degrees[2][k]))
+        for k in range(engine.cylinders)
+    )
+    return Table(
+        "crank", "The crank and its cylinders",
+        (("cylinder", ""), ("bank", "°"), ("throw", "°"), ("pin", ""), ("z", "mm"), ("fires at", "°")), rows,
+        "Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel.",
+    )  # fmt: skip
+
+
+def _checks(engine: EngineInputs, e: EngineResult) -> tuple[Check, ...]:
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = uneven if uneven > DUST * TURN else 0.0
@@ -151,12 +203,44 @@ def _checks(e: EngineResult) -> tuple[Check, ...]:
     longer = "A longer rod lowers λ and with it every second-order force and couple."
     rule = "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)"
     advice = "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even."
+    gas: list[Check] = []
+    if e.torque.indicated_work is not None:
+        gas.append(
+            check(
+                "engine.gas.work", "Indicated work of a cycle", e.torque.indicated_work, ">", 0.0, "J", "an engine gives work",
+                "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure.", kind="advice",
+            )
+        )  # fmt: skip
+    if engine.gas is not None and engine.gas.pressure:
+        gas.append(
+            check(
+                "engine.gas.gap", "Largest gap in the table of indicated pressure", _gap(engine), "<=", GAP, "°",
+                "rule of this program: a straight line is taken across a gap", "Give points at least every 60° of the whole cycle.", kind="advice",
+            )
+        )  # fmt: skip
+    if e.torque.speed_irregularity is not None:
+        gas.append(
+            check(
+                "engine.speed_irregularity", "Speed irregularity", e.torque.speed_irregularity, "<=", IRREGULAR, "",
+                "ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20 (machine handbooks)",
+                "A larger engine.flywheel_inertia_kgm2 lowers it in proportion.", kind="advice",
+            )
+        )  # fmt: skip
     return (
+        *gas,
         check("engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", usual, longer, kind="advice"),
         check(
             "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"
         ),
     )
+
+
+def _gap(engine: EngineInputs) -> Radian:
+    """The largest gap between the points of the pressure table, over the closed cycle."""
+    assert engine.gas is not None
+    length = engine.strokes * math.pi
+    at: Any = np.sort([point.angle % length for point in engine.gas.pressure])
+    return float(np.diff(at, append=at[:1] + length).max())
 
 
 def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:
@@ -176,6 +260,7 @@ def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[str, .
     if engine.cylinders > 1:
         degrees = [round(math.degrees(gap), 3) for gap in fires.intervals]
         even = max(degrees) - min(degrees) < 1e-3
+        notes += [fires.chosen] if fires.chosen else []
         notes.append(
             f"Fires {'-'.join(map(str, fires.order))}, "
             + (f"every {degrees[0]:g}°." if even else f"after {'-'.join(f'{d:g}' for d in degrees)}°: unevenly.")

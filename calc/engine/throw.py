@@ -22,6 +22,7 @@ from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Rad
 from . import cycle as c
 from . import formulas as f
 from . import throw_formulas as t
+from .crank import sharing
 from .cycle import TURN, Cycle
 from .gas import GasInputs
 from .throw_inputs import ThrowInputs
@@ -31,8 +32,8 @@ if TYPE_CHECKING:
     from .solve import EngineResult
 
 POSITIONS = {"largest_tangential": "largest tangential force", "top_dead_centre": "top dead centre"}
+SPAN = (0.8, 1.1)
 FIT = (0.01, 0.3)  # of the notch factors, ρ/d
-SAME_PIN = 1e-6  # rad
 SAME_STRESS = 1e-9
 
 
@@ -141,15 +142,12 @@ class _Throw:
 def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArray]:
     """Which cylinders (second axis) run on the pin of each (first axis), itself too; and which stand on throws in front of it.
 
-    Two cylinders share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart.  Of two
-    throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
+    Of two throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
     """
-    phi, z, psi = (np.asarray(part, dtype=float) for part in (e.crank.phi, e.crank.z, e.crank.psi))
-    number = np.arange(phi.size)
+    z: Any = e.crank.z
+    number = np.arange(z.size)
     apart: Any = z[None, :] - z[:, None]
-    turned: Any = np.abs((phi[None, :] - phi[:, None] + math.pi) % TURN - math.pi)
-    other_bank: Any = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
-    shared: Any = (turned < SAME_PIN) & (np.abs(apart) < engine.cylinder_pitch / 2) & other_bank | np.eye(phi.size, dtype=bool)
+    shared: Any = sharing(engine, e.crank)
     in_front: Any = (apart < 0) | ((apart == 0) & (number[None, :] < number[:, None]))
     return shared, in_front & ~shared
 
@@ -171,7 +169,7 @@ def solve(
     with untraced():
         angles = _positions(crank, shared)
         worst = _stress_of_all(crank, shared, in_front, angles)
-    stress: Any = worst.max((0, 2))
+    stress: Any = np.nanmax(worst[..., :2], (0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     found: dict[str, Any] = {}
     for (key, words), epsilon in zip(POSITIONS.items(), angles[:, k]):
@@ -181,7 +179,7 @@ def solve(
     }
     result = ThrowResult(cylinder=k + 1, span=crank.span, **factors, **found)
     material = materials.get(throw.material)
-    return result, _checks(crank, result, material), _notes(crank, result, shared[k], material), _tables(result, worst)
+    return result, _checks(crank, worst, material), _notes(crank, result, shared[k], material), _tables(result, worst)
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:
@@ -199,12 +197,14 @@ def _positions(crank: _Throw, shared: BoolArray) -> Array:
 
 
 def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
-    """Nominal von Mises stress by position, cylinder and place (pin, journal)."""
+    """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these are not given)."""
     rods = crank.rod(crank.fires, angles[:, :, None])
     F_t, F_r = (np.einsum("pkj,kj->pk", rods[part], shared) for part in ("tangential_force", "radial_force"))
     T_v = np.einsum("pkj,kj->pk", rods["tangential_force"], in_front) * crank.engine.crank_radius
     found = crank.sections(F_t, F_r, T_v)
-    return np.stack([found["pin"].von_mises, found["journal"].von_mises], -1)
+    none: Any = np.full(F_t.shape, np.nan)
+    notch = [none if found[place].notch_stress is None else found[place].notch_stress for place in ("pin", "journal")]
+    return np.stack([found["pin"].von_mises, found["journal"].von_mises, *notch], -1)
 
 
 def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
@@ -226,13 +226,23 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
 
 
 # --- what is said about it --------------------------------------------------------------------------------------------------
-def _checks(crank: _Throw, result: ThrowResult, material: Material | None) -> tuple[Check, ...]:
+def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
+    """Each place by the largest stress that it has on any throw, in either position."""
     found: list[Check] = []
+    largest: Any = worst.max((0, 1))
+    throw, pitch = crank.throw, crank.engine.cylinder_pitch
+    if crank.engine.cylinders > 1:
+        found.append(
+            check(
+                "engine.throw.span", "Distance of the main journals over the cylinder pitch", crank.span / pitch, "in", SPAN, "",
+                "rule of this program: a main journal between any two throws", "Journal length, both webs and pin length make the span; the "
+                "stresses are proportional to it.", kind="advice",
+            )
+        )  # fmt: skip
     limit = material.proof_stress if material else None
-    proof = f"proof stress of {crank.throw.material}"
-    for place, key in (("pin", "engine.throw.pin_diameter_mm"), ("journal", "engine.throw.journal_diameter_mm")):
-        both: list[Section] = [getattr(position, place) for position in (result.largest_tangential, result.top_dead_centre)]
-        nominal, notch = max(s.von_mises for s in both), max(s.notch_stress or 0.0 for s in both)
+    proof = f"proof stress of {throw.material}"
+    for i, (place, key) in enumerate((("pin", "engine.throw.pin_diameter_mm"), ("journal", "engine.throw.journal_diameter_mm"))):
+        nominal, notch = float(largest[i]), float(largest[i + 2])
         if limit is not None:
             found.append(
                 check(
@@ -317,7 +327,7 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
             Table(
                 "throws", "Nominal von Mises stress of every throw",
                 (("throw", ""), ("pin, F_t", "MPa"), ("journal, F_t", "MPa"), ("pin, TDC", "MPa"), ("journal, TDC", "MPa")),
-                tuple((f"cylinder {k + 1}", *(float(s) / mega for s in worst[:, k].ravel())) for k in range(worst.shape[1])),
+                tuple((f"cylinder {k + 1}", *(float(s) / mega for s in worst[:, k, :2].ravel())) for k in range(worst.shape[1])),
                 "At its largest tangential force (F_t) and at its firing (TDC).",
             )
         )  # fmt: skip

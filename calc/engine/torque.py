@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The torque about the crank: of the inertia forces always, of the gas where a cycle or an indicated pressure is given.
 
-Torque is positive in the sense of rotation; the block feels the opposite.  ε is the crank angle after the firing of cylinder 1.
+Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of the inertia force, which
+acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after the firing of cylinder 1.
 Cylinder k then stands ε − f_k after its own firing, which is the same as α_k = θ + φ_k − ψ_k with θ the angle of throw 1 from up.
 """
 
@@ -16,7 +17,7 @@ from ..sheet.functions import cis, modulus, pi, resultant
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Curve, Series
 from ..sheet.trace import about, untraced
-from ..sheet.units import CubicMetre, KilogramMetre2, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian, RadPerSecond, Watt
+from ..sheet.units import CubicMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian, RadPerSecond, Watt
 from . import cycle as c
 from . import formulas as f
 from .cycle import TURN, Cycle
@@ -39,6 +40,9 @@ class TorqueResult:
 
     inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
     inertia_torque: dict[str, Stated] = group()
+    reaction_inertia_peak: NewtonMetre = value("Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI")
+    reaction_inertia: dict[str, Stated] = group()
+    reaction_peak: NewtonMetre | None = value("Largest torque reaction on the block, by amount", "N·m", "T_R", default=None)
     gas_torque_peak: NewtonMetre | None = value("Largest gas torque, by amount", "N·m", "T_G", default=None)
     torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
     torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)
@@ -59,6 +63,11 @@ def inertia_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
 
 
+@formula("ΣF_I", "sum over the cylinders: inertia forces along their axes")
+def inertia_sum(F_k: Newton) -> Newton:
+    return resultant(F_k)
+
+
 @formula("T_G", "sum over the cylinders: torque of the gas forces")
 def gas_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
@@ -67,6 +76,12 @@ def gas_torque(T_k: NewtonMetre) -> NewtonMetre:
 @formula("T", "sum of the gas and inertia torques")
 def whole_torque(T_G: NewtonMetre, T_I: NewtonMetre) -> NewtonMetre:
     return T_G + T_I
+
+
+@formula("T_R", "moment of momentum of piston and crank: reaction on the block, with the inertia force on the offset cylinder's axis")
+def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
+    """`T` on the crank, `F_I` towards the crank along the axis of the cylinder, which lies d further in the sense of rotation."""
+    return -T + d * F_I
 
 
 @formula("|T|", "amount of the torque at the crank angle where it is largest")
@@ -129,8 +144,8 @@ def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSec
 
 
 # --- torque at any crank angles ---------------------------------------------------------------------------------------------
-def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any, epsilon: Any) -> tuple[Any, Any]:
-    """Gas and inertia torque of each cylinder (last axis) at crank angles ε.  Without gas the first is None."""
+def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any, epsilon: Any) -> tuple[Any, Any, Any]:
+    """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles ε."""
     length = gas.length if gas else TURN
     own = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
     alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
@@ -140,10 +155,10 @@ def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any,
     F_I = c.inertia_force(M_alt=e.reciprocating_mass, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
     T_I = c.torque_of(F=F_I, r=engine.crank_radius, v_rel=v_rel)
     if gas is None:
-        return None, T_I
+        return None, T_I, F_I
     x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
     F_G = c.gas_force(p=gas.pressure(own, x), p_case=gas.crankcase, D=engine.bore)
-    return c.torque_of(F=F_G, r=engine.crank_radius, v_rel=v_rel), T_I
+    return c.torque_of(F=F_G, r=engine.crank_radius, v_rel=v_rel), T_I, F_I
 
 
 def solve(
@@ -152,7 +167,9 @@ def solve(
     """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
     fires: Any = np.asarray(firing, dtype=float)
     found, curve = _inertia(engine, e, fires)
-    notes = ["The block feels the opposite of the torque about the crank; no masses can balance it."]
+    notes = ["The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean."]
+    if engine.cylinder_offset:
+        notes.append("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's axis to the torque reaction.")
     if gas is None:
         notes.append("No gas is given: the torque is that of the inertia forces alone.")
         return TorqueResult(**found, cycle=None), (curve,), tuple(notes)
@@ -169,48 +186,74 @@ def solve(
 def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dict[str, Any], Curve]:
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
     epsilon: Any = np.arange(POINTS + 1) * (TURN / POINTS)
-    with untraced():
-        one: Any = at(engine, e, None, 0.0, epsilon[:-1])[1]
+    d = engine.cylinder_offset
+    with about("inertia torque of one cylinder"):
+        _, one, F_I = at(engine, e, None, 0.0, epsilon[:-1])
+        on_block: Any = reaction(T=one, d=d, F_I=F_I)
     turned: Any = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires).sum(1)
-    whole: Any = np.fft.irfft(np.fft.rfft(one) * turned, POINTS)
-    whole = np.append(whole, whole[0])
-    best, _ = c.highest(epsilon, c.amounts(whole))
+
+    def together(T_k: Any) -> Any:
+        whole = np.fft.irfft(np.fft.rfft(T_k) * turned, POINTS)
+        return np.append(whole, whole[0])
+
+    whole, block = together(one), together(on_block)
     with about("largest inertia torque"):
-        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, best)[1]))
+        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, c.first_highest(epsilon, c.amounts(whole)))[1]))
+    with about("largest torque reaction of the inertia forces"):
+        _, T_I, F_I = at(engine, e, None, fires, c.first_highest(epsilon, c.amounts(block)))
+        peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about("inertia torque"):
         t: Any = torque_harmonics(T_k=one, fires=fires)
-        orders = {
-            f"order_{n}": Stated(Described(f"Inertia torque of order {n}", "N·m", f"T_{n}"), harmonic_amplitude(t_n=complex(t_n)))
-            for n, t_n in enumerate(t, 1) if abs(t_n) > SMALL * abs(t).max()
-        }  # fmt: skip
+        orders = _amplitudes(t, "Inertia torque", "T")
+    with about("torque reaction of the inertia forces"):
+        t_block: Any = torque_harmonics(T_k=on_block, fires=fires)
+        block_orders = _amplitudes(t_block, "Torque reaction of the inertia forces", "T_RI")
     curve = Curve(
         "torque", "Inertia torque about the crank over one turn", "crank angle after TDC of cylinder 1, °", "T, N·m",
-        (Series("inertia", np.degrees(epsilon[::2]), whole[::2]),),
+        (Series("on the crank", np.degrees(epsilon[::2]), whole[::2]), Series("on the block", np.degrees(epsilon[::2]), block[::2])),
     )  # fmt: skip
-    return {"inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": tuple(complex(t_n) for t_n in t)}, curve
+    return {
+        "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": tuple(complex(t_n) for t_n in t),
+        "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders,
+    }, curve  # fmt: skip
+
+
+def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:
+    return {
+        f"order_{n}": Stated(Described(f"{words}, order {n}", "N·m", f"{symbol}{n}"), harmonic_amplitude(t_n=complex(t_n)))
+        for n, t_n in enumerate(t, 1) if abs(t_n) > SMALL * abs(t).max()
+    }  # fmt: skip
 
 
 def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, flywheel_inertia: float | None) -> dict[str, Any]:
     """What the gas gives: work, peaks, mean and fluctuation."""
     epsilon = c.points(cycle, fires)
     with untraced():
-        of_gas, of_inertia = at(engine, e, cycle, fires, epsilon[:, None])
+        of_gas, of_inertia, force = at(engine, e, cycle, fires, epsilon[:, None])
         gas_only: Any = of_gas.sum(-1)
         whole: Any = gas_only + of_inertia.sum(-1)
         best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
-        T_G_k, _ = at(engine, e, cycle, fires, best)
-    W_i = indicated_work(T_k=of_gas[:, 0], epsilon=epsilon)  # of cylinder 1, whose corners are among the points
+        T_G_k = at(engine, e, cycle, fires, best)[0]
+        on_block: Any = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
+        best_block = c.first_highest(epsilon, c.amounts(on_block))
+    with about("cylinder 1 over its cycle"):
+        one, _, _ = at(engine, e, cycle, float(fires[0]), epsilon)  # its corners are among the points
+    W_i = indicated_work(T_k=one, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about("largest gas torque"):
         peak_gas = amount(T=gas_torque(T_k=T_G_k))
     best = _angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True)
     with about("largest torque"):
-        T_G_k, T_I_k = at(engine, e, cycle, fires, best)
+        T_G_k, T_I_k, _ = at(engine, e, cycle, fires, best)
         peak = amount(T=whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k)))
+    with about("largest torque reaction"):
+        T_G_k, T_I_k, F_k = at(engine, e, cycle, fires, best_block)
+        both = whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k))
+        peak_block = amount(T=reaction(T=both, d=engine.cylinder_offset, F_I=inertia_sum(F_k=F_k)))
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
     uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
     return {
-        "gas_torque_peak": peak_gas, "torque_peak": peak, "torque_peak_angle": best,
+        "reaction_peak": peak_block, "gas_torque_peak": peak_gas, "torque_peak": peak, "torque_peak_angle": best,
         "compression_end_pressure": cycle.compression_end, "indicated_work": W_i,
         "indicated_mean_pressure": mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), "mean_torque": T_m,
         "indicated_power": indicated_power(T_m=T_m, omega=e.angular_speed), "energy_fluctuation": Delta_E,
@@ -223,9 +266,9 @@ def _angle_of_peak(
 ) -> float:
     """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one of them."""
     size = c.amounts(torque)
-    between, _ = c.highest(epsilon, size)
+    between = c.first_highest(epsilon, size)
     with untraced():
-        T_G, T_I = at(engine, e, cycle, fires, between)
+        T_G, T_I, _ = at(engine, e, cycle, fires, between)
     found = c.amounts(T_G.sum() + (T_I.sum() if inertia else 0.0))
     return between if found >= size.max() else float(epsilon[size.argmax()])
 
@@ -235,7 +278,8 @@ def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle,
     epsilon: Any = np.arange(round(cycle.length / DRAWN) + 1) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():
-        T_G, T_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
+        T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
+        on_block = reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I)
         alpha: Any = e.tdc_angle + epsilon
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
@@ -243,7 +287,7 @@ def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle,
     assert result.mean_torque is not None
     torque = Curve(
         "torque", "Torque about the crank over the cycle", "crank angle after the firing of cylinder 1, °", "T, N·m",
-        (Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I)),
+        (Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I), Series("on the block", degrees, on_block)),
         limits=(("mean", result.mean_torque),),
     )  # fmt: skip
     pressure = Curve(

@@ -50,7 +50,7 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     n = engine.cylinders
     orders: Any = np.array(list(_orders(engine)), dtype=np.int8)
     place = np.argsort(orders, axis=1)  # of each cylinder in the order
-    throws = engine.strokes * n // 4 if engine.strokes * n % 4 == 0 else n  # places so far apart share a crank angle
+    throws = n // 2 if engine.strokes == 4 and n % 2 == 0 else n  # places so far apart share a crank angle: they are a turn apart
     keys = np.zeros(len(orders), dtype=np.int64)
     for k in range(n):
         keys = keys * n + place[:, k] % throws
@@ -74,7 +74,7 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     n = engine.cylinders
     if n <= ALL:
         return ((1, *rest) for rest in permutations(range(2, n + 1)))
-    found = [] if n > SOME else list(_symmetric(n)) if engine.layout == "inline" else list(_paired(engine))
+    found = [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
     if not found:
         raise NoSolution(
             f"firing orders of {n} cylinders in this layout are not listed",
@@ -110,20 +110,26 @@ def _paired(engine: EngineInputs) -> Iterator[tuple[int, ...]]:
     yield from fill(0, frozenset(range(n)))
 
 
-def _symmetric(n: int) -> Iterator[tuple[int, ...]]:
-    """Orders of inline cranks whose ends mirror each other: throws that pair in one plane (n even), or at opposite angles (n odd)."""
+def _symmetric(n: int, strokes: int) -> Iterator[tuple[int, ...]]:
+    """Orders of inline cranks whose ends mirror each other.
+
+    Four strokes and n even: the throws k and n + 1 − k at one angle.  Else they stand mirrored at an axis: their places add up to the
+    same number.
+    """
     pairs = n // 2
-    for middle in range(1, n) if n % 2 else (0,):
-        partner = [(2 * middle - i) % n if n % 2 else (i + pairs) % n for i in range(n)]
-        if partner[0] in (0, middle) and n % 2:
+    in_line = strokes == 4 and n % 2 == 0
+    for whole in (pairs,) if in_line else range(1, n, 1 if n % 2 else 2):
+        partner = [(i + pairs) % n if in_line else (whole - i) % n for i in range(n)]
+        middle = [i for i in range(n) if partner[i] == i]
+        if partner[0] in (0, *middle):
             continue
         free = [i for i in range(1, n) if i < partner[i] and 0 not in (i, partner[i])]
         for chosen in permutations(free):
             for sides in product((0, 1), repeat=len(chosen)):
                 place = [0] * n
                 place[n - 1] = partner[0]
-                if n % 2:
-                    place[pairs] = middle
+                if middle:
+                    place[pairs] = middle[0]
                 for k, (i, side) in enumerate(zip(chosen, sides), 1):
                     place[k], place[n - 1 - k] = (partner[i], i) if side else (i, partner[i])
                 yield tuple(int(k) + 1 for k in np.argsort(place))

@@ -45,7 +45,7 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
 def _locus(word: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[str, ...], supplied: complex, one: float) -> Curve:
     """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of these."""
     before = both[0][1]
-    shown = next(n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one)
+    shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one), 1)
     index = str(shown).translate(SUBSCRIPTS)
     theta = np.radians(np.arange(0, 361, 3.0))
     series, chains = [], []

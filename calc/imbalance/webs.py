@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 
-from ..engine.crank import column, places
+from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, modulus, resultant
+from ..sheet.functions import argument, cis, imag, modulus, resultant
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
 from ..sheet.trace import about, untraced
@@ -33,7 +33,6 @@ from ..sheet.units import (
     PhasorSquareMetre,
     Radian,
     RadPerSecond,
-    SquareMetre,
 )  # fmt: skip
 from .inputs import ImbalanceInputs
 from .remedies import equivalent_mass
@@ -53,9 +52,9 @@ def product(m: Kilogram, p: PhasorMetre, z: Metre) -> PhasorKilogramMetre2:
 
 
 @formula("m_b", "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up", unit="g")
-def equal_bob(C_y: KilogramMetre2, G_y: SquareMetre) -> Kilogram:
-    """`C_y` of the bare crank; `G_y` of the same mass on every pin, per kilogram: sum of y·z."""
-    return -C_y / G_y
+def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
+    """`C` of the bare crank; `G` of the same mass on every pin, per kilogram: sum of p·z.  Imaginary: across the throw that stands up."""
+    return -imag(C) / imag(G)
 
 
 @formula("m_j", "smallest change of the common bob that takes the whole couple", shows="least norm of m − m_b with C = 0", unit="g")
@@ -91,15 +90,17 @@ def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
 
-@formula("U·z", "sum of the bobs that each pin lacks (Finotti 2013, 2.6)", unit="kg·mm²")
-def lacking_product(M_eq: Kilogram, m_b: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
-    """What the crank's own webs, balanced for bobs m_b, lack of the equivalent masses of all cylinders."""
-    return r * cis(theta_0) * resultant((M_eq - m_b) * z * cis(phi))
+@formula("U·z", "what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm²", names={"z_p": "z_P", "phi_p": "φ_P"})
+def lacking_product(
+    r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, z_p: Metre, phi_p: Radian
+) -> PhasorKilogramMetre2:
+    """`M_eq` of every cylinder at z and φ, less the bobs `m_b`, for which the crank's own webs are balanced, of every pin at z_P and φ_P."""
+    return r * cis(theta_0) * (M_eq * resultant(z * cis(phi)) - resultant(m_b * z_p * cis(phi_p)))
 
 
-@formula("U", "sum of the bobs that each pin lacks (Finotti 2013, 2.6)", unit="kg·mm")
-def lacking_unbalance(M_eq: Kilogram, m_b: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
-    return r * cis(theta_0) * resultant((M_eq - m_b) * cis(phi))
+@formula("U", "what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm", names={"phi_p": "φ_P"})
+def lacking_unbalance(r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, phi_p: Radian) -> PhasorKilogramMetre:
+    return r * cis(theta_0) * (M_eq * resultant(cis(phi)) - resultant(m_b * cis(phi_p)))
 
 
 @formula("C_pf", "couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"})
@@ -162,7 +163,7 @@ class WebsResult:
 
     bob_mass: dict[str, Stated] | None = group(default=None)
     crank: dict[str, CrankState] | None = group(default=None)
-    equivalent_mass: Kilogram | None = value("Equivalent mass of a crankpin", "g", "M_eq", default=None)
+    equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
     missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
     missing_forward_force: Newton | None = value("Force that pulley and flywheel must supply", "N", "F_pf", default=None)
@@ -186,12 +187,14 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     wanted: Any = None
     if bob is not None:
         crank: Any = e.crank
-        m_b: Any = bob if np.ndim(bob) == 0 else bob[_pins(engine, len(bob))]
+        pin = pin_of_cylinder(engine, crank)
+        first = np.unique(pin, return_index=True)[1]
         with about("pulley and flywheel"):
             M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
-            place: dict[str, Any] = dict(M_eq=column(M_eq), m_b=m_b, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
-            P = lacking_product(z=crank.z, **place)
-            U = lacking_unbalance(**place)
+            m_b: Any = np.broadcast_to(bob, first.size)
+            place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=m_b)
+            P = lacking_product(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
+            U = lacking_unbalance(phi_p=crank.phi[..., first], **place)
             wanted = wanted_couple(P=P, omega=omega)
             found |= {
                 "equivalent_mass": M_eq,
@@ -227,11 +230,11 @@ class _Machine:
         G: Any = p_pin * self.z[self.pins]
         with about("bare crank"):
             S_0, C_0 = unbalance(m=self.m, p=self.p), product(m=self.m, p=self.p, z=self.z)
-        self.bare = _clean(S_0, self.m * self.p), _clean(C_0, self.m * self.p * self.z)
-        G_y = float(np.sum(G).imag)
+        self.bare = S_0, C_0
+        together = complex(np.sum(G))
         self.modes: dict[str, Any] = {}
-        if abs(G_y) > 1e-6 * float(np.sum(np.abs(G))) > 0:
-            self.modes["equal"] = np.full(self.pins.size, equal_bob(C_y=C_0.imag, G_y=G_y))
+        if abs(together.imag) > 1e-6 * float(np.sum(np.abs(G))) > 0:
+            self.modes["equal"] = np.full(self.pins.size, equal_bob(C=C_0, G=together))
             self.modes["per_pin"] = bobs_per_pin(m_b=float(self.modes["equal"][0]), C=C_0, G=G)
         self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
@@ -241,7 +244,7 @@ class _Machine:
         m: Any = np.concatenate([self.m, bobs])
         p: Any = np.concatenate([self.p, self.p[self.pins]])
         z: Any = np.concatenate([self.z, self.z[self.pins]])
-        return _clean(unbalance(m=m, p=p), m * p), _clean(product(m=m, p=p, z=z), m * p * z)
+        return unbalance(m=m, p=p), product(m=m, p=p, z=z)
 
 
 def _bodies(machine: _Machine, imbalance: ImbalanceInputs, e: EngineResult) -> dict[str, Any]:
@@ -255,12 +258,6 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, e: EngineResult) -> d
         states["balanced"] = _state(*machine.with_bobs(masses), imbalance, e)
     bobs = {str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)}
     return {"crank": states, "bob_mass": bobs, "masses": masses}
-
-
-def _clean(sum_: complex, parts: Any) -> complex:
-    """Without the dust of the last digits in either direction, where the parts cancel."""
-    dust = 1e-12 * float(np.sum(np.abs(parts)))
-    return complex(sum_.real if abs(sum_.real) > dust else 0.0, sum_.imag if abs(sum_.imag) > dust else 0.0)
 
 
 def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
@@ -313,8 +310,3 @@ def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult)
     if min(machine.modes[machine.mode]) < 0:
         notes.append("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
     return (table,), tuple(notes)
-
-
-def _pins(engine: EngineInputs, count: int) -> Any:
-    """The crankpin, from 0, that each cylinder runs on: one each, or one for the cylinders of two banks that stand side by side."""
-    return np.arange(count) if count == engine.cylinders else places(engine)

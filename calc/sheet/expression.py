@@ -27,7 +27,7 @@ GREEK = dict(
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
 CALLS = {"sqrt": "sqrt", "total": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}
-CALLS |= {"largest": "max", "smallest": "min"}
+CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
 CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 
 

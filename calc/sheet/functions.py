@@ -52,6 +52,11 @@ def modulus(z: complex) -> float:
     return abs(z)
 
 
+def imag(z: complex) -> float:
+    """The part 90° further in the sense of crank rotation."""
+    return z.imag
+
+
 def argument(z: complex) -> float:
     """The angle of a phasor from "up", in the sense of crank rotation [rad]; 0 for a phasor of zero length.
 
@@ -71,13 +76,20 @@ def total(x: Any) -> Any:
 def resultant(x: Any) -> Any:
     """Sum over the last axis: the cylinders of one engine, or of each of many.
 
-    Vectors that cancel give 0, not the dust of the last digits.
+    Vectors that cancel in a direction give 0 there, not the dust of the last digits.
     """
+    dust = 1e-12 * np.sum(np.abs(x), -1)
     if np.ndim(x) > 1:
         found: Any = np.sum(x, -1)
-        return np.where(abs(found) < 1e-12 * np.sum(np.abs(x), -1), 0.0, found)
+        if not np.iscomplexobj(found):
+            return np.where(np.abs(found) > dust, found, 0.0)
+        found.real[np.abs(found.real) <= dust] = 0.0
+        found.imag[np.abs(found.imag) <= dust] = 0.0
+        return found
     one = np.sum(x).item()
-    return 0.0 if abs(one) < 1e-12 * np.sum(np.abs(x)) else one
+    if isinstance(one, complex):
+        return complex(one.real if abs(one.real) > dust else 0.0, one.imag if abs(one.imag) > dust else 0.0)
+    return one if abs(one) > dust else 0.0
 
 
 def joined(a: complex, b: complex) -> complex:

@@ -13,7 +13,7 @@ from calc.sheet.formula import Formula
 
 UREG = pint.UnitRegistry()
 SPELL = {"·": "*", "²": "**2", "³": "**3", "µ": "u", "°C": "kelvin", "°": "degree", "10⁻⁶/K": "1e-6/kelvin"}
-SAME = {"modulus", "abs", "conj", "total", "resultant", "joined", "largest", "smallest", "rss"}
+SAME = {"modulus", "abs", "conj", "total", "resultant", "joined", "imag", "largest", "smallest", "rss"}
 PURE = {"sin", "cos", "tan", "exp", "ln", "log10", "asin", "acos", "atan", "asinh", "inv", "cis", "erf", "log1p", "arctan2"}
 
 

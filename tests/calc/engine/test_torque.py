@@ -58,7 +58,7 @@ def test_inertia_torque_is_the_loss_of_kinetic_energy(offset):
     """∫T dα = ½·m·(v₀² − v²) at every crank angle, hence no work over a turn."""
     engine, e, fires = engine_of(**single(cylinder_offset=offset))
     epsilon = np.linspace(0, 2 * np.pi, 2001)
-    _, T = torque.at(engine, e, None, fires, epsilon[:, None])
+    _, T, _ = torque.at(engine, e, None, fires, epsilon[:, None])
     alpha = e.tdc_angle + epsilon
     v = f.relative_speed(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)) * e.angular_speed * engine.crank_radius
     assert running(epsilon, T[:, 0]) == pytest.approx(-e.reciprocating_mass * v**2 / 2, abs=1e-6 * e.reciprocating_mass * v.max() ** 2)
@@ -115,6 +115,9 @@ def test_without_gas_the_rest_is_unknown():
         "engine.inertia_torque_peak",
         "engine.inertia_torque.order_3",
         "engine.inertia_torque.order_6",
+        "engine.reaction_inertia_peak",
+        "engine.reaction_inertia.order_3",
+        "engine.reaction_inertia.order_6",
     }
 
 
@@ -169,7 +172,7 @@ def test_gas_torque_begins_at_dead_centre():
     engine, e, fires = engine_of(**single(cylinder_offset=0.01))
     cycle = prepare(engine, e, GasInputs(**DIESEL))
     bdc = dead_centre_angle(delta=e.delta, lam=e.lambda_)
-    T_G, T_I = torque.at(engine, e, cycle, fires, np.array([[0.0], [bdc], [2 * np.pi], [2 * np.pi + bdc]]))
+    T_G, T_I, _ = torque.at(engine, e, cycle, fires, np.array([[0.0], [bdc], [2 * np.pi], [2 * np.pi + bdc]]))
     assert np.abs(T_G).max() < 1e-9
     assert np.abs(T_I).max() < 1e-9
 
@@ -178,7 +181,7 @@ def test_peaks_are_the_largest_of_a_fine_scan():
     engine, e, fires = engine_of()
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, None)
-    T_G, T_I = (part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None]))
+    T_G, T_I = (part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None])[:2])
     assert found.gas_torque_peak == pytest.approx(np.abs(T_G).max(), rel=1e-6)
     assert found.torque_peak == pytest.approx(np.abs(T_G + T_I).max(), rel=1e-6)
 
@@ -188,7 +191,7 @@ def test_the_peak_may_stand_at_a_corner_of_the_cycle():
     engine, e, fires = engine_of(**single())
     gas = GasInputs(**DIESEL, constant_pressure_angle=30.3 * DEGREE)
     found, _, _ = torque.solve(engine, e, fires, gas, None)
-    T_G, _ = torque.at(engine, e, prepare(engine, e, gas), fires, 30.3 * DEGREE)
+    T_G, _, _ = torque.at(engine, e, prepare(engine, e, gas), fires, 30.3 * DEGREE)
     assert found.gas_torque_peak == pytest.approx(T_G.item(), rel=1e-9)
 
 
@@ -198,7 +201,7 @@ def test_speed_irregularity_against_the_energy_of_a_fine_scan(changes):
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, 2.0)
     epsilon = np.linspace(0, 4 * np.pi, 144001)
-    T = sum(part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, epsilon[:, None])) - found.mean_torque
+    T = sum(part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, epsilon[:, None])[:2]) - found.mean_torque
     energy = np.cumsum((T[1:] + T[:-1]) / 2) * epsilon[1]
     assert found.energy_fluctuation == pytest.approx(np.ptp(energy), rel=1e-5)
     assert found.speed_irregularity == pytest.approx(found.energy_fluctuation / 2.0 / e.angular_speed**2)
@@ -255,6 +258,36 @@ def test_many_cylinders_are_one_after_the_other():
     one = replace(engine, cylinders=1, layout="inline", bank_angle=None, crank_angles=None)
     cycle = prepare(engine, e, GasInputs(**DIESEL))
     epsilon = np.linspace(0, 4 * np.pi, 50)
-    whole = sum(torque.at(engine, e, cycle, fires, epsilon[:, None])).sum(-1)
-    turned = sum(sum(torque.at(one, e, cycle, 0.0, np.mod(epsilon - fire, 4 * np.pi))) for fire in fires)
+    whole = sum(torque.at(engine, e, cycle, fires, epsilon[:, None])[:2]).sum(-1)
+    turned = sum(sum(torque.at(one, e, cycle, 0.0, np.mod(epsilon - fire, 4 * np.pi))[:2]) for fire in fires)
     assert whole == pytest.approx(turned, abs=1e-6)
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.012, -0.02])
+def test_the_torque_reaction_is_the_moment_of_the_side_thrust(offset):
+    """Statics of the piston: the liner carries the rod's side force at the height of the pin; that is all that turns the block."""
+    engine, e, fires = engine_of(**single(cylinder_offset=offset))
+    found, _, _ = torque.solve(engine, e, fires, None, None)
+    theta = np.linspace(0, 2 * np.pi, 7201)
+    alpha = e.tdc_angle + theta
+    r, L, d = engine.crank_radius, engine.rod_length, offset
+    y = r * np.cos(alpha) + np.sqrt(L**2 - (r * np.sin(alpha) - d) ** 2)
+    slope = -r * np.sin(alpha) - (r * np.sin(alpha) - d) * r * np.cos(alpha) / (y - r * np.cos(alpha))
+    outward = np.gradient(slope, theta, edge_order=2) * e.angular_speed**2
+    along_rod = e.reciprocating_mass * outward
+    moment = y * along_rod * (d - r * np.sin(alpha)) / (y - r * np.cos(alpha))
+    assert found.reaction_inertia_peak == pytest.approx(np.abs(moment[5:-5]).max(), rel=1e-5)
+    if offset:
+        assert abs(found.reaction_inertia_peak / found.inertia_torque_peak - 1) > 0.05
+    else:
+        assert found.reaction_inertia_peak == pytest.approx(found.inertia_torque_peak)
+
+
+def test_forces_that_cancel_add_no_reaction():
+    """Inline three with offset: no force of orders 1 and 2, so the block feels the crank's torque of these orders, turned round."""
+    engine, e, fires = engine_of(cylinder_offset=0.01)
+    found, _, _ = torque.solve(engine, e, fires, None, None)
+    crank = {name: stated.number for name, stated in found.inertia_torque.items()}
+    block = {name: stated.number for name, stated in found.reaction_inertia.items()}
+    assert {"order_1", "order_2", "order_4"}.isdisjoint(block) and "order_3" in block
+    assert block["order_3"] != pytest.approx(crank["order_3"], rel=1e-6)

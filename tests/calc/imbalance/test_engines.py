@@ -125,12 +125,12 @@ def test_phasors_equal_the_time_domain(phi, data, offset, kappa, bank):
     m, r, w = e.reciprocating_mass, engine.crank_radius, e.angular_speed
     for k in range(n):
         theta = turn + e.crank.theta_0
-        alpha = theta + phi[k] - psi[k]
+        alpha = theta + phi[k] - phi[0] - psi[k]  # crank angles are counted from cylinder 1
         beta = np.arcsin(e.lambda_ * np.sin(alpha) - e.delta)
         a = np.cos(alpha) - np.sin(alpha) * np.tan(beta) + e.lambda_ * np.cos(alpha) ** 2 / np.cos(beta) ** 3
         # orders above 8 are not part of the result
         a -= np.real(sum(c * np.exp(1j * order * alpha) for order, c in higher(e).items()))
-        f = m * r * w**2 * (a * np.exp(1j * psi[k]) - kappa * np.exp(1j * (theta + phi[k])))
+        f = m * r * w**2 * (a * np.exp(1j * psi[k]) - kappa * np.exp(1j * (theta + phi[k] - phi[0])))
         force += f
         couple += z[k] * f
     found_force, found_couple = np.zeros(turn.size, complex), np.zeros(turn.size, complex)
