@@ -22,7 +22,7 @@ class Unbalance:
 class CrankBody:
     """A web, a counterweight or a pin of the crank, by its mass and centre of gravity."""
 
-    name: str = text("Name")
+    name: str = text("Name", help="Letters, digits and -.")
     mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
     x: float = quantity("Centre of gravity, up", "mm", low=-1000, high=1000, symbol="x", help="With the throw named above at TDC.")
     y: float = quantity(
@@ -100,7 +100,7 @@ class ImbalanceInputs:
         ):
             if given is None and other is not None:
                 yield key, "needed with the other of the two: span and radius give the masses of the counterweights"
-        pins = [body.pin for body in self.crank_bodies if body.pin is not None]
+        pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
             yield "crank_bodies", "at least one body must say which crankpin it is (pin = 1): the bobs are put there"
         if sorted(pins) != list(range(1, len(pins) + 1)):

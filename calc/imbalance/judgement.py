@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .solve import ImbalanceResult
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
-OWN = "rule of this program, against m·r·ω² of one cylinder (couples: over one pitch)"
+OWN = "rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch"
 
 
 def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, ...]:
@@ -40,7 +40,44 @@ def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, 
         advice("order_1.forward_force", "First-order force turning forward", first.force_forward, FIRST * force, "N", forward),
         advice("order_2.couple", "Second-order couple left", second.couple_peak, SECOND * lam * couple, "N·m", two),
         advice("order_2.force", "Second-order force left", second.force_peak, SECOND * lam * force, "N", two),
+        *_crank_checks(result),
     )
+
+
+def _crank_checks(result: "ImbalanceResult") -> tuple[Check, ...]:
+    """The crank on the balancing machine, and what pulley and flywheel supply, by the same measure."""
+    webs, force, couple = result.webs, result.one_force, result.one_couple
+    if webs is None:
+        return ()
+    made = []
+    if webs.crank is not None:
+        name = "stated" if "stated" in webs.crank else "balanced"
+        state = webs.crank[name]
+        bobs = "with the bobs as stated" if name == "stated" else "with the bobs found"
+        what = "Other bobs (bob_mode), or other webs: the list of bodies shows where mass is missing."
+        made += [
+            check("imbalance.crank.force", f"Force of the crank {bobs}", state.force, "<=", FIRST * force, "N", OWN, what, kind="advice"),
+            check(
+                "imbalance.crank.couple", f"Couple of the crank {bobs}", state.couple, "<=", FIRST * couple, "N·m", OWN, what, kind="advice"
+            ),
+        ]
+    if webs.unbalances_couple_left is not None:
+        made.append(
+            check(
+                "imbalance.unbalances.couple_left", "Wanted couple that pulley and flywheel leave", webs.unbalances_couple_left, "<=",
+                FIRST * couple, "N·m", OWN,
+                "Their unbalances together must supply missing_forward_couple at missing_forward_couple_phase.", kind="advice",
+            )
+        )  # fmt: skip
+    if webs.pin_deviation is not None:
+        made.append(
+            check(
+                "imbalance.crank.throws", "Pins of the crank's bodies against the throws of the engine", webs.pin_deviation, "<=", math.radians(2),
+                "°", "rule of this program: within 2°", "Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the "
+                "pins.", kind="advice",
+            )
+        )  # fmt: skip
+    return tuple(made)
 
 
 def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -> tuple[str, ...]:
@@ -55,7 +92,7 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
         done = "as designed" if abs(kappa - 0.5) < 1e-9 else f"the design has {kappa:g}"
         said.append(
             f"Counterweights on the crank for half of the reciprocating mass (crank_balance_fraction 0.5; {done}), because they "
-            f"take all of first order that turns forward: {turns_forward}."
+            f"{_taken(result, first)} of first order that turns forward: {turns_forward}."
             + ("" if turns_backward else " Nothing of first order turns backward: no shaft is needed for it.")
         )
     if turns_backward:
@@ -77,7 +114,22 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
             f"{'are' if ' and ' in both else 'is'} left at the peak; "
             "neither the crank nor a shaft at crank speed changes it."
         )
+    if result.webs is not None and result.webs.missing_forward_couple is not None and result.webs.unbalances_couple is None:
+        missing = _what(result.webs.missing_forward_force or 0.0, result.webs.missing_forward_couple, *first)
+        if missing:
+            direction = short(round(math.degrees(result.webs.missing_forward_couple_phase or 0.0), 3))
+            said.append(
+                f"Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}°), because the crank's own webs lack it for "
+                f"the share {kappa:g}; give them as [[imbalance.unbalances]] to see what is left."
+            )
     return tuple(said) or ("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts.",)
+
+
+def _taken(result: "ImbalanceResult", least: tuple[float, float]) -> str:
+    """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the pin."""
+    left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
+    rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
+    return f"take all but {rest} (the offset turns it away from the pins)" if rest else "take all"
 
 
 def shafts_words(shafts: dict[str, BalanceShaft]) -> str:

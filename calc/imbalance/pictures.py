@@ -37,8 +37,10 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
             _bars(word, symbol, unit, at, both, variants),
             _turn(word, symbol, unit, at, both, variants),
         ]
-    if result.required_couple > DUST * result.one_couple:
-        made.append(_mistiming(result))
+    if result.required_couple > DRAWN * result.one_couple:
+        made.append(_mistiming("couple", "C, N·m", result.required_couple))
+    if result.required_force is not None and result.required_force > DRAWN * result.one_force:
+        made.append(_mistiming("force", "F, N", result.required_force))
     return tuple(made)
 
 
@@ -97,13 +99,13 @@ def _turn(word: str, symbol: str, unit: str, at: int, both: Any, variants: tuple
     )
 
 
-def _mistiming(result: "ImbalanceResult") -> Curve:
+def _mistiming(word: str, axis: str, whole: float) -> Curve:
     degrees = np.arange(-20, 20.5, 0.5)
-    left = np.abs(result.required) * 2 * np.abs(np.sin(np.radians(degrees) / 2))
+    left = whole * 2 * np.abs(np.sin(np.radians(degrees) / 2))
+    title = f"First-order {word} turning backward that a mistimed counter-shaft leaves"
     return Curve(
-        "mistiming", "First-order couple left by a mistimed counter-shaft", "mistiming of the shaft, °", "C, N·m",
-        (Series("", degrees, left),),
-    )  # fmt: skip
+        "mistiming" if word == "couple" else "mistiming_force", title, "mistiming of the shaft, °", axis, (Series("", degrees, left),)
+    )
 
 
 def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = None) -> Table:
@@ -116,10 +118,13 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
         C = abs(vectors[2]) + abs(vectors[3] + shaft[1])
         return words, "", F, C, F_2, C_2, None
 
+    half = abs(kappa - 0.5) < 1e-12
     rows = [row("rotating masses balanced, nothing else", first.unbalanced), row(f"crank as designed (share {kappa:g})", first.vectors)]
     if shaft is not None:
         rows.append(row("the same, with the counter-shaft as designed", first.vectors, shaft))
-    for remedy in result.remedy.values():
+    for name, remedy in result.remedy.items():
+        if name == "crank" and half:
+            continue  # the crank as designed
         needs = "; ".join(filter(None, (_needs(part) for part in remedy.shafts.values())))
         left = remedy.order_1_force, remedy.order_1_couple, remedy.order_2_force, remedy.order_2_couple
         rows.append((remedy.title, needs, *left, remedy.roll_torque if remedy.roll_torque is not None else remedy.roll_torque_at_100_mm))
@@ -132,6 +137,7 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
         tuple(rows),
         "Peaks over the turn. Shafts by unbalance U (force) and unbalance times arm U·Δz (couple), directions with cylinder 1 at TDC. "
         "Roll torque of a single shaft that carries a force: where its place is not given, 100 mm beside the crank.",
+        covers="imbalance.remedy.",
     )  # fmt: skip
 
 

@@ -195,7 +195,7 @@ def remedies(
     at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
 
     def remedy(title: str, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> Remedy:
-        left_f, left_c = F_f + share * whole[0], C_f + share * whole[1]  # the crank acts on what turns forward only
+        left_f, left_c = joined(F_f, share * whole[0]), joined(C_f, share * whole[1])  # the crank acts on what turns forward only
         with about(title):
             single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
             return Remedy(
@@ -219,6 +219,11 @@ def remedies(
     if plus or minus:
         how = "two shafts at ±2" if plus and minus else f"one shaft at {'+' if plus else '−'}2"
         found["second_order_shafts"] = remedy(f"crank as designed, {how}", kappa, NONE, at_two, forward_2=plus, backward_2=minus)
+        if backward:
+            found["crank_and_shafts"] = remedy(
+                f"half on the crank, one shaft at −1, {how}", 0.5, (0j, backward_F, 0j, backward_C), at_two,
+                backward=backward, forward_2=plus, backward_2=minus,
+            )  # fmt: skip
         if forward and backward:
             found["four_shafts"] = remedy(
                 f"two shafts at ±1, {how}", 0.0, at_one, at_two, forward=forward, backward=backward, forward_2=plus, backward_2=minus

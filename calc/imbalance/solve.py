@@ -44,6 +44,7 @@ class ImbalanceResult:
     counterweight: dict[str, Counterweight] | None = group(default=None)
     webs: WebsResult | None = group(spread=True, default=None)
     required: complex  # the vector
+    whole: tuple[complex, complex]  # force and couple of counterweights for the whole reciprocating mass
     one_force: Newton  # m·r·ω² of one cylinder, and its couple over one pitch: what is left is measured against them
     one_couple: NewtonMetre
 
@@ -103,6 +104,7 @@ def values(
         counterweight=weights,
         webs=webs(imbalance, engine, e),
         required=required,
+        whole=whole,
         one_force=one_force,
         one_couple=one_couple,
     )
@@ -149,7 +151,8 @@ def solve(
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         notes=(
             *notes,
-            "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only.",
+            "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only. A vertical "
+            "couple is a pair of vertical forces, one at either end.",
             "The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.",
         ),
     )

@@ -75,6 +75,13 @@ def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: Ph
     return found
 
 
+@formula("Δφ", "largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
+def pin_deviation(p: PhasorMetre, phi: Radian) -> Radian:
+    """`phi` of every pin from the throw that stands up; a pin without radius has no direction and is left out."""
+    listed: Any = p
+    return float(np.max(np.abs(np.angle(listed * np.exp(-1j * phi)))[np.abs(listed) > 0], initial=0.0))
+
+
 @formula("|S|", "length of the vector", unit="kg·mm")
 def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
     return modulus(S)
@@ -83,6 +90,11 @@ def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
 @formula("∠C", "direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there", names={"P": "C", "turned": "χ"})
 def state_direction(P: PhasorKilogramMetre2, turned: Radian) -> Radian:
     return argument(P * cis(turned))
+
+
+@formula("F_ω", "force of the crank's own unbalance at rated speed")
+def force_at(S: PhasorKilogramMetre, omega: RadPerSecond) -> Newton:
+    return modulus(S) * omega**2
 
 
 @formula("C_ω", "couple of the crank's own unbalance at rated speed", names={"P": "C"})
@@ -152,6 +164,7 @@ class CrankState:
     product_up: KilogramMetre2 = value("Couple product, up", "kg·mm²", "C_x")
     product_side: KilogramMetre2 = value("Couple product, side", "kg·mm²", "C_y")
     unbalance: KilogramMetre = value("Static unbalance", "kg·mm", "|S|")
+    force: Newton = value("Force at rated speed", "N", "F_ω")
     couple: NewtonMetre = value("Couple at rated speed", "N·m", "C_ω")
     couple_phase: Radian = value("its direction, cylinder 1 at TDC", "°")
     couple_on_machine: NewtonMetre = value("Couple on the balancing machine, 400 rpm", "N·m")
@@ -163,6 +176,7 @@ class WebsResult:
 
     bob_mass: dict[str, Stated] | None = group(default=None)
     crank: dict[str, CrankState] | None = group(default=None)
+    pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
     missing_forward_couple_phase: Radian | None = value("its direction, cylinder 1 at TDC", "°", default=None)
@@ -182,7 +196,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     bob: Any = imbalance.bob_mass
     if imbalance.crank_bodies:
         with about("crank on the balancing machine"):
-            found = _bodies(_Machine(imbalance, engine), imbalance, e)
+            found = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
         bob = found.pop("masses") if bob is None else bob
     wanted: Any = None
     if bob is not None:
@@ -247,7 +261,7 @@ class _Machine:
         return unbalance(m=m, p=p), product(m=m, p=p, z=z)
 
 
-def _bodies(machine: _Machine, imbalance: ImbalanceInputs, e: EngineResult) -> dict[str, Any]:
+def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> dict[str, Any]:
     """The crank bare, with the bobs as stated, and with those found."""
     masses = machine.modes[machine.mode]
     states = {"bare": _state(*machine.bare, imbalance, e)}
@@ -256,8 +270,12 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, e: EngineResult) -> d
             states["stated"] = _state(*machine.with_bobs(np.full(machine.pins.size, imbalance.bob_mass)), imbalance, e)
     with about("crank with the bobs found"):
         states["balanced"] = _state(*machine.with_bobs(masses), imbalance, e)
+    crank: Any = e.crank
+    throw = crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1]
+    first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
+    deviation = pin_deviation(p=machine.p[machine.pins], phi=throw[first])
     bobs = {str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)}
-    return {"crank": states, "bob_mass": bobs, "masses": masses}
+    return {"crank": states, "bob_mass": bobs, "masses": masses, "pin_deviation": deviation}
 
 
 def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
@@ -269,6 +287,7 @@ def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> Crank
         product_up=C.real,
         product_side=C.imag,
         unbalance=unbalance_length(S=S),
+        force=force_at(S=S, omega=e.angular_speed),
         couple=couple_at(P=C, omega=e.angular_speed),
         couple_phase=state_direction(P=C, turned=turned),
         couple_on_machine=couple_at(P=C, omega=MACHINE),
