@@ -62,6 +62,8 @@ def varied(document: Document, texts: Sequence[str]) -> list[Varied]:
             if about is None:
                 raise BadInput("--vary", [InputError(0, text, "", FORM)])
             values = _values(said, about.kind in ("integer", "integers"), about.kind in ("text", "choice"))
+            if about.kind in ("series", "integers") and not isinstance(address(document.data, key)[-1], int):
+                raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
             if any(other.key == key for other in found):
                 raise ValueError("stands twice; give all its values at once")
             found.append(Varied(key, values))
@@ -108,6 +110,8 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     """
     grid = list(product(*(v.values for v in inputs)))
     base = design(document)
+    if step is not None and getattr(base, step) is None:
+        raise BadInput(document.place, [InputError(0, "--step", step, f"is not asked in this design: it has no table [{step}]")])
     rows = _together(document, base, inputs, grid) if _vectorised(base, inputs, step) else _each(document, inputs, grid, step)
     names: dict[str, None] = {}
     units: dict[str, str] = {}
@@ -125,7 +129,7 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     return Swept(header, made, [worst(list(verdicts.values())) for _, verdicts in filled])
 
 
-Row = tuple[dict[str, tuple[float, str]], dict[str, str]]
+Row = tuple[dict[str, tuple[float | None, str]], dict[str, str]]
 
 
 def _each(document: Document, inputs: Sequence[Varied], grid: list[tuple[Any, ...]], step: str | None) -> Iterator[Row]:
@@ -191,12 +195,23 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
     cranks = replace(base.imbalance, **changed["imbalance"])
     e = engine.values(engines)
     found = imbalance.values(cranks, engines, e, shaft_teeth(base), shaft_axis(base))
-    columns = {v.id: (np.broadcast_to(v.shown, len(grid)).tolist(), v.unit) for v in published(found, "imbalance")}
+    columns = {v.id: (_cells(np.broadcast_to(v.shown, len(grid))), v.unit) for v in published(found, "imbalance")}
+    for n, c_n in enumerate(e.harmonics if base.imbalance.kinematics == "exact" else e.two_term, 1):
+        if n not in imbalance.ALWAYS:  # an order that this engine does not have is not among its values
+            there = np.broadcast_to(np.asarray(c_n) != 0, len(grid))
+            for id, (cells, _) in columns.items():
+                if id.startswith(f"imbalance.order_{n}."):
+                    cells[:] = [cell if is_there else None for cell, is_there in zip(cells, there)]
     judged = replace(found, orders={n: replace(found.orders[n], two_term=None) for n in ("order_1", "order_2")}, webs=None)
     for k in range(len(grid)):
         one_row = {id: (numbers[k], unit) for id, (numbers, unit) in columns.items()}
         checks = judgement.checks(_at(judged, k), _at(e.lambda_, k), base.countershaft is not None)
         yield one_row, {"imbalance": worst([c.verdict for c in checks])}
+
+
+def _cells(numbers: Any) -> list[float | None]:
+    """The cells of a column; where a design has no such value (NaN: the axis of a circle) the cell is empty."""
+    return [None if number != number else number for number in numbers.tolist()]
 
 
 def _at(x: Any, k: int) -> Any:

@@ -366,7 +366,8 @@ def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
     path = tmp_path / "five.toml"
     assert run("new", path, "--engine", "inline-5").returncode == 0
     listed = json.loads(run("choose", path, "engine", "--json", "--top", "30").stdout)
-    orders = [row[1] for row in listed["rows"]]
+    assert listed["rows"][0][:2] == ["", "1-2-4-5-3"]  # the design as it is
+    orders = [row[1] for row in listed["rows"][1:]]
     assert len(orders) == 24 and "1-2-4-5-3" in orders
     number = orders.index("1-5-2-4-3") + 1 if "1-5-2-4-3" in orders else 2
     done = run("choose", path, "engine", "--apply", number)

@@ -11,7 +11,7 @@ from assistant.plain import print_summary, table_json, table_lines
 from assistant.saving import edited_text, write_atomic
 from calc.design_file import Document, design, read
 from calc.engine import solve as engine
-from calc.imbalance.firing_orders import FiringOrder, crank_words, firing_orders, orders_table
+from calc.imbalance.firing_orders import FiringOrder, as_designed, crank_words, firing_orders, orders_table
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.solve import solve
 
@@ -29,19 +29,22 @@ def run(asked: Namespace) -> int:
     if made.engine is None or made.imbalance is None:
         missing = "engine" if made.engine is None else "imbalance"
         raise BadInput(asked.file, [InputError(0, missing, "", "needed: firing orders are ranked by what they leave of the imbalance")])
+    if asked.top < 1:
+        raise BadInput("--top", [InputError(0, "", str(asked.top), "must be a number of rows, 1 or more")])
+    e = engine.values(made.engine)
     try:
-        found = firing_orders(made.imbalance, made.engine, engine.values(made.engine))
+        found = firing_orders(made.imbalance, made.engine, e)
     except NoSolution as none:
         print(f"{asked.file}: engine: {none}", file=sys.stderr)
         return 3
     if asked.apply is not None:
         return _apply(document, Path(asked.file), found, asked.apply)
-    table = orders_table(found, asked.top)
+    table = orders_table(found, asked.top, as_designed(made.imbalance, made.engine, e), made.engine)
     if asked.json:
         print(json.dumps({"schema": 1, "step": "engine", **table_json(table)}, ensure_ascii=False, indent=1))
         return 0
     print("\n".join(table_lines(table)))
-    print("\n`--apply N` writes the N-th order into the design; `--top N` shows more.")
+    print("\n`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more.")
     return 0
 
 

@@ -16,6 +16,7 @@ from ..sheet.units import Kilogram, KilogramMetre, Newton, NewtonMetre, Radian, 
 from . import formulas as f
 from .inputs import CountershaftInputs
 
+DRAWN = 1e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
 
 
@@ -118,20 +119,27 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         ),
         *_slope_checks(slopes),
     )
-    theta = np.radians(np.arange(0, 361, 3.0))
-    forward, backward = np.exp(1j * theta), np.exp(-1j * theta)
-    before = C_forward * forward + C_backward * backward
-    after = C_forward * forward + left * backward
-    curve = Curve(
-        "residual",
-        "First-order couple before and after the counter-shaft",
-        "horizontal, N·m",
-        "vertical, N·m",
-        (Series("before", before.imag, before.real), Series("after", after.imag, after.real)),
-        equal=True,
-    )
+    curves = tuple(
+        _residual(word, unit, before, supplied)
+        for word, unit, before, supplied, one in (
+            ("couple", "N·m", (C_forward, C_backward), C_S, imbalance.one_couple), ("force", "N", (F_forward, F_backward), F_S, imbalance.one_force),
+        )
+        if max(abs(before[0]), abs(before[1]), abs(supplied)) > DRAWN * one
+    )  # fmt: skip
     notes = (
         "The middle of the shaft is taken as the middle of the engine; for a pure couple its place does not matter.",
         "The reactions turn with the shaft; its weight and the gear force stand still and are not added here.",
     )
-    return Outcome("countershaft", result=result, checks=checks, lines=tuple(lines), curves=(curve,), notes=notes)
+    return Outcome("countershaft", result=result, checks=checks, lines=tuple(lines), curves=curves, notes=notes)
+
+
+def _residual(word: str, unit: str, before: tuple[complex, complex], supplied: complex) -> Curve:
+    """What is left of first order, as the path over a turn, before and after the shaft."""
+    theta = np.radians(np.arange(0, 361, 3.0))
+    forward, backward = np.exp(1j * theta), np.exp(-1j * theta)
+    alone = before[0] * forward + before[1] * backward
+    after = before[0] * forward + (before[1] + supplied) * backward
+    return Curve(
+        "residual" if word == "couple" else "residual_force", f"First-order {word} before and after the counter-shaft",
+        f"horizontal, {unit}", f"vertical, {unit}", (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
+    )  # fmt: skip

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..engine.crank import crank, places, throw_angles
+from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.arrays import Array
@@ -28,7 +28,8 @@ ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which
 class FiringOrder:
     """An order, its crank angles [rad], and the peaks it leaves with the share on the crank that the design has.
 
-    `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic orders together.
+    `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic orders together
+    with half of the reciprocating mass on the crank, which takes of order 1 what it can.
     """
 
     order: tuple[int, ...]
@@ -56,7 +57,12 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
         keys = keys * n + place[:, k] % throws
     _, first, which = np.unique(keys, return_index=True, return_inverse=True)
     found, angles = _left(imbalance, engine, e, place[first].astype(float))
-    left: Any = sum((o.force_peak + o.couple_peak / engine.cylinder_pitch for o in found.values()), np.zeros(len(first)))
+    best = (
+        found
+        if imbalance.crank_balance_fraction == 0.5
+        else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first].astype(float))[0]
+    )
+    left: Any = sum((o.force_peak + o.couple_peak / engine.cylinder_pitch for o in best.values()), np.zeros(len(first)))
     one: Any = found[1]
     two: Any = found[2]
     ranked = sorted(range(len(orders)), key=lambda i: (float(f"{left[which[i]]:.6e}"), which[i], tuple(orders[i])))
@@ -149,28 +155,44 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
 
 
 COLUMNS = (
-    ("order", ""), ("crank angles", "°"), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"), ("C order 2", "N·m"),
+    ("order", ""), ("crank angles", "°"), ("pins", ""), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"),
+    ("C order 2", "N·m"),
 )  # fmt: skip
 TITLE = "Evenly firing orders, the one that leaves least first"
-RANKED = "Ranked by the forces, and the couples over one pitch, of all orders."
+RANKED = "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank."
 
 
-def orders_table(found: list[FiringOrder], most: int) -> Table:
-    """The best orders, each with its number in the ranking."""
-    rows = tuple((n, *_row(one)) for n, one in enumerate(found[:most], 1))
-    return Table("firing_orders", TITLE, (("no.", ""), *COLUMNS), rows, f"{len(rows)} of {len(found)} orders. {RANKED}")
+def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
+    """The best orders, each with its number in the ranking, under the design as it is."""
+    rows = (("", *_row(design, engine)), *((float(n), *_row(one, engine)) for n, one in enumerate(found[:most], 1)))
+    shown = f"{len(rows) - 1} of {len(found)} order{'s' if len(found) > 1 else ''}, under the design as it is."
+    return Table("firing_orders", TITLE, (("no.", ""), *COLUMNS), rows, f"{shown} {RANKED}")
 
 
-def cranks_table(found: list[FiringOrder], most: int = 12) -> Table:
+def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
     """The best cranks, each with the first by number of the orders that it can fire in."""
     cranks = [one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)]
     note = f"{len(found)} orders on {len(cranks)} different cranks; of each crank the first order by number. {RANKED}"
-    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one) for one in cranks[:most]), note)
+    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), note)
 
 
-def _row(one: FiringOrder) -> tuple[str | float, ...]:
+def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> FiringOrder:
+    """The design's own crank and order in the terms of the list."""
+    judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
+    with untraced():
+        found = {n: order(n, c_n, imbalance.crank_balance_fraction, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
+    one, two = found[1], found[2]
+    return FiringOrder(
+        order=firing(engine, e.crank).order, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,
+        couple_1_backward=one.couple_backward, force_2=two.force_peak, couple_2=two.couple_peak, left=float("nan"),
+    )  # fmt: skip
+
+
+def _row(one: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
+    throws = crank(replace(engine, crank_angles=tuple(one.crank_angles.tolist()), firing_order=None), 0.0)
+    pins = float(pin_of_cylinder(engine, throws).max() + 1)
     peaks = one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2, one.couple_2
-    return ("-".join(map(str, one.order)), crank_words(one.crank_angles), *peaks)
+    return ("-".join(map(str, one.order)), crank_words(one.crank_angles), pins, *peaks)
 
 
 def crank_words(angles: Array) -> str:

@@ -68,7 +68,7 @@ def order(n: int, c_n: Any, kappa: Number, engine: EngineInputs, e: EngineResult
         force_peak_horizontal=f.force_peak_horizontal(F_f, F_b),
         force_peak=f.force_peak(F_f, F_b),
         force_least=f.force_least(F_f, F_b),
-        force_axis=f.force_axis(F_f, F_b) if np.any(F_f) and np.any(F_b) else None,
+        force_axis=_axis(f.force_axis, F_f, F_b),
         couple_forward=f.couple_length(C=C_f),
         couple_forward_phase=f.couple_direction(C=C_f),
         couple_backward=f.couple_length(C=C_b),
@@ -77,10 +77,19 @@ def order(n: int, c_n: Any, kappa: Number, engine: EngineInputs, e: EngineResult
         couple_peak_horizontal=f.couple_peak_horizontal(C_f, C_b),
         couple_peak=f.couple_peak(C_f, C_b),
         couple_least=f.couple_least(C_f, C_b),
-        couple_axis=f.couple_axis(C_f, C_b) if np.any(C_f) and np.any(C_b) else None,
+        couple_axis=_axis(f.couple_axis, C_f, C_b),
         vectors=(F_f, F_b, C_f, C_b),
         unbalanced=(F_f0, F_b, C_f0, C_b),
     )
+
+
+def _axis(formula: Any, forward: Any, backward: Any) -> Any:
+    """The direction of an ellipse's long axis; None for a circle, NaN for one among many."""
+    there: Any = (np.abs(forward) > 0) & (np.abs(backward) > 0)
+    if not np.any(there):
+        return None
+    axis = formula(forward, backward)
+    return np.where(there, axis, np.nan) if isinstance(axis, np.ndarray) else axis
 
 
 def clean(vector: Any, dust: Any) -> Any:

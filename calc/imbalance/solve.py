@@ -139,7 +139,7 @@ def solve(
         found = values(imbalance, engine, e, shaft_teeth, axis)
     tables, notes = bob_table(imbalance, engine, e)
     if 2 < engine.cylinders <= LISTED:
-        tables += (cranks_table(firing_orders(imbalance, engine, e)),)
+        tables += (cranks_table(firing_orders(imbalance, engine, e), engine),)
     return Outcome(
         "imbalance",
         result=found,

@@ -69,7 +69,7 @@ def test_elements_of_a_list_of_numbers_can_be_varied():
     ("engine.rated_speed_rpm", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_sped_rpm=1:2:3", "did you mean"), ("engine.cylinders=3:4:3", "whole numbers"),
     ("engine.rated_speed_rpm=1000:2000", "LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1000:2000:2.5", "whole NUMBER"),
     ("engine.rated_speed_rpm=a:b:3", "KEY=LOW:HIGH:NUMBER"), ("engine.rated_speed_rpm=1:2:99999999", "at most"),
-    ("engine.rated_speed_rpm=1000:2000:1", "one value"), ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
+    ("engine.rated_speed_rpm=1000:2000:1", "one value"), ("engine.firing_order=1,3,2", "is a list"), ("engine.rated_speed_rpm=1000:2000:1e9", "at most"), ("countershaft.bearing_positions_mm.5=1:2:2", "from 0 to 1"),
 ])  # fmt: skip
 def test_what_can_not_be_varied_is_named(text, reason):
     with pytest.raises(BadInput, match=reason):
@@ -93,3 +93,19 @@ def test_a_combination_that_is_no_engine_is_named_before_anything_is_solved(step
 def test_an_unknown_value_is_named():
     with pytest.raises(BadInput, match="did you mean"):
         sweep(GAMMA, varied(GAMMA, ["engine.rated_speed_rpm=1000,2000"]), "imbalance", ["imbalance.required_coupl"])
+
+
+def test_a_step_that_is_not_asked_is_named():
+    pair = read(Path(__file__).parents[2] / "designs" / "timing_pair.toml")
+    with pytest.raises(BadInput, match="not asked"):
+        sweep(pair, varied(pair, ["gears.speed_rpm=1000,2000"]), "bearings")
+
+
+def test_cells_of_values_that_a_design_does_not_have_are_empty():
+    """A circle has no axis; a centred cylinder no odd orders."""
+    swept = sweep(GAMMA, varied(GAMMA, ["engine.cylinder_offset_mm=-10,0"]), "imbalance")
+    columns = {name: [row[i] for row in swept.rows] for i, name in enumerate(swept.header)}
+    assert columns["imbalance.order_3.force_forward [N]"][1] is None and columns["imbalance.order_3.force_forward [N]"][0] is not None
+    swept = sweep(GAMMA, varied(GAMMA, ["imbalance.crank_balance_fraction=0.25,0.5"]), "imbalance")
+    axis = [row[swept.header.index("imbalance.order_1.couple_axis [°]")] for row in swept.rows]
+    assert axis[0] is not None and axis[1] is None

@@ -149,3 +149,56 @@ def test_engines_that_can_not_be_listed_are_refused(changes):
 def test_every_inline_engine_has_an_order_without_being_asked(cylinders):
     found = fired(cylinders=cylinders, firing_order=None)
     assert np.ptp(found.intervals) < 1e-9
+
+
+@pytest.mark.parametrize("cylinders, strokes", [(3, 2), (4, 2), (6, 2), (4, 4), (5, 4), (6, 4)])
+def test_every_listed_row_is_what_its_own_crank_leaves(cylinders, strokes):
+    """Angles and forces of each row against an engine that is given that order."""
+    inputs, e, _ = solved(cylinders=cylinders, strokes=strokes, firing_order=tuple(range(1, cylinders + 1)))
+    for one in firing_orders(ImbalanceInputs(), inputs, e)[:: 1 + cylinders // 5]:
+        _, own, found = solved(cylinders=cylinders, strokes=strokes, firing_order=one.order)
+        assert np.allclose(np.exp(1j * own.crank.phi), np.exp(1j * one.crank_angles))
+        assert one.couple_1_backward == pytest.approx(found.orders["order_1"].couple_backward, abs=1e-6)
+        assert one.force_2 == pytest.approx(found.orders["order_2"].force_peak, abs=1e-6)
+
+
+@pytest.mark.parametrize("strokes, cylinders, cranks", [(4, 6, 30), (4, 4, 3), (2, 4, 6), (2, 6, 120), (4, 5, 24)])
+def test_orders_of_one_crank_stand_together(strokes, cylinders, cranks):
+    inputs, e, _ = solved(cylinders=cylinders, strokes=strokes, firing_order=tuple(range(1, cylinders + 1)))
+    found = firing_orders(ImbalanceInputs(), inputs, e)
+    changes = sum(not np.allclose(a.crank_angles, b.crank_angles) for a, b in zip(found, found[1:]))
+    assert changes + 1 == cranks
+
+
+def test_a_two_stroke_six_without_an_order_leaves_no_first_order():
+    assert solved(cylinders=6, strokes=2, firing_order=None)[2].orders["order_1"].couple_peak == pytest.approx(0, abs=1e-6)
+
+
+def test_crank_angles_are_counted_from_cylinder_1():
+    """The same crank, given from another direction, is the same engine; and it is said."""
+    there = angles(30, 270, 150)
+    assert solved(crank_angles=there, firing_order=None)[2].required == pytest.approx(solved()[2].required)
+    outcome = engine.solve(EngineInputs(**{**R753, "crank_angles": there, "firing_order": None}))
+    assert any("counted from cylinder 1" in note for note in outcome.notes)
+
+
+@pytest.mark.parametrize("banks, order", [((0, 1, 0, 1), (1, 3, 2, 4)), ((0, 0, 1, 1), (1, 2, 3, 4))])
+def test_a_boxer_numbered_by_banks_stands_where_one_numbered_in_turn_does(banks, order):
+    """Cylinders 1 2 | 3 4 of the one are 1 3 | 2 4 of the other: the same engine."""
+    from calc.engine.crank import crank as made
+
+    inputs = EngineInputs(**{**R753, "layout": "boxer", "cylinders": 4, "bank_of_cylinder": banks, "firing_order": order})
+    throws = made(inputs, 0.0)
+    by_bank = {bank: [z for z, b in zip(throws.z, banks) if b == bank] for bank in (0, 1)}
+    assert by_bank[0] == pytest.approx([-0.168, 0.056]) and by_bank[1] == pytest.approx([-0.056, 0.168])
+
+
+def test_the_table_of_the_crank_says_what_the_layout_was_taken_for():
+    outcome = engine.solve(EngineInputs(**{
+        **R753, "layout": "vee", "cylinders": 4, "bank_angle": math.pi / 2, "firing_order": None, "crank_angles": angles(0, 180, 0, 180),
+        "bank_of_cylinder": (0, 0, 1, 1),
+    }))  # fmt: skip
+    table = next(t for t in outcome.tables if t.id == "crank")
+    assert [row[3] for row in table.rows] == [1, 2, 1, 2]
+    assert [row[1] for row in table.rows] == [-45, -45, 45, 45]
+    assert any("firing order is chosen" in note for note in outcome.notes)

@@ -119,3 +119,26 @@ def test_mistiming():
     found = imbalance.values(ImbalanceInputs(), inputs, engine.values(inputs), 25)
     assert found.mistiming_per_degree == pytest.approx(10.0, abs=0.05)
     assert found.mistiming_per_tooth == pytest.approx(abs(found.required - found.required * np.exp(2j * np.pi / 25)))
+
+
+def test_the_whole_set_leaves_nothing():
+    i = solved()[2]
+    whole = i.remedy["crank_and_shafts"]
+    assert set(whole.shafts) == {"backward", "forward_2", "backward_2"}
+    assert whole.order_1_couple == whole.order_2_couple == 0
+
+
+def test_what_an_offset_leaves_on_the_crank_is_said():
+    """Counterweights opposite the pins can not take a vector that the offset turns away from them."""
+    from calc.engine import solve as engine
+    from calc.engine.inputs import EngineInputs
+    from calc.imbalance.solve import solve
+
+    from .engines import R753
+
+    said = {}
+    for offset in (0.0, 0.008):
+        inputs = EngineInputs(**{**R753, "cylinder_offset": offset})
+        said[offset] = solve(ImbalanceInputs(), inputs, engine.values(inputs), True).proposals[0]
+    assert "take all of first order" in said[0.0]
+    assert "take all but a couple of" in said[0.008]

@@ -127,3 +127,32 @@ def test_the_bodies_of_many_speeds_at_once():
     many = solved(GAMMA.imbalance, rated_speed=speeds)[2].webs
     assert many.crank["bare"].couple == pytest.approx(webs().crank["bare"].couple * (speeds * 60 / 2600) ** 2)
     assert many.missing_forward_couple.shape == (3,)
+
+
+def test_a_bob_stands_on_a_pin_and_not_on_a_rod():
+    """V6 90° on three pins, half on the crank, bobs of 0.4 kg: (2·M_eq − m_b)·r·a·√3·ω² is missing."""
+    given = ImbalanceInputs(bob_mass=0.4)
+    inputs, e, found = solved(
+        given, layout="vee", cylinders=6, bank_angle=math.pi / 2, firing_order=None, bank_of_cylinder=(0, 1) * 3,
+        crank_angles=tuple(map(math.radians, (0, 0, 240, 240, 120, 120))),
+    )  # fmt: skip
+    M_eq = e.rotating_mass + 0.5 * e.reciprocating_mass
+    expected = (2 * M_eq - 0.4) * inputs.crank_radius * 0.112 * math.sqrt(3) * e.angular_speed**2
+    assert found.webs.missing_forward_couple == pytest.approx(expected)
+
+
+def test_pins_that_do_not_stand_where_the_throws_do_are_named():
+    mirrored = tuple(replace(body, y=-body.y) for body in GAMMA.imbalance.crank_bodies)
+    inputs, e, _ = solved()
+    verdicts = {}
+    for name, bodies in (("right", GAMMA.imbalance.crank_bodies), ("mirrored", mirrored)):
+        outcome = solve(replace(GAMMA.imbalance, crank_bodies=bodies), inputs, e)
+        verdicts[name] = {c.id: c.verdict for c in outcome.checks}["imbalance.crank.throws"]
+    assert verdicts == {"right": "pass", "mirrored": "warn"}
+
+
+def test_a_crank_that_its_bobs_leave_out_of_balance_is_named():
+    heavier = (*GAMMA.imbalance.crank_bodies, CrankBody(name="lump", mass=0.5, x=0.05, y=0.0, z=0.0))
+    inputs, e, _ = solved()
+    outcome = solve(replace(GAMMA.imbalance, crank_bodies=heavier), inputs, e)
+    assert {c.id: c.verdict for c in outcome.checks}["imbalance.crank.force"] == "warn"
