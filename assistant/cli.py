@@ -44,6 +44,7 @@ def parser() -> argparse.ArgumentParser:
         "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run"
     )
     add["check"].add_argument("--step", help="print this step only")
+    add["check"].add_argument("--short", action="store_true", help="leave out vectors of no length")
     add["check"].add_argument("--json", action="store_true", help="print one JSON object")
 
     add["explain"].add_argument("file")
@@ -58,7 +59,7 @@ def parser() -> argparse.ArgumentParser:
     add["replay"].add_argument("files", nargs="+", metavar="FILE")
 
     add["set"].add_argument("file")
-    add["set"].add_argument("changes", nargs="+", metavar=KEY_VALUE)
+    add["set"].add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
 
     add["choose"].add_argument("file")
     add["choose"].add_argument("step", metavar="STEP", help="engine: firing orders")

@@ -19,24 +19,33 @@ LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "blocked", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
 
+VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one without length says nothing by its number or its phase
+
 
 def sign(verdict: str) -> str:
     """A sign and a word: `✗ FAIL`."""
     return f"{SIGNS[verdict]} {WORDS[verdict]}"
 
 
-def print_results(results: Results, step: str | None = None) -> None:
-    """Every step with its values and checks, then the summary."""
+def print_results(results: Results, step: str | None = None, *, everything: bool = True) -> None:
+    """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing."""
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and step in (None, key):
-            _print_step(outcome)
+            _print_step(outcome, everything)
     print_summary(results, step)
 
 
-def _print_step(outcome: Outcome) -> None:
+def _print_step(outcome: Outcome, everything: bool) -> None:
     print(f"{TITLES[outcome.key]}   {sign(outcome.verdict)}" + (f": {outcome.reason}" if outcome.reason else ""))
+    left_out, length = 0, 1.0
     for value in outcome.values():
+        length = length if value.id.endswith("_phase") else value.shown
+        if not everything and length == 0 and value.unit in VECTORS:
+            left_out += 1
+            continue
         print(f"  {value.id:<58} {short(value.shown, DIGITS):>14} {value.unit:<9} {value.label}")
+    if left_out:
+        print(f"  {left_out} forces, couples and phases that are zero are left out")
     for table in outcome.tables:
         print()
         for line in table_lines(table):

@@ -16,7 +16,6 @@ from .sheet.quantity import keys
 from .sheet.trace import Line
 from .solve import Results
 
-
 SHORT = 64  # elements of an array that single numbers are taken from
 
 

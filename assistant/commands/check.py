@@ -27,7 +27,7 @@ def run(asked: Namespace) -> int:
 
         print(json.dumps(results_json(document, results, asked.step, changes), ensure_ascii=False, indent=1))
     else:
-        print_results(results, asked.step)
+        print_results(results, asked.step, everything=not asked.short)
     return exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
 
 

@@ -122,7 +122,8 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
     curves = tuple(
         _residual(word, unit, before, supplied)
         for word, unit, before, supplied, one in (
-            ("couple", "N·m", (C_forward, C_backward), C_S, imbalance.one_couple), ("force", "N", (F_forward, F_backward), F_S, imbalance.one_force),
+            ("couple", "N·m", (C_forward, C_backward), C_S, imbalance.one_couple),
+            ("force", "N", (F_forward, F_backward), F_S, imbalance.one_force),
         )
         if max(abs(before[0]), abs(before[1]), abs(supplied)) > DRAWN * one
     )  # fmt: skip
@@ -141,5 +142,6 @@ def _residual(word: str, unit: str, before: tuple[complex, complex], supplied: c
     after = before[0] * forward + (before[1] + supplied) * backward
     return Curve(
         "residual" if word == "couple" else "residual_force", f"First-order {word} before and after the counter-shaft",
-        f"horizontal, {unit}", f"vertical, {unit}", (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
+        f"horizontal, {unit}", f"vertical, {unit}",
+        (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
     )  # fmt: skip

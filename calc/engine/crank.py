@@ -13,7 +13,6 @@ from ..sheet.units import Metre, Number, Radian
 from .firing import Firing, in_order, most_even
 from .inputs import EngineInputs, usual_order
 
-
 SAME_PIN = 1e-6  # rad
 
 
@@ -54,7 +53,8 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     chosen: list[str] = []
     bank = _banks(engine)
     if engine.layout != "inline" and engine.bank_of_cylinder is None:
-        chosen.append(f"Banks {', '.join(map(str, bank.tolist()))} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.")
+        banks = ", ".join(map(str, bank.tolist()))
+        chosen.append(f"Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.")
     given = 0.0 if engine.bank_angle is None else engine.bank_angle
     opening: Any = math.pi if engine.layout == "boxer" else column(given)
     psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)

@@ -60,8 +60,8 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
 def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> Firing:
     """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
     found = evenest(phi, psi, strokes, usual)
-    said = "one of {} equally even ways in which this crank can fire; give firing_order for another".format(len(found))
-    return replace(found[0], chosen=f"The firing order is chosen: {said}." if len(found) > 1 else "")
+    said = f"The firing order is chosen: one of {len(found)} equally even ways in which this crank can fire; give firing_order for another."
+    return replace(found[0], chosen=said if len(found) > 1 else "")
 
 
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:

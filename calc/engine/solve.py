@@ -149,7 +149,8 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
             named = _harmonics(e)
         stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
-        e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed, harmonic=named,
+        e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed,
+        harmonic=named,
     )  # fmt: skip
     return Outcome(
         "engine", result=e, checks=(*_checks(engine, e), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves),
@@ -208,14 +209,16 @@ def _checks(engine: EngineInputs, e: EngineResult) -> tuple[Check, ...]:
         gas.append(
             check(
                 "engine.gas.work", "Indicated work of a cycle", e.torque.indicated_work, ">", 0.0, "J", "an engine gives work",
-                "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure.", kind="advice",
+                "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure.",
+                kind="advice",
             )
         )  # fmt: skip
     if engine.gas is not None and engine.gas.pressure:
         gas.append(
             check(
                 "engine.gas.gap", "Largest gap in the table of indicated pressure", _gap(engine), "<=", GAP, "°",
-                "rule of this program: a straight line is taken across a gap", "Give points at least every 60° of the whole cycle.", kind="advice",
+                "rule of this program: a straight line is taken across a gap", "Give points at least every 60° of the whole cycle.",
+                kind="advice",
             )
         )  # fmt: skip
     if e.torque.speed_irregularity is not None:

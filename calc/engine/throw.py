@@ -235,8 +235,8 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
         found.append(
             check(
                 "engine.throw.span", "Distance of the main journals over the cylinder pitch", crank.span / pitch, "in", SPAN, "",
-                "rule of this program: a main journal between any two throws", "Journal length, both webs and pin length make the span; the "
-                "stresses are proportional to it.", kind="advice",
+                "rule of this program: a main journal between any two throws",
+                "Journal length, both webs and pin length make the span; the stresses are proportional to it.", kind="advice",
             )
         )  # fmt: skip
     limit = material.proof_stress if material else None

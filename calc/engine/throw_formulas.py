@@ -9,8 +9,8 @@ from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, sqrt, tan, total
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
 
-ROD = "statics of the slider-crank (textbook of mechanics, crank drive)"
-BEAM = "simply supported throw, pin loaded at its middle (textbook of mechanics, sizing of the crank)"
+ROD = "statics of the slider-crank (mechanics textbook, ch. 48)"
+BEAM = "simply supported throw, pin loaded at its middle (mechanics textbook, ch. 48: sizing of the crank)"
 NOTCH = "Norton, Machine Design, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2"
 
 

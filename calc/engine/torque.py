@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The torque about the crank: of the inertia forces always, of the gas where a cycle or an indicated pressure is given.
 
-Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of the inertia force, which
-acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after the firing of cylinder 1.
+Torque is positive in the sense of rotation.  The block feels the opposite, and with an offset cylinder the moment of the inertia force,
+which acts along the cylinder's axis, at the distance d from the crank's.  ε is the crank angle after the firing of cylinder 1.
 Cylinder k then stands ε − f_k after its own firing, which is the same as α_k = θ + φ_k − ψ_k with θ the angle of throw 1 from up.
 """
 
@@ -17,7 +17,19 @@ from ..sheet.functions import cis, modulus, pi, resultant
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Curve, Series
 from ..sheet.trace import about, untraced
-from ..sheet.units import CubicMetre, KilogramMetre2, Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewtonMetre, Radian, RadPerSecond, Watt
+from ..sheet.units import (
+    CubicMetre,
+    KilogramMetre2,
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    Pascal,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+    Watt,
+)
 from . import cycle as c
 from . import formulas as f
 from .cycle import TURN, Cycle
@@ -169,7 +181,7 @@ def solve(
     found, curve = _inertia(engine, e, fires)
     notes = ["The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean."]
     if engine.cylinder_offset:
-        notes.append("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's axis to the torque reaction.")
+        notes.append("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the torque reaction.")
     if gas is None:
         notes.append("No gas is given: the torque is that of the inertia forces alone.")
         return TorqueResult(**found, cycle=None), (curve,), tuple(notes)
@@ -287,7 +299,10 @@ def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle,
     assert result.mean_torque is not None
     torque = Curve(
         "torque", "Torque about the crank over the cycle", "crank angle after the firing of cylinder 1, °", "T, N·m",
-        (Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I), Series("on the block", degrees, on_block)),
+        (
+            Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I),
+            Series("on the block", degrees, on_block),
+        ),
         limits=(("mean", result.mean_torque),),
     )  # fmt: skip
     pressure = Curve(

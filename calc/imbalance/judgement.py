@@ -72,9 +72,9 @@ def _crank_checks(result: "ImbalanceResult") -> tuple[Check, ...]:
     if webs.pin_deviation is not None:
         made.append(
             check(
-                "imbalance.crank.throws", "Pins of the crank's bodies against the throws of the engine", webs.pin_deviation, "<=", math.radians(2),
-                "°", "rule of this program: within 2°", "Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the "
-                "pins.", kind="advice",
+                "imbalance.crank.throws", "Pins of the crank's bodies against the throws", webs.pin_deviation, "<=", math.radians(2), "°",
+                "rule of this program: within 2°",
+                "Look at crank_bodies_throw_at_tdc, and at x (up) and y (in the sense of rotation) of the pins.", kind="advice",
             )
         )  # fmt: skip
     return tuple(made)
@@ -119,8 +119,8 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
         if missing:
             direction = short(round(math.degrees(result.webs.missing_forward_couple_phase or 0.0), 3))
             said.append(
-                f"Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}°), because the crank's own webs lack it for "
-                f"the share {kappa:g}; give them as [[imbalance.unbalances]] to see what is left."
+                f"Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}°), because the crank's own webs lack it "
+                f"for the share {kappa:g}; give them as [[imbalance.unbalances]] to see what is left."
             )
     return tuple(said) or ("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts.",)
 

@@ -106,7 +106,7 @@ def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
 def lacking_product(
     r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, z_p: Metre, phi_p: Radian
 ) -> PhasorKilogramMetre2:
-    """`M_eq` of every cylinder at z and φ, less the bobs `m_b`, for which the crank's own webs are balanced, of every pin at z_P and φ_P."""
+    """`M_eq` of every cylinder at z, φ less the bobs `m_b`, for which the crank's own webs are balanced, of every pin at z_P, φ_P."""
     return r * cis(theta_0) * (M_eq * resultant(z * cis(phi)) - resultant(m_b * z_p * cis(phi_p)))
 
 

@@ -37,7 +37,7 @@ def test_second_order_shafts_of_the_r753():
 
 
 def test_complete_balance_of_a_single_cylinder():
-    """Shafts at ±ω with ½·m·r each, at ±2ω with m·λ·r/8 each (textbook of mechanics, ch. 48); the two-term motion leaves nothing."""
+    """Shafts at ±ω with ½·m·r each, at ±2ω with m·λ·r/8 each (mechanics textbook, ch. 48); the two-term motion leaves nothing."""
     inputs, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), **SINGLE)
     four = i.remedy["four_shafts"]
     moment = e.reciprocating_mass * inputs.crank_radius
@@ -80,7 +80,7 @@ def test_a_pure_couple_rolls_nothing():
 
 
 def test_counterweights_of_a_single_and_of_a_twin():
-    """m_cp = ½·m_rot·r/r_cp twice for the single; m_rot·(b/c)·(r/r_cp) at either end of the 180° twin (textbook of mechanics, ch. 48)."""
+    """m_cp = ½·m_rot·r/r_cp twice for the single; m_rot·(b/c)·(r/r_cp) at either end of the 180° twin (mechanics textbook, ch. 48)."""
     given = ImbalanceInputs(crank_balance_fraction=0.0, counterweight_span=0.08, counterweight_radius=0.04)
     inputs, e, i = solved(given, **SINGLE)
     assert [w.mass for w in i.counterweight.values()] == pytest.approx([e.rotating_mass / 2 * inputs.crank_radius / 0.04] * 2)
