@@ -7,7 +7,7 @@ angle of throw 1 at that moment, c_n the harmonics of a/(ω² r).
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, conj, modulus, pi, resultant, sin
+from ..sheet.functions import argument, cis, conj, joined, modulus, pi, resultant, sin
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -67,12 +67,12 @@ def counterweight_couple(
 
 @formula("F_1⁺", "sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
-    return F_1 + F_kappa
+    return joined(F_1, F_kappa)
 
 
 @formula("C_1⁺", "sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order")
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
-    return C_1 + C_kappa
+    return joined(C_1, C_kappa)
 
 
 @formula("F_V", "ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})

@@ -119,8 +119,8 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
         if missing:
             direction = short(round(math.degrees(result.webs.missing_forward_couple_phase or 0.0), 3))
             said.append(
-                f"Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}°), because the crank's own webs lack it "
-                f"for the share {kappa:g}; give them as [[imbalance.unbalances]] to see what is left."
+                f"Unbalances on pulley and flywheel that supply {missing} (the couple at {direction}°), because the crank's own webs "
+                f"lack it for the share {kappa:g}; give them as [[imbalance.unbalances]] to see what is left."
             )
     return tuple(said) or ("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts.",)
 

@@ -11,7 +11,7 @@ from ..sheet.quantity import group, result, value
 from ..sheet.units import Newton, NewtonMetre, Number, Radian
 from . import formulas as f
 
-DUST = 1e-9  # of one cylinder's m·r·ω²: vectors that cancel leave so little of the last digits
+DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 
 
 @result
@@ -56,9 +56,8 @@ def order(n: int, c_n: Any, kappa: Number, engine: EngineInputs, e: EngineResult
     C_f = C_f0 = f.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
     C_b = f.couple_backward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
     if n == 1:
-        dust = DUST * e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
-        F_f = clean(f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common)), dust)
-        C_f = clean(f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common)), dust * engine.cylinder_pitch)
+        F_f = f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common))
+        C_f = f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common))
     return Order(
         force_forward=f.force_length(F=F_f),
         force_forward_phase=f.force_direction(F=F_f),
@@ -90,10 +89,3 @@ def _axis(formula: Any, forward: Any, backward: Any) -> Any:
         return None
     axis = formula(forward, backward)
     return np.where(there, axis, np.nan) if isinstance(axis, np.ndarray) else axis
-
-
-def clean(vector: Any, dust: Any) -> Any:
-    """Two vectors that cancel leave the dust of the last digits, which would have a length and a phase."""
-    if isinstance(vector, np.ndarray):
-        return np.where(np.abs(vector) > dust, vector, 0.0)
-    return vector if abs(vector) > dust else 0j

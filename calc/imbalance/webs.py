@@ -205,8 +205,7 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
         first = np.unique(pin, return_index=True)[1]
         with about("pulley and flywheel"):
             M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
-            m_b: Any = np.broadcast_to(bob, first.size)
-            place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=m_b)
+            place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=bob)
             P = lacking_product(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
             U = lacking_unbalance(phi_p=crank.phi[..., first], **place)
             wanted = wanted_couple(P=P, omega=omega)

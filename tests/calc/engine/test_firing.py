@@ -1,6 +1,7 @@
 """Firing orders from cranks, cranks from firing orders, and all orders of a layout."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -166,7 +167,7 @@ def test_every_listed_row_is_what_its_own_crank_leaves(cylinders, strokes):
 def test_orders_of_one_crank_stand_together(strokes, cylinders, cranks):
     inputs, e, _ = solved(cylinders=cylinders, strokes=strokes, firing_order=tuple(range(1, cylinders + 1)))
     found = firing_orders(ImbalanceInputs(), inputs, e)
-    changes = sum(not np.allclose(a.crank_angles, b.crank_angles) for a, b in zip(found, found[1:]))
+    changes = sum(not np.allclose(a.crank_angles, b.crank_angles) for a, b in pairwise(found))
     assert changes + 1 == cranks
 
 
