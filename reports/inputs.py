@@ -32,7 +32,7 @@ def exact(value: Any, *, rounded: bool = False) -> str:
         return "; ".join(exact(v, rounded=rounded) for v in value)
     if not isinstance(value, (int, float)):
         return str(value)
-    mantissa, _, power = (f"{value:.12g}" if rounded else repr(value)).partition("e")
+    mantissa, _, power = (f"{value + 0:.12g}" if rounded else repr(value + 0)).partition("e")  # + 0: minus nought is nought
     written = mantissa.replace("-", "−")
     return f"{written}·10{str(int(power)).translate(SUPERSCRIPTS)}" if power else written
 
@@ -252,6 +252,7 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
         cells: list[str | Cell] = [Cell(entry.name, under=(entry.source, NOTE))]
         for key in numbers:
             value = getattr(entry, key.attribute)
-            cells.append(exact(UNITS[key.about.unit].shown(value), rounded=True) if isinstance(value, float) else str(value))
+            known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value
+            cells.append("–" if known is None else exact(known, rounded=True))
         rows.append(cells)
     return table(head, rows, gap=6.0)

@@ -32,6 +32,7 @@ LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
 )
 # Bars differ by their grey as well as by their colour; from the fifth on they are hatched.
 BARS: tuple[Colour, ...] = ((0.0, 0.28, 0.46), (0.945, 0.69, 0.2), (0.0, 0.58, 0.42), (0.80, 0.92, 0.985))
+BROAD, THIN = 2.1, 0.8  # of the thickness of a line, for loci that may run over each other
 LIMIT: tuple[Colour, tuple[float, ...], float] = ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8)
 FILLED = 0.8  # share of a group's place that its bars take
 EDGE = 0.4
@@ -47,6 +48,16 @@ def line_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
     """Colour, dashes and thickness of the i-th line; when all patterns are used up they come again, thicker."""
     colour, dashes, thick = LINES[i % len(LINES)]
     return colour, dashes, thick * (1 + 0.9 * (i // len(LINES)))
+
+
+def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float]:
+    """How the i-th series is drawn.  Loci may run over each other, and more than once: the first of a variant is broad, and those
+    that are drawn over it are thin, so that it looks out on both sides of them."""
+    colour, dashes, thick = line_style(i)
+    like = [n for n, s in enumerate(curve.series) if s.variant == curve.series[i].variant]
+    if curve.equal and len(like) > 1:
+        thick *= BROAD if i == like[0] else THIN
+    return colour, dashes, thick
 
 
 def limits(curve: Curve) -> list[tuple[str, float]]:
@@ -147,7 +158,7 @@ def _lines(axes: Any, curve: Curve) -> None:
 
     for i, series in enumerate(curve.series):
         xs, ys = numbers(series.x), numbers(series.y)
-        colour, dashes, thick = line_style(i)
+        colour, dashes, thick = series_style(curve, i)
         dot = "o" if _is_point(curve, xs, ys) else None
         axes.plot(xs, ys, color=colour, lw=thick, ls=_pattern(dashes, thick), marker=dot, markersize=2.8, solid_joinstyle="round")
     degrees = curve.x_label.rstrip().endswith("°")

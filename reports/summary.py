@@ -12,9 +12,9 @@ from .boxes import GREY
 from .boxes import text as text_box
 from .checks import attention_blocks, errata_blocks, name_of, shown_value, sign_cell
 from .context import Context, severity
-from .flow import WIDTH, Block, heading, lines_block, paragraph
+from .flow import WIDTH, Block, bullet, heading, lines_block, paginate, paragraph
 from .letters import BOLD, MISSING, writable
-from .prose import BODY, NOTE, SECTION, TITLE, Style, lines, one_line
+from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS, STATE_PANELS
 
@@ -33,18 +33,36 @@ def step_anchor(key: str) -> str:
 def summary_blocks(context: Context) -> list[Block]:
     w = context.words
     results = context.results
-    made = _title(context)
-    made += _verdict(context)
-    made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
-    made += _steps(context)
+    above = _title(context)
+    above += _verdict(context)
+    above += heading(w["steps"], SECTION, gap=9.0, after=0.0)
+    above += _steps(context)
     if attention := attention_blocks(context, results.checks()):
-        made += heading(w["attention"], SECTION, gap=11.0, after=0.0)
-        made += attention
+        above += heading(w["attention"], SECTION, gap=11.0, after=0.0)
+        above += attention
+    below: list[Block] = []
     errata = [e for _, _, outcome in context.steps() for e in outcome.errata]
     if errata:
-        made += heading(w["errata"], SECTION, gap=11.0, after=0.0)
-        made += errata_blocks(context, errata, short=True)
-    return made
+        below += heading(w["errata"], SECTION, gap=11.0, after=0.0)
+        below += errata_blocks(context, errata, short=True)
+    if context.depth != "summary":  # the proposals stand with their steps
+        return above + below
+    return above + _proposals(context, above, below) + below
+
+
+def _proposals(context: Context, above: list[Block], below: list[Block]) -> list[Block]:
+    """The proposed remedies of all steps, as many as there is room for without a further page."""
+    w = context.words
+    proposals = [proposal for _, _, outcome in context.steps() for proposal in outcome.proposals]
+    pages = len(paginate(above + below))
+    for count in range(len(proposals), 0, -1):
+        made = heading(w["proposals"], SECTION, gap=11.0, after=0.0)
+        made += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
+        if count < len(proposals):
+            made += paragraph(w["more_proposals"].format(count=len(proposals) - count), NOTE, gap=1.0)
+        if len(paginate(above + made + below)) == pages:
+            return made
+    return []
 
 
 def _title(context: Context) -> list[Block]:

@@ -21,7 +21,7 @@ from .typeset import symbol
 
 ACROSS = 7
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
-ALIKE = 0.6  # share of results in common that puts two parts beside each other
+ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
 
 
 @dataclass(slots=True)
@@ -41,9 +41,13 @@ class _Part:
 
 
 def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
-    """All values of a step.  What is zero throughout is named, not tabulated, unless everything is asked for."""
+    """All values of a step.  What is zero throughout is named, not tabulated, and what one of the step's tables covers is left to it,
+    unless everything is asked for."""
+    covered = () if context.audit else tuple(t.covers for t in outcome.tables if t.covers)
     parts: dict[str, _Part] = {}
     for value in outcome.values():
+        if value.id.startswith(covered):
+            continue
         prefix, _, name = value.id.removeprefix(f"{outcome.key}.").rpartition(".")
         parts.setdefault(prefix, _Part(prefix)).values[name] = value
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
@@ -62,9 +66,9 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
 def _clusters(parts: Iterable[_Part]) -> list[list[_Part]]:
     clusters: list[list[_Part]] = []
     for part in parts:
-        names = {(n, v.unit) for n, v in part.values.items()}
+        names = {(n, v.unit, v.label) for n, v in part.values.items()}
         for cluster in clusters:
-            first = {(n, v.unit) for n, v in cluster[0].values.items()}
+            first = {(n, v.unit, v.label) for n, v in cluster[0].values.items()}
             if part.prefix and cluster[0].prefix and len(names & first) >= ALIKE * max(len(names), len(first)):
                 cluster.append(part)
                 break

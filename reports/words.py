@@ -27,6 +27,7 @@ WORDS: dict[str, dict[str, str]] = {
         "zero_lines": "Lines whose value is exactly zero are left out here; the audit report has every line.",
         "zero_values": "Zero throughout, not shown: {names}.",
         "more": "and {count} more, in the audit report", "others": "further: {values}",
+        "more_proposals": "and {count} more, in the engineer report",
         "materials": "Oils and materials", "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
         "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
         "own": "Definitions and rules without a publication",

@@ -3,6 +3,7 @@
 
 import io
 import re
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -12,7 +13,7 @@ from pypdf import PdfReader
 from calc.sheet.step import Curve, Series, Turning
 from reports.arrows import ARROW, LEAST, arrows
 from reports.figures import series_label
-from reports.plots import BARS, bar_colour, line_style
+from reports.plots import BARS, bar_colour, line_style, series_style
 
 from .reading import V12, Shape, rgb, shapes, solved, squeezed, text_of, with_outcome
 
@@ -149,3 +150,17 @@ def test_vectors_that_are_no_numbers() -> None:
     curves = [Curve("t", "Locus", "x", "y", (Series("", *locus(1, 2)),), equal=True, turning=(t,)) for t in (chain, nothing)]
     assert [[a.name for a in arrows(c)] for c in curves] == [["a"], []]
     assert len(heads(report(*curves), rgb(ARROW))) == 2
+
+
+def test_loci_that_run_over_each_other_are_both_seen() -> None:
+    """The first is broader than what is drawn over it, in each variant; a locus alone, and other curves, are as thick as ever."""
+    x, y = np.sin(THETA), np.cos(THETA)
+    two = tuple(Series(name, x, y, variant) for variant in VARIANTS for name in ("order 1", "all orders"))
+    curve = Curve("l", "Locus", "x, N", "y, N", two, equal=True, variants=VARIANTS)
+    thick = [series_style(curve, i)[2] for i in range(4)]
+    assert thick[0] > 2 * thick[1] and thick[2] > 2 * thick[3]
+    for alone in (replace(curve, series=two[:1]), replace(curve, equal=False)):
+        assert all(series_style(alone, i) == line_style(i) for i in range(len(alone.series)))
+    drawn = b"".join(page.get_contents().get_data() for page in PdfReader(io.BytesIO(report(curve))).pages)
+    for i, wanted in enumerate(thick):
+        assert f"{rgb(line_style(i)[0])} RG {wanted:.2f} w".encode() in drawn

@@ -2,6 +2,7 @@
 """The tables of a step, and the tables and long lists among its inputs."""
 
 import io
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -10,14 +11,16 @@ from pypdf import PdfReader
 
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
-from reports.flow import LEFT
-from reports.inputs import ENDS, LONG, input_blocks
+from reports.context import Context
+from reports.flow import LEFT, Block
+from reports.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
 from reports.letters import width
 from reports.page import Pen
 from reports.prose import CELL
+from reports.values import value_blocks
 from reports.words import WORDS
 
-from .reading import V12, pages_of, solved, spans, squeezed, text_of, with_outcome
+from .reading import ROOT, V12, pages_of, solved, spans, squeezed, text_of, with_outcome
 from .test_hostile import inside
 
 REMEDIES = Table(
@@ -57,6 +60,36 @@ def test_tables_stand_in_outline_and_contents_but_not_in_the_summary() -> None:
     assert place in [[float(a["/Dest"][3]), reader.get_page_number(a["/Dest"][0].get_object())] for a in links]
     assert REMEDIES.title not in text_of(made.report("summary"))
     assert made.report() == pdf
+
+
+def test_values_that_a_table_covers_are_left_to_it() -> None:
+    made = solved(V12)
+    outcome = made.results.outcomes["imbalance"]
+
+    def words(covers: str, depth: str = "engineer") -> str:
+        context = Context(made.document, made.results, "0" * 64, depth, WORDS["en"])
+        return "\n".join(drawn(value_blocks(context, replace(outcome, tables=(replace(REMEDIES, covers=covers),)))))
+
+    assert "Order 6" in words("") and "order 2" in words(""), "order 2 is named as zero"
+    left = words("imbalance.order_")
+    assert "rder 6" not in left and "rder 2" not in left
+    assert "Couple that the counter-shaft must supply" in left, "what does not begin so stays"
+    assert "Order 6" in words("imbalance.order_2.") and "order 2" not in words("imbalance.order_2.")
+    assert words("imbalance.order_", "audit") == words("", "audit"), "the audit has everything"
+
+
+def test_nought_has_no_sign() -> None:
+    assert exact(-0.0) == exact(0.0) == "0.0" and exact([-0.0, 1.5]) == "0.0; 1.5" and exact(-0.0, rounded=True) == "0"
+    assert exact(0) == "0" and exact(-1e-9) == "−1·10⁻⁹" and exact(-0.25) == "−0.25"
+    words = laid({"bore_mm": -0.0})
+    assert "0.0" in words and not any("−0" in w or "-0" in w for w in words)
+
+
+def test_what_is_not_known_of_a_material_is_a_dash() -> None:
+    made = solved((ROOT / "designs" / "twin_force_shaft.toml").read_bytes())
+    words = drawn(material_blocks(Context(made.document, made.results, "0" * 64, "engineer", WORDS["en"])))
+    unknown = [m for m in used_materials(Context(made.document, made.results, "", "engineer", WORDS["en"]))[1] if m.proof_stress is None]
+    assert unknown and words.count("–") == len(unknown) and "None" not in words
 
 
 def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
@@ -132,9 +165,14 @@ class Engine:
 def laid(data: dict[str, Any], depth: str = "engineer") -> list[str]:
     """The pieces of text that the inputs of a step consist of."""
     context: Any = SimpleNamespace(words=WORDS["en"], audit=depth == "audit", document=SimpleNamespace(data={"engine": data}))
+    return drawn(input_blocks(context, Step("engine", "Engine", Engine)))
+
+
+def drawn(blocks: list[Block]) -> list[str]:
+    """The pieces of text that blocks consist of."""
     pen = Pen(SimpleNamespace(), {}, {})  # type: ignore[arg-type]
     y = 0.0
-    for block in input_blocks(context, Step("engine", "Engine", Engine)):
+    for block in blocks:
         y -= block.gap
         block.draw(pen, y)
         y -= block.height
