@@ -21,7 +21,6 @@ class Action:
     title: str
     help: str
     call: str = ""
-    wide: bool = False  # in the footer only where there is room
 
     @property
     def does(self) -> str:
@@ -43,11 +42,11 @@ ACTIONS: tuple[Action, ...] = (
            "Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again."),
     Action("pane", "f6", "l", "Pane", "Next pane", "Moves to the next pane.", call="pane(1)"),
     Action("pane_back", "shift+f6", "h", "", "Previous pane", "Moves to the pane before.", call="pane(-1)"),
-    Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step.", wide=True),
+    Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step."),
     Action("report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
-    Action("curve", "f9", "c", "Curve", "Next curve", "Shows the next curve of the step; after the curves its tables.", wide=True),
+    Action("curve", "f9", "c", "Plot", "Next curve", "Shows the next curve of the step; after the curves its tables."),
     Action("variant", "f10", "b", "Shaft", "Counter-shaft on or off",
-           "Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it.", wide=True),
+           "Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it."),
     Action("crank_on", "", "greater_than_sign", "", "Turn the crank on", "Turns the vectors of a curve on by 10°.", call="crank(1)"),
     Action("crank_back", "", "less_than_sign", "", "Turn the crank back", "Turns the vectors of a curve back by 10°.", call="crank(-1)"),
     Action("undo", "ctrl+z", "u", "Undo", "Undo", "Takes back the last edit of the design; the edits of one field in a row are one."),
@@ -56,11 +55,11 @@ ACTIONS: tuple[Action, ...] = (
            "Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder."),
     Action("save_as", "f12", "W", "", "Save as …", "Saves the design under another name and goes on with that file."),
     Action("open", "ctrl+o", "o", "", "Open …", "Opens another design."),
-    Action("palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters.", wide=True),
+    Action("palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters."),
     Action("down", "down", "j", "", "Next field or line", "Moves down: to the next field, check or line."),
     Action("up", "up", "k", "", "Previous field or line", "Moves up: to the field, check or line before."),
     Action("go_on", "enter", "", "", "Accept, go there",
-           "In a field: accepts it and goes on. On a check: goes to its line in the calculation. On a step: opens it."),
+           "In a field: accepts it and goes on. On “+ add”: adds. On a check: goes to its line in the calculation. On a step: opens it."),
     Action("more", "shift+up", "", "", "One step more", "In a field: raises the number by one increment.", call="nudge(1)"),
     Action("less", "shift+down", "", "", "One step less", "In a field: lowers the number by one increment.", call="nudge(-1)"),
     Action("leave", "escape", "", "", "Leave the field",
@@ -69,7 +68,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("copy_line", "", "Y", "", "Copy the line",
            "Copies the whole line: of the formula with its numbers and source, or of the check."),
     Action("quit", "ctrl+q", "q", "Quit", "Quit",
-           "Ends the program. Unsaved edits are kept and come back with the next start.", wide=True),
+           "Ends the program. Unsaved edits are kept and come back with the next start."),
     *(Action(f"step_{n}", "", str(n), "", f"Step {n}: {step.title}", f"Goes to step {n}, {step.title}.", call=f"step({n})")
       for n, step in enumerate(STEPS, 1)),
 )  # fmt: skip

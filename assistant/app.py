@@ -70,8 +70,14 @@ class ContralberoApp(App[int]):
         """The first key of an action, as the table and the user's key map have it."""
         return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
 
+    def forget(self, *texts: str) -> None:
+        """Take back what was said, if it still stands there."""
+        for notification in [n for n in self._notifications if n.message in texts]:
+            self._unnotify(notification)
+
     def tell(self, text: str, severity: Any = "information") -> None:
         """Say something for a moment; the text is never read as markup."""
+        self.forget(text)  # the same thing is not said twice at a time
         self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:

@@ -170,5 +170,4 @@ def written(content: Any, about: Quantity) -> str:
 def _digits(content: Any) -> str:
     if isinstance(content, bool) or not isinstance(content, (int, float)):
         return str(content)
-    text = repr(content)
-    return text.removesuffix(".0")
+    return repr(content + 0).removesuffix(".0")  # + 0: minus nought is nought

@@ -14,6 +14,7 @@ from ..places import Place
 from ..saving import SaveError
 from ..session import Session
 from ..solving import run
+from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks, sorted_checks
 from ..widgets.choice import Choice
@@ -22,11 +23,13 @@ from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
+from ..widgets.table_heading import TableHeading
 
 if TYPE_CHECKING:
     from .workbench import Workbench
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
+FIRST, LAST = "This is the first step.", "This is the last step."
 
 
 class Doing:
@@ -50,11 +53,12 @@ class Doing:
 
     async def _turn(self, by: int) -> None:
         me = self._me
+        me.app.forget(FIRST, LAST)
         n = me.number - 1 + by
         if 0 <= n < len(STEPS):
             await me.open_step(STEPS[n])
         else:
-            me.app.tell("This is the last step." if by > 0 else "This is the first step.")
+            me.app.tell(LAST if by > 0 else FIRST)
 
     async def action_trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""
@@ -178,6 +182,8 @@ class Doing:
                 me.form.focus_place(None)
             else:
                 me.form.ask()
+        elif isinstance(me.focused, (ArrayHeading, TableHeading)) and me.focused.adds:
+            me.focused.action_add()
         elif me.pane == "inputs":
             me.form.go(1)
 

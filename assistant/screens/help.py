@@ -15,8 +15,10 @@ from calc.sheet.number import short
 
 from ..actions import ACTIONS, key_names
 from ..places import Place
+from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import Checks
 from ..widgets.field_help import meaning
+from ..widgets.table_heading import TableHeading
 from ..widgets.wrap import wrap
 
 if TYPE_CHECKING:
@@ -78,6 +80,8 @@ class HelpScreen(ModalScreen[None]):
         lines: list[Content] = []
         if field is not None:
             lines = self.about_field(field.place)
+        elif isinstance(work.focused, (ArrayHeading, TableHeading)):
+            lines = self.about_heading(work.focused)
         elif isinstance(work.focused, Checks) and work.session.results is not None:
             lines = self.about_check(work.focused.key)
         if not lines:
@@ -105,6 +109,14 @@ class HelpScreen(ModalScreen[None]):
             lines.append(Content("May be left empty: the program then chooses, and says so."))
         if reason := session.reason(place):
             lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {reason}", self.app.signs.style("invalid")))
+        return lines
+
+    def about_heading(self, heading: ArrayHeading | TableHeading) -> list[Content]:
+        about, key = heading.row.about, ".".join(map(str, heading.row.place))
+        lines = [Content.assemble((about.label, "bold"), (f"   {key}", "dim")), *([Content(about.help)] if about.help else [])]
+        lines.append(Content(heading.HELP))
+        if heading.reason:
+            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {heading.reason}", self.app.signs.style("invalid")))
         return lines
 
     def about_check(self, id: str) -> list[Content]:
@@ -138,10 +150,11 @@ class HelpScreen(ModalScreen[None]):
             self.described(
                 "← →",
                 "",
-                "On the heading of a list of elements: leaf through them; + adds one, − takes it out. On the curve: the next one.",
+                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out. "
+                "On the curve: the next one.",
             )
         )
-        lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, takes it out."))
+        lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
         lines.append(self.described("Shift+← Shift+→", "", "On a table of results that is too wide: further columns."))
         return Content("\n").join(lines)
 

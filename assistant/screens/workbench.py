@@ -207,6 +207,22 @@ class Workbench(Doing, Live):
             count = len(outcome.checks)
             word = "check passes" if count == 1 else "checks pass"
             self.query_one("#checks", Pane).set_title(right=f"{count - bad} of {count} {word}" if count else "")
+        self.show_keys()
+
+    def show_keys(self) -> None:
+        """The footer leaves out first what does nothing here."""
+        pane, results = self.query_one(CurvePane), self.session.results
+        sound = self.session.valid and results is not None and all(c.verdict == "pass" for c in results.checks())
+        idle = {
+            "variant": pane.curve is None or len(pane.curve.variants) < 2,
+            "curve": len(pane.leaves) < 2,
+            "trouble": sound,
+        }
+        self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
+
+    def on_curve_pane_turned(self, event: CurvePane.Turned) -> None:
+        event.stop()
+        self.show_keys()
 
     def show_step(self) -> None:
         """The parts that name the step."""

@@ -29,7 +29,10 @@ class ArrayHeading(Widget, can_focus=True):
         Binding("plus", "add", "Add an element", show=False),
         Binding("minus,delete", "remove", "Remove the element", show=False),
     ]
-    HELP = "← → leafs through the elements. + adds one like the last, − takes out the one that is shown (the last of a short list)."
+    HELP = (
+        "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the last of a short "
+        "list); ← → leafs through them."
+    )
 
     @dataclass
     class Leafed(Message):
@@ -59,6 +62,11 @@ class ArrayHeading(Widget, can_focus=True):
         if looks != self._looks:
             self._looks = looks
             self.refresh()
+
+    @property
+    def adds(self) -> bool:
+        """Whether Enter adds an element: where there are some, Enter goes on."""
+        return not self.names()
 
     def names(self) -> list[str]:
         return [str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])]

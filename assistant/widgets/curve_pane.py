@@ -3,11 +3,13 @@
 before the first picture."""
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.content import Content
+from textual.message import Message
 from textual.widgets import Static
 
 from calc.sheet.step import Curve, Table
@@ -30,6 +32,12 @@ class CurvePane(Pane, can_focus=True):
         Binding("left", "turn(-1)", "Curve before", show=False),
         Binding("right,space", "turn(1)", "Next curve", show=False),
     ]
+
+    @dataclass
+    class Turned(Message):
+        """Another curve or table is shown."""
+
+        pane: "CurvePane"
 
     def __init__(self) -> None:
         self.legend = Static(id="curve-legend")
@@ -77,6 +85,7 @@ class CurvePane(Pane, can_focus=True):
     def action_turn(self, by: int) -> None:
         if self.leaf is not None:
             self.chosen[self.step] = self.leaves[(self._number(self.leaf) + by) % len(self.leaves)].id
+            self.post_message(self.Turned(self))
             self.draw()
 
     def next_variant(self) -> str:

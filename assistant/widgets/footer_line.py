@@ -12,7 +12,9 @@ from ..actions import ACTIONS, BY_ID, Action
 if TYPE_CHECKING:
     from ..app import ContralberoApp
 
-SPARED = ("variant", "curve", "trouble")  # what goes first where even wide is not wide enough
+# What goes first where there is not room for all, after what does nothing here.  Narrow, F4 leads to every pane.
+SPARED = ("palette", "trouble", "curve", "variant")
+SPARED_NARROW = ("palette", "pane", "trouble", "quit", "back", "curve", "variant")
 
 
 class FooterLine(Widget):
@@ -22,18 +24,27 @@ class FooterLine(Widget):
 
     def __init__(self) -> None:
         super().__init__(id="footer-line")
+        self.idle: tuple[str, ...] = ()  # actions that do nothing here
+
+    def show(self, idle: tuple[str, ...]) -> None:
+        if idle != self.idle:
+            self.idle = idle
+            self.refresh()
 
     def render(self) -> Content:
         width = self.size.width
         wide = width >= 100
-        shown = [a for a in ACTIONS if a.footer and (wide or not a.wide) and a.id != "palette"]
-        end = self._part(BY_ID["palette"]) if wide else Content("")
-        for gap, left_out in ((1 if not wide else 2, ()), (1, ()), (1, SPARED[:1]), (1, SPARED[:2]), (1, SPARED)):
-            line = Content(" " * gap).join(self._part(a) for a in shown if a.id not in left_out)
-            left = Content.assemble(" ", line)
-            if not wide or left.cell_length + end.cell_length + 2 <= width:
+        spared = [*self.idle, *(SPARED if wide else SPARED_NARROW)]
+        least = 0 if wide else len(self.idle) + 1
+        for gap, count in ((2, least), *((1, n) for n in range(least, len(spared) + 1))):
+            shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count]]
+            end = self._part(BY_ID["palette"]) if BY_ID["palette"] in shown else Content("")
+            left = Content(" " * gap).join(self._part(a) for a in shown if a.id != "palette")
+            if left.cell_length + (end.cell_length + 4 if end else 0) <= width:
                 break
-        return Content.assemble(left, " " * max(1, width - left.cell_length - end.cell_length - 1), end) if wide else left
+        start = " " if left.cell_length < width else ""
+        gap = width - len(start) - left.cell_length - end.cell_length - 1
+        return Content.assemble(start, left, " " * gap, end) if end else Content.assemble(start, left)
 
     def _part(self, action: Action) -> Content:
         made = Content.assemble((self.app.shown_key(action.id), "bold $footer-key-foreground"), " ", action.footer)

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A part of the screen with a title; the title says whether it has the focus."""
 
+from typing import TYPE_CHECKING
+
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widget import Widget
@@ -8,9 +10,14 @@ from textual.widgets import Static
 
 from .wrap import fit
 
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
 
 class Pane(Vertical):
     """`target` takes the focus for the pane."""
+
+    app: "ContralberoApp"
 
     def __init__(self, title: str, *children: Widget, id: str) -> None:
         self.title = Static(id=f"{id}-title", classes="pane-title")
@@ -18,10 +25,12 @@ class Pane(Vertical):
         self.name_of = title
         self.right = ""
         self.views = Content("")
+        self.here = False
         self._shown = ""
 
     def mark(self, here: bool) -> None:
-        """Say by the title whether this pane has the focus."""
+        """Say by the title whether this pane has the focus: bold, with a sign before it.  `set_title` draws it."""
+        self.here = here
         self.title.set_class(here, "-here")
 
     @property
@@ -48,7 +57,8 @@ class Pane(Vertical):
         else:
             beside, end = "", Content.styled(beside.removeprefix(" · "), "not bold")
         gap = max(1, width - len(name) - len(beside) - end.cell_length)
-        made = Content.assemble(" ", name, (beside, "not bold"), (" " * gap, "not underline"), end)
+        mark = self.app.signs.mark("cursor") if self.here else " "
+        made = Content.assemble(mark, name, (beside, "not bold"), (" " * gap, "not underline"), end)
         if made.markup != self._shown:
             self._shown = made.markup
             self.title.update(made, layout=False)

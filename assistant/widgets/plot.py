@@ -29,7 +29,9 @@ ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
 DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5))  # of each pattern, in dots: drawn, left out
+TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"
+Cell = tuple[int, int]  # column and row
 
 
 class Numbers(NumericAxisFormatter):
@@ -60,7 +62,10 @@ class Sheet(Canvas):
 
 @dataclass
 class Line(LinePlot):
+    """`series`: a line of the curve, which may run over others; not a limit or a vector, which stand above them."""
+
     look: Look
+    series: bool = False
 
 
 @dataclass
@@ -85,6 +90,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_y_formatter(Numbers())
         self.bars: list[Bars] = []
         self.marks: list[tuple[complex, str]] = []
+        self._taken: dict[Cell, tuple[str, str]] = {}  # character and colour of the cells that series run through
         self._shown: tuple[Sight, Signs] | None = None
 
     def compose(self) -> ComposeResult:
@@ -124,7 +130,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             if curve.bars:
                 self.bars.append(Bars(x[whole], y[whole], n, len(sight.series), signs.look(n)))
             elif whole.any():
-                self._line(x[whole], y[whole], signs.look(n))
+                self._line(x[whole], y[whole], signs.look(n), series=True)
         for _, limit in curve.limits:
             self._line(np.array([x_low, x_high]), np.array([limit, limit]), signs.limit())
         self._vectors(sight, signs)
@@ -145,8 +151,8 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_xlimits(x_low, x_high)
         self.set_ylimits(y_low, y_high)
 
-    def _line(self, x: Any, y: Any, look: Look) -> None:
-        self._datasets.append(Line(x, y, None if look.plain else HiResMode.BRAILLE, look.colour, look))
+    def _line(self, x: Any, y: Any, look: Look, *, series: bool = False) -> None:
+        self._datasets.append(Line(x, y, None if look.plain else HiResMode.BRAILLE, look.colour, look, series))
         self._labels.append(None)
 
     def _vectors(self, sight: Sight, signs: Signs) -> None:
@@ -161,6 +167,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
 
     # --- drawing
     def _render_plot(self) -> None:
+        self._taken.clear()
         super()._render_plot()
         canvas = self.query_one("#plot", Canvas)
         if canvas._canvas_size is None or self._scale_rectangle.area == 0:
@@ -172,6 +179,19 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, style)
 
     def _render_line_plot(self, dataset: LinePlot) -> None:
+        if not isinstance(dataset, Line) or not dataset.series:
+            self._draw_line(dataset)
+            return
+        canvas, room = self.query_one("#plot", Canvas), self._scale_rectangle
+        points = np.array([self.get_hires_pixel_from_coordinate(x, y) for x, y in zip(dataset.x, dataset.y)], float)
+        cells = dict.fromkeys((math.floor(x), math.floor(y)) for x, y in _along(points))
+        self._draw_line(dataset)
+        for n, cell in enumerate(cell for cell in cells if cell in self._taken):
+            if n // TURNS % 2:  # where lines run over each other they take turns, so that both are seen
+                canvas.set_pixel(*cell, *self._taken[cell])
+        self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells if room.contains(*cell)})
+
+    def _draw_line(self, dataset: LinePlot) -> None:
         if not isinstance(dataset, Line) or not (dataset.look.plain or dataset.look.pattern):
             super()._render_line_plot(dataset)
             return
@@ -182,12 +202,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 canvas.draw_line(x0, y0, x1, y1, look.plain, look.colour)
             return
         points = np.array([self.get_hires_pixel_from_coordinate(x, y) for x, y in zip(dataset.x, dataset.y)], float)
-        way = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.diff(points, axis=0) * DOTS).T))])
-        on, off = DASHES[look.pattern]
-        there = np.arange(0.0, way[-1], 0.5)
-        there = there[there % (on + off) < on]
-        drawn = [(float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))]
-        if drawn:
+        if drawn := _along(points, *DASHES[look.pattern]):
             canvas.set_hires_pixels(drawn, HiResMode.BRAILLE, look.colour)
 
     def _render_bars(self, canvas: Canvas, bars: Bars) -> None:
@@ -211,6 +226,14 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 for cell in range(left, left + wide):
                     if room.x <= cell < room.right and room.y <= row < room.bottom:
                         canvas.set_pixel(cell, row, char, bars.look.colour)
+
+
+def _along(points: Any, on: float = 1.0, off: float = 0.0) -> list[tuple[float, float]]:
+    """Places along a line in cells, half a dot apart; of each `on` + `off` dots the last are left out."""
+    way = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.diff(points, axis=0) * DOTS).T))])
+    there = np.arange(0.0, way[-1], 0.5)
+    there = there[there % (on + off) < on]
+    return [(float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))]
 
 
 def places_of(curve: Curve) -> list[float]:

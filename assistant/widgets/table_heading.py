@@ -25,7 +25,7 @@ class TableHeading(Widget, can_focus=True):
         Binding("plus", "add", "Add the table", show=False),
         Binding("minus,delete", "remove", "Remove the table", show=False),
     ]
-    HELP = "This part may be left out. + adds it, with its fields empty; − takes it out with all its fields. Undo takes either back."
+    HELP = "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo takes either back."
 
     @dataclass
     class Added(Message):
@@ -44,6 +44,11 @@ class TableHeading(Widget, can_focus=True):
     @property
     def there(self) -> bool:
         return content_at(self.session.data, self.row.place) is not None
+
+    @property
+    def adds(self) -> bool:
+        """Whether Enter adds the table: where it is there, Enter goes on."""
+        return not self.there
 
     def redraw(self, row: Row, reason: str) -> None:
         self.row = row

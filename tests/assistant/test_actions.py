@@ -10,8 +10,12 @@ from textual.widgets import Input
 from assistant.actions import ACTIONS, BY_ID, key_name
 from assistant.screens.doing import Doing
 from assistant.screens.workbench import Workbench
+from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.footer_line import FooterLine
+from calc.sheet.step import Curve
 
 from .conftest import Screen
+from .driving import rows, settled, strike, until, work
 
 ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down", "pageup", "pagedown"}
 
@@ -66,7 +70,8 @@ def test_keys_are_named_as_on_the_keyboard() -> None:
 
 
 @pytest.mark.parametrize(
-    ("size", "shown"), [((80, 24), "F1 Help F2 Back F3 Next F4 View F6 Pane F8 PDF ^z Undo ^s Save"), ((120, 40), "^p palette")]
+    ("size", "shown"),
+    [((80, 24), "F1 Help F2 Back F3 Next F4 View F7 Fault F8 PDF F9 Plot ^z Undo ^s Save ^q Quit"), ((120, 40), "^p palette")],
 )
 async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str) -> None:
     async with screen(size=size) as pilot:
@@ -76,14 +81,36 @@ async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str
         assert text.cell_length <= size[0]
 
 
+async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        footer = pilot.app.screen.query_one(FooterLine)
+        said = footer.render().plain
+        assert "F9 Plot" in said and "F10" not in said and "^q Quit" in said  # the curves of the engine have no variants
+        await strike(pilot, "f3")
+        await settled(pilot)
+        said = footer.render().plain
+        assert "F9 Plot" in said and "F10 Shaft" in said and footer.render().cell_length <= 80
+        curves = work(pilot).query_one(CurvePane)
+        seen = set()
+        for _ in curves.leaves:
+            has = isinstance(curves.leaf, Curve) and len(curves.leaf.variants) > 1
+            await until(pilot, lambda has=has: ("F10 Shaft" in rows(pilot)) == has)  # type: ignore[misc]
+            seen.add(has)
+            await strike(pilot, "f9")
+        assert seen == {True, False}
+        curves.show("imbalance", ())
+        work(pilot).show_keys()
+        assert "F9" not in footer.render().plain and "F6 Pane" in footer.render().plain
+
+
 async def test_help_and_palette_know_every_action(screen: Screen) -> None:
     from assistant.screens.help import HelpScreen
     from assistant.screens.palette import HIDDEN, Palette
 
     async with screen() as pilot:
-        work = pilot.app.screen
-        assert isinstance(work, Workbench)
-        provider = Palette(work)
+        bench = pilot.app.screen
+        assert isinstance(bench, Workbench)
+        provider = Palette(bench)
         found = [hit.text or "" async for hit in provider.discover()]
         for action in ACTIONS:
             assert action.id in HIDDEN or any(action.title in text for text in found), action.id
@@ -101,10 +128,10 @@ async def test_a_key_of_the_user_s_own(session: Any) -> None:
 
     app = ContralberoApp(session, key_map={"next": "f5", "nonsense": "f11"})
     async with app.run_test(size=(80, 24)) as pilot:
-        work = app.screen
-        assert isinstance(work, Workbench)
+        bench = app.screen
+        assert isinstance(bench, Workbench)
         await pilot.press("f3")
-        assert work.number == 1
+        assert bench.number == 1
         await pilot.press("f5")
-        assert work.number == 2
-        assert "F5 Next" in work.query_one("#footer-line").render().plain  # type: ignore[union-attr]
+        assert bench.number == 2
+        assert "F5 Next" in bench.query_one("#footer-line").render().plain  # type: ignore[union-attr]

@@ -178,6 +178,26 @@ async def test_the_vectors_turn_with_the_crank(screen: Screen) -> None:
         assert "no vectors" in told(pilot) and pane.degrees == 350
 
 
+# --- lines
+@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("backward", [0.0, 20.0])  # a circle, and a straight line that is run through more than once
+async def test_lines_that_run_over_each_other_are_both_seen(screen: Screen, backward: float, ascii: bool) -> None:
+    theta = [math.radians(3 * n) for n in range(121)]
+    x, y = [(20 - backward) * math.sin(t) for t in theta], [(20 + backward) * math.cos(t) for t in theta]
+    aside = Series("aside", [60.0, 60.0], [-20.0, 20.0])
+    curve = Curve("same", "Two alike", "x", "y", (Series("order 1", x, y), Series("all orders", x, y), aside), equal=True)
+    async with screen(size=(120, 40), ascii=ascii) as pilot:
+        await show(pilot, curve)
+        canvas, room = work(pilot).query_one("#plot", Sheet), work(pilot).query_one(Plot)._scale_rectangle
+        looks = [pilot.app.signs.look(n) for n in range(3)]  # type: ignore[attr-defined]
+        cells = [canvas.get_pixel(x, y) for x in range(room.x, room.right) for y in range(room.y, room.bottom)]
+        first, second, alone = ([char for char, colour in cells if colour == look.colour] for look in looks)
+        assert 0.3 < len(first) / (len(first) + len(second)) < 0.6, "they take turns"
+        assert alone, "nothing is taken from a line that runs alone"
+        if ascii:
+            assert {*first} == {looks[0].plain} and {*second} == {looks[1].plain}
+
+
 # --- bars
 @pytest.mark.parametrize(("size", "ascii"), [((120, 40), False), ((80, 24), False), ((80, 24), True)])
 async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tuple[int, int], ascii: bool) -> None:

@@ -101,3 +101,8 @@ def test_any_text_is_understood_or_refused(text: str) -> None:
             numbers.value(text, about(kind, unit))
         except NotUnderstood as refused:
             assert str(refused)
+
+
+def test_nought_has_no_sign() -> None:
+    assert numbers.written(-0.0, about()) == numbers.written(0.0, about()) == "0"
+    assert numbers.written([-0.0, -1.5], about("series")) == "0; -1.5"

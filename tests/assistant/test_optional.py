@@ -7,6 +7,7 @@ from typing import Any
 
 import pytest
 from textual.pilot import Pilot
+from textual.widgets import Static
 
 from assistant.session import Session
 from assistant.widgets.array_heading import ArrayHeading
@@ -189,6 +190,50 @@ async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -
         assert work(pilot).form.here() != PLACE
         await strike(pilot, "down")
         assert work(pilot).form.here() == PLACE
+
+
+async def test_enter_adds_an_absent_table_and_goes_on_from_a_present_one(screen: Screen) -> None:
+    async with screen() as pilot:
+        session = work(pilot).session
+        await to_heading(pilot)
+        await until(pilot, lambda: "+ or Enter adds it" in " ".join(rows(pilot).split()))
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert session.value(PLACE) == {} and work(pilot).form.here() == (*PLACE, "peak_bar")
+        await type_in(pilot, "90")
+        await settled(pilot)
+        assert session.value(PLACE) == {"peak_bar": 90.0} and work(pilot).number == 1
+        await to_heading(pilot)
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert session.value(PLACE) == {"peak_bar": 90.0} and work(pilot).form.here() == (*PLACE, "peak_bar")
+
+
+async def test_enter_adds_the_first_element_only(screen: Screen) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "f3")
+        await settled(pilot)
+        session, form = work(pilot).session, work(pilot).form
+        where = ("imbalance", "unbalances")
+        form.focus_place(where)
+        await until(pilot, lambda: form.here() == where)
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert session.value(where) == [{}] and form.here() == (*where, 0, "name")
+        form.focus_place(where)
+        await until(pilot, lambda: form.here() == where)
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert session.value(where) == [{}] and form.here() == (*where, 0, "name")
+
+
+async def test_help_is_about_the_heading(screen: Screen) -> None:
+    async with screen() as pilot:
+        await to_heading(pilot)
+        await strike(pilot, "f1")
+        await until(pilot, lambda: bool(pilot.app.screen.query("#help-here")))
+        said = str(pilot.app.screen.query_one("#help-here", Static).content)
+        assert "Trial" in said and "engine.trial" in said and "What the test asks for." in said and "+ or Enter adds it" in said
 
 
 async def test_the_heading_can_be_clicked(screen: Screen) -> None:

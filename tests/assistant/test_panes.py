@@ -3,6 +3,7 @@
 
 import re
 
+import pytest
 from textual.widgets import Input
 
 from assistant.actions import ACTIONS
@@ -10,10 +11,11 @@ from assistant.session import Session
 from assistant.widgets.calculation import Calculation
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.pane import Pane
 from calc.design import STEPS
 
 from .conftest import Screen, solved
-from .driving import go_to, rows, settled, strike, type_in, work
+from .driving import go_to, rows, settled, strike, told, type_in, until, work
 
 
 # --- steps, panes, checks
@@ -24,6 +26,23 @@ async def test_steps_forward_back_and_by_number(screen: Screen) -> None:
             await strike(pilot, key)
             await pilot.pause()
             assert work(pilot).number == number, key
+
+
+async def test_the_ends_are_said_once(screen: Screen) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "f2", "f2", "f2", "f2")
+        await settled(pilot)
+        assert told(pilot) == "This is the first step."
+        await strike(pilot, "f3")
+        await settled(pilot)
+        assert work(pilot).number == 2 and told(pilot) == ""
+        await strike(pilot, "escape")
+        await strike(pilot, "6")
+        await settled(pilot)
+        assert work(pilot).number == 6
+        await strike(pilot, "f3", "f3", "f3")
+        await settled(pilot)
+        assert told(pilot) == "This is the last step."
 
 
 async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> None:
@@ -84,6 +103,29 @@ async def test_panes_in_turn(screen: Screen) -> None:
         await pilot.press("down", "enter")
         await pilot.pause()
         assert work(pilot).number == 2
+
+
+@pytest.mark.parametrize("ascii", [False, True])
+@pytest.mark.parametrize("size", [(110, 30), (80, 24)])
+async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
+    async with screen(size=size, ascii=ascii) as pilot:
+
+        def marked() -> list[str]:
+            panes = [pane for pane in work(pilot).query(Pane) if pane.display]
+            for pane in panes:
+                here = pane.id == work(pilot).pane
+                assert pane.title.styles.text_style.bold is (True if here else None), pane.id
+            return [str(pane.id) for pane in panes if str(pane.title.render())[0] == (">" if ascii else "▸")]
+
+        for key in ("f6", "f6", "f6", "f6", "escape"):
+            await strike(pilot, key)
+            await until(pilot, lambda: marked() == [work(pilot).pane])
+        assert work(pilot).pane == "inputs" and pilot.app.focused is work(pilot).form
+        await strike(pilot, "f6", "f1")
+        await until(pilot, lambda: bool(pilot.app.screen.query("#help-text")))
+        await strike(pilot, "escape")
+        await until(pilot, lambda: not pilot.app.screen.query("#help-text"))
+        await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane])
 
 
 async def test_a_pane_is_made_large_and_small(screen: Screen) -> None:
