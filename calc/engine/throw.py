@@ -295,11 +295,11 @@ def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Mate
 def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
     positions = tuple((words, getattr(result, key)) for key, words in POSITIONS.items())
     mega, cylinder = UNITS["MPa"].factor, int(result.cylinder)
-    names = ("F_G", "F_I", "S", "N", "F_t", "F_r", "R_f", "R_r")
+    names = ("F_G", "F_I", "F", "S", "N", "F_t", "F_r", "R_f", "R_r")
     forces = tuple(
         (
-            words, math.degrees(p.crank_angle), p.gas_force, p.inertia_force, p.rod_force, p.side_thrust, p.tangential_force,
-            p.radial_force, p.reaction_front, p.reaction_rear,
+            words, math.degrees(p.crank_angle), p.gas_force, p.inertia_force, p.piston_force, p.rod_force, p.side_thrust,
+            p.tangential_force, p.radial_force, p.reaction_front, p.reaction_rear, p.torque_in_front,
         )
         for words, p in positions
     )  # fmt: skip
@@ -313,13 +313,16 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
     found = [
         Table(
             "throw_forces", f"Forces on the throw of cylinder {cylinder}",
-            (("position", ""), ("ε_k", "°"), *((name, "N") for name in names)), forces,
-            "Gas, inertia, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals.",
+            (("position", ""), ("ε_k", "°"), *((name, "N") for name in names), ("T_v", "N·m")), forces,
+            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, torque "
+            "from the throws in front.",
+            covers="engine.throw.largest_tangential.",
         ),
         Table(
             "throw_stresses", f"Stresses of the throw of cylinder {cylinder}",
             (("section", ""), ("M", "N·m"), ("T", "N·m"), ("σ", "MPa"), ("τ", "MPa"), ("σ_v", "MPa"), ("σ_vk", "MPa")), stresses,
             "σ_v nominal; σ_vk at the fillet, where its radius is given.",
+            covers="engine.throw.top_dead_centre.",
         ),
     ]  # fmt: skip
     if worst.shape[1] > 1:

@@ -216,10 +216,10 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about("inertia torque"):
         t: Any = torque_harmonics(T_k=one, fires=fires)
-        orders = _amplitudes(t, "Inertia torque", "T")
+        orders = _amplitudes(t, "Inertia torque", "T_")
     with about("torque reaction of the inertia forces"):
         t_block: Any = torque_harmonics(T_k=on_block, fires=fires)
-        block_orders = _amplitudes(t_block, "Torque reaction of the inertia forces", "T_RI")
+        block_orders = _amplitudes(t_block, "Torque reaction of the inertia forces", "T_RI,")
     curve = Curve(
         "torque", "Inertia torque about the crank over one turn", "crank angle after TDC of cylinder 1, °", "T, N·m",
         (Series("on the crank", np.degrees(epsilon[::2]), whole[::2]), Series("on the block", np.degrees(epsilon[::2]), block[::2])),
