@@ -314,8 +314,8 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
         Table(
             "throw_forces", f"Forces on the throw of cylinder {cylinder}",
             (("position", ""), ("ε_k", "°"), *((name, "N") for name in names), ("T_v", "N·m")), forces,
-            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, torque "
-            "from the throws in front.",
+            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, "
+            "torque from the throws in front.",
             covers="engine.throw.largest_tangential.",
         ),
         Table(
