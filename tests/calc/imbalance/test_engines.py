@@ -36,11 +36,12 @@ def test_published_engine(row):
         assert found == pytest.approx(row[name], abs=1e-4)
 
 
-@pytest.mark.parametrize("row", ROWS, ids=[r["engine"] for r in ROWS])
+GIVEN = [row for row in ROWS if "phi" in row]
+
+
+@pytest.mark.parametrize("row", GIVEN, ids=[r["engine"] for r in GIVEN])
 def test_published_engine_in_phase(row):
     """Modulus and phase of the same engines against the Fourier coefficients of their exact motion."""
-    if "phi" not in row:
-        pytest.skip("given by its firing order")
     n = len(row["z"])
     engine, e, i = solved(
         ImbalanceInputs(crank_balance_fraction=0.0), layout="vee", cylinders=n, firing_order=None, bank_of_cylinder=tuple(row["bank"]),
