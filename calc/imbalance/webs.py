@@ -34,6 +34,7 @@ from ..sheet.units import (
     Radian,
     RadPerSecond,
 )  # fmt: skip
+from . import formulas as f
 from .inputs import ImbalanceInputs
 from .remedies import equivalent_mass
 
@@ -135,21 +136,6 @@ def force_of_unbalances(omega: RadPerSecond, U: KilogramMetre, gamma: Radian) ->
     return omega**2 * resultant(U * cis(gamma))
 
 
-@formula("|C|", "length of the vector")
-def couple_length(C: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(C)
-
-
-@formula("∠C", "direction, cylinder 1 at TDC")
-def couple_direction(C: PhasorNewtonMetre) -> Radian:
-    return argument(C)
-
-
-@formula("|F|", "length of the vector")
-def force_length(F: PhasorNewton) -> Newton:
-    return modulus(F)
-
-
 @formula("C_left", "what the unbalances leave of the couple that is wanted")
 def couple_not_supplied(C_pf: PhasorNewtonMetre, C_U: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_pf - C_U)
@@ -211,9 +197,9 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
             wanted = wanted_couple(P=P, omega=omega)
             found |= {
                 "equivalent_mass": M_eq,
-                "missing_forward_couple": couple_length(C=wanted),
-                "missing_forward_couple_phase": couple_direction(C=wanted),
-                "missing_forward_force": force_length(F=wanted_force(U=U, omega=omega)),
+                "missing_forward_couple": f.couple_length(C=wanted),
+                "missing_forward_couple_phase": f.couple_direction(C=wanted),
+                "missing_forward_force": f.force_length(F=wanted_force(U=U, omega=omega)),
             }
     if imbalance.unbalances:
         given: Any = np.array([(u.unbalance, u.angle, u.z) for u in imbalance.unbalances])
@@ -221,9 +207,9 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
             C_U = couple_of_unbalances(omega=omega, U=given[:, 0], z=given[:, 2], gamma=given[:, 1])
             F_U = force_of_unbalances(omega=omega, U=given[:, 0], gamma=given[:, 1])
             found |= {
-                "unbalances_couple": couple_length(C=C_U),
-                "unbalances_couple_phase": couple_direction(C=C_U),
-                "unbalances_force": force_length(F=F_U),
+                "unbalances_couple": f.couple_length(C=C_U),
+                "unbalances_couple_phase": f.couple_direction(C=C_U),
+                "unbalances_force": f.force_length(F=F_U),
             }
             if wanted is not None:
                 found["unbalances_couple_left"] = couple_not_supplied(C_pf=wanted, C_U=C_U)
