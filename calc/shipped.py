@@ -11,7 +11,6 @@ from .catalogue import TABLES
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
-COMPLETE = {"r753ie4": EXAMPLE}  # engines with a whole design of their own
 
 
 @dataclass(frozen=True)
@@ -25,21 +24,26 @@ class ShippedEngine:
 
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
-    return {"r753ie4": ShippedEngine("VM Motori R753IE4", "inline 3, even firing, counter-shaft γ", "Finotti 2013")} | {
-        name: ShippedEngine(row["engine"]["name"], row["what"], row["source"]) for name, row in _rows().items()
-    }
+    return {name: ShippedEngine(_engine(row)["name"], row["what"], row["source"]) for name, row in _rows().items()}
 
 
 def engine_design(name: str) -> str:
     """The text of a design for a shipped engine: complete where a counter-shaft is known for it, else engine and imbalance."""
-    if name in COMPLETE:
-        return COMPLETE[name].read_text(encoding="utf-8")
     row = _rows()[name]
+    if "design" in row:
+        return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     engine, imbalance = row["engine"], {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     about = f"{row['what']}. Data: {row['source']}. {row.get('note', '')}".rstrip()
     note = f"{about} No counter-shaft is known for it: add [countershaft], [bearings], [gears] and [friction]."
     head = {"schema": 1, "name": engine["name"], "note": note}
     return f"{_lines(head)}\n[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+
+
+def _engine(row: dict[str, Any]) -> dict[str, Any]:
+    """The engine of a row, which may stand in a complete design."""
+    if "design" not in row:
+        return row["engine"]
+    return tomllib.loads((DESIGNS / row["design"]).read_text(encoding="utf-8"))["engine"]
 
 
 def _rows() -> dict[str, Any]:
