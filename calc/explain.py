@@ -38,9 +38,9 @@ def chain(results: Results, value_id: str) -> list[Link]:
         """The line that made a number: the very object, or else the array that it is taken from."""
         number = made.get(id(x))
         if number is None and isinstance(x, (float, complex)) and not _common(x):
-            number = equal.get(x)
-        if number is None and isinstance(x, (float, complex)) and not _common(x):
-            number = next((n for n, array in reversed(parts) if n < before and np.any(array == x)), None)
+            number = equal.get(x, before)
+            if number >= before:
+                number = next((n for n, array in reversed(parts) if n < before and np.any(array == x)), None)
         return number if number is not None and number < before else None
 
     start = maker(results.values()[value_id].inside)
@@ -61,7 +61,7 @@ def chain(results: Results, value_id: str) -> list[Link]:
     def origin(name: str, argument: Any) -> str | None:
         """The key of an argument that comes straight from the file; an array may be a column of an array of tables."""
         if isinstance(argument, np.ndarray):
-            return next((key for key, column in columns if np.array_equal(argument, column)), None)
+            return next((key for key, column in columns if _is(argument, column)), None)
         if isinstance(argument, int):  # whole numbers are one object wherever they stand: their name tells them apart
             return next((key for key, names, number in counts if name in names and number == argument), None)
         found = inputs.get(id(argument), [])  # numbers that the program takes by default may be one object: the symbol tells them apart
@@ -71,6 +71,13 @@ def chain(results: Results, value_id: str) -> list[Link]:
         Link(line, tuple(key for name, a in line.arguments.items() if id(a) not in made and (key := origin(name, a))))
         for line in (lines[n] for n in sorted(wanted))
     ]
+
+
+def _is(argument: Any, column: tuple[float, ...]) -> bool:
+    """Whether an array is a column of the design, or begins with one that is long enough to be told apart."""
+    if len(column) < 2 and not any(column):
+        return False
+    return np.array_equal(argument if len(column) < 3 else argument[: len(column)], column)
 
 
 def _parts(lines: list[Line]) -> Iterator[tuple[int, Any]]:
@@ -101,6 +108,8 @@ def _columns(inputs: Any, prefix: str = "") -> Iterator[tuple[str, tuple[float, 
         here = f"{prefix}{key.key}"
         if is_dataclass(content):
             yield from _columns(content, f"{here}.")
+        elif key.about.kind in ("series", "integers") and content:
+            yield here, content
         elif key.about.kind == "tables" and content:
             for part in keys(_class(content[0])).values():
                 if part.about.kind == "number":

@@ -94,7 +94,7 @@ def _values(said: str, whole: bool, words: bool) -> tuple[Any, ...]:
         if numbers[2] > MOST_ROWS:
             raise ValueError(f"asks for {parts[2]} values; at most {MOST_ROWS} designs at once")
         if numbers[2] == 1 and numbers[0] != numbers[1]:
-            raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more")
+            raise ValueError("one value can not reach from LOW to HIGH; ask for 2 or more, or give the value alone")
         numbers = np.linspace(numbers[0], numbers[1], int(numbers[2])).tolist()
     if whole:
         if any(n != round(n) for n in numbers):
@@ -205,13 +205,14 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
     judged = replace(found, orders={n: replace(found.orders[n], two_term=None) for n in ("order_1", "order_2")}, webs=None)
     for k in range(len(grid)):
         one_row = {id: (numbers[k], unit) for id, (numbers, unit) in columns.items()}
-        checks = judgement.checks(_at(judged, k), _at(e.lambda_, k), base.countershaft is not None)
+        share = _at(cranks.crank_balance_fraction, k)
+        checks = judgement.checks(_at(judged, k), _at(e.lambda_, k), share, base.countershaft is not None)
         yield one_row, {"imbalance": worst([c.verdict for c in checks])}
 
 
 def _cells(numbers: Any) -> list[float | None]:
     """The cells of a column; where a design has no such value (NaN: the axis of a circle) the cell is empty."""
-    return [None if number != number else number for number in numbers.tolist()]
+    return [None if number != number else float(f"{number:.14g}") for number in numbers.tolist()]
 
 
 def _at(x: Any, k: int) -> Any:

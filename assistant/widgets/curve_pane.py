@@ -187,8 +187,8 @@ class CurvePane(Pane, can_focus=True):
         if sight.variant:
             yield Content.assemble((self.app.shown_key("variant") + " ", "dim"), (sight.variant, "bold"))
         if sight.turns:
-            keys = f"{self.app.shown_key('crank_back')} {self.app.shown_key('crank_on')} "
-            yield Content.assemble((keys, "dim"), (f"crank at {sight.degrees}°", "bold"))
+            keys = f" {self.app.shown_key('crank_back')} {self.app.shown_key('crank_on')} after {self.app.shown_key('leave')}"
+            yield Content.assemble((f"crank at {sight.degrees}°", "bold"), (keys, "dim"))
 
     def _names(self, sight: Sight) -> Iterator[Content]:
         signs = self.app.signs

@@ -73,7 +73,11 @@ class Field(Widget):
             return Choice(
                 self.words, text, optional=optional, prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else "choose"
             )
-        return Entry(text, self.default or ("(auto)" if optional else "" if self.row.required else "left out"))
+        return Entry(text, self._prompt())
+
+    def _prompt(self) -> str:
+        """What stands in an empty field."""
+        return self.default or ("(auto)" if self.about.optional else "" if self.row.required else "left out")
 
     def compose(self) -> ComposeResult:
         yield self._box
@@ -106,6 +110,8 @@ class Field(Widget):
             self.box.show(self.session.text(self.place))
         if changed:
             self.set_class(bool(reason), "-invalid")
+            if isinstance(self.box, Entry):  # what is missing is not chosen by the program
+                self.box.placeholder = "" if "is missing" in reason else self._prompt()
             self.refresh(layout=True)
         self.redraw()
 

@@ -23,6 +23,12 @@ def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
     return (phi - phi[..., :1]) % (2 * math.pi)
 
 
+@formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
+def places_in_order(order: Number) -> Number:
+    """The place of cylinders 1, 2 … in the firing order, from 0."""
+    return np.argsort(order)  # type: ignore[return-value]
+
+
 @formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")
 def axial_positions(k: Number, a: Metre) -> Metre:
     row: Any = k
@@ -67,9 +73,8 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
         order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
             chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: {_why(n, engine.strokes)}.")
-        place: Any = np.empty(n)
-        place[np.asarray(order) - 1] = np.arange(n)
-        phi = throw_angles(psi=psi, i=place, strokes=engine.strokes, N=n)
+        given_order: Any = np.asarray(order)
+        phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
         z: Any = np.asarray(engine.axial_positions)
     else:

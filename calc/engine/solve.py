@@ -78,12 +78,12 @@ def firing_interval(strokes: Number, N: Number) -> Radian:
 
 
 @formula("Δ_min", "crank angles between one firing and the next, over the working cycle", shows="the shortest of the firing intervals")
-def shortest_interval(gaps: Radian) -> Radian:
+def shortest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.min(gaps))
 
 
 @formula("Δ_max", "crank angles between one firing and the next, over the working cycle", shows="the longest of the firing intervals")
-def longest_interval(gaps: Radian) -> Radian:
+def longest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.max(gaps))
 
 
@@ -99,6 +99,16 @@ def _peak(y: Any) -> tuple[Any, Any]:
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
     return (highest, at % (2 * np.pi)) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
+
+
+@formula("max", "largest value over the turn", shows="the largest of the points, refined on their Fourier series")
+def turn_highest(y: Number) -> Number:
+    return _peak(y)[0]
+
+
+@formula("min", "smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
+def turn_lowest(y: Number) -> Number:
+    return -_peak(-y)[0]
 
 
 def values(engine: EngineInputs) -> EngineResult:
@@ -120,11 +130,10 @@ def values(engine: EngineInputs) -> EngineResult:
     beta: Any = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
     speed: Any = f.relative_speed(alpha=alpha, beta=beta)
     exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
-    lowest, angle = _peak(-exact)
-    fastest = f.piston_speed(v_rel=_peak(speed)[0], omega=omega, r=engine.crank_radius)
-    a_max = f.acceleration(a_rel=_peak(exact)[0], omega=omega, r=engine.crank_radius)
-    a_min = f.acceleration(a_rel=-lowest, omega=omega, r=engine.crank_radius)
-    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=angle)
+    fastest = f.piston_speed(v_rel=turn_highest(y=speed), omega=omega, r=engine.crank_radius)
+    a_max = f.acceleration(a_rel=turn_highest(y=exact), omega=omega, r=engine.crank_radius)
+    a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
+    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=_peak(-exact)[1])
     spectrum: Any = harmonics(exact)
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
@@ -142,7 +151,8 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         fires = firing(engine, e.crank)
         interval = firing_interval(strokes=engine.strokes, N=engine.cylinders)
         gaps: Any = fires.intervals
-        shortest, longest = shortest_interval(gaps=gaps), longest_interval(gaps=gaps)
+        phi: Any = e.crank.phi
+        shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
         with about("torque"):
             turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
         with about("harmonics of the piston's acceleration"):

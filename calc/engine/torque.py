@@ -240,12 +240,12 @@ def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:
 def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, flywheel_inertia: float | None) -> dict[str, Any]:
     """What the gas gives: work, peaks, mean and fluctuation."""
     epsilon = c.points(cycle, fires)
-    with untraced():
+    with about("all cylinders over the cycle"):
         of_gas, of_inertia, force = at(engine, e, cycle, fires, epsilon[:, None])
-        gas_only: Any = of_gas.sum(-1)
-        whole: Any = gas_only + of_inertia.sum(-1)
+        gas_only: Any = gas_torque(T_k=of_gas)
+        whole: Any = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
+    with untraced():
         best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
-        T_G_k = at(engine, e, cycle, fires, best)[0]
         on_block: Any = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
         best_block = c.first_highest(epsilon, c.amounts(on_block))
     with about("cylinder 1 over its cycle"):
@@ -253,6 +253,7 @@ def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, fl
     W_i = indicated_work(T_k=one, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about("largest gas torque"):
+        T_G_k = at(engine, e, cycle, fires, best)[0]
         peak_gas = amount(T=gas_torque(T_k=T_G_k))
     best = _angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True)
     with about("largest torque"):

@@ -77,22 +77,22 @@ def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> Phas
 
 @formula("F_V", "ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_peak_vertical(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
-    return modulus(F_f + conj(F_b))
+    return modulus(joined(F_f, conj(F_b)))
 
 
 @formula("F_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_peak_horizontal(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
-    return modulus(F_f - conj(F_b))
+    return modulus(joined(F_f, -conj(F_b)))
 
 
 @formula("C_V", "ellipse of two counter-turning vectors: largest vertical component", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(C_f + conj(C_b))
+    return modulus(joined(C_f, conj(C_b)))
 
 
 @formula("C_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(C_f - conj(C_b))
+    return modulus(joined(C_f, -conj(C_b)))
 
 
 @formula("F_max", "ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"})
@@ -102,7 +102,7 @@ def force_peak(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
 
 @formula("F_min", "ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_least(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
-    return modulus(modulus(F_f) - modulus(F_b))
+    return modulus(joined(modulus(F_f), -modulus(F_b)))
 
 
 @formula("∠F_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"F_f": "F⁺", "F_b": "F⁻"})
@@ -117,7 +117,7 @@ def couple_peak(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
 
 @formula("C_min", "ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_least(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(modulus(C_f) - modulus(C_b))
+    return modulus(joined(modulus(C_f), -modulus(C_b)))
 
 
 @formula("∠C_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"C_f": "C⁺", "C_b": "C⁻"})

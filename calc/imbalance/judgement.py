@@ -5,6 +5,7 @@ import math
 from typing import TYPE_CHECKING
 
 from ..sheet.check import Check, check
+from ..sheet.functions import argument
 from ..sheet.number import short
 from ..sheet.units import Number
 from .remedies import BalanceShaft
@@ -13,14 +14,19 @@ if TYPE_CHECKING:
     from .solve import ImbalanceResult
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
+TURNED = math.radians(0.01)
 OWN = "rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch"
 
 
-def checks(result: "ImbalanceResult", lam: Number, shaft: bool) -> tuple[Check, ...]:
+def checks(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -> tuple[Check, ...]:
     """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
     forward = "A backward shaft can not take it: balance half of the reciprocating mass on the crank (fraction 0.5)."
+    if (turned := _turned(result)) > TURNED and abs(kappa - 0.5) < 1e-9:
+        forward = (
+            f"The offset turns it away from the pins: counterweights turned by {short(math.degrees(turned))}° from opposite them take it."
+        )
     phase = short(round(math.degrees(result.required_couple_phase), 3))
     counter = f"One shaft at −ω takes it: {short(result.required_couple)} N·m at {phase}°" + ("; add [countershaft]." if not shaft else ".")
     backward = "A shaft at −ω with this force, in the plane of the engine's middle, takes it; it may carry the couple as well."
@@ -129,7 +135,17 @@ def _taken(result: "ImbalanceResult", least: tuple[float, float]) -> str:
     """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the pin."""
     left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
-    return f"take all but {rest} (the offset turns it away from the pins)" if rest else "take all"
+    if not rest:
+        return "take all"
+    turned = short(math.degrees(_turned(result)))
+    return f"take all but {rest} (the offset turns it by {turned}° from the pins; counterweights turned as far take that too)"
+
+
+def _turned(result: "ImbalanceResult") -> float:
+    """The angle between the forward vector of first order and the pins' own [rad]: an offset cylinder's force leads or lags its crank."""
+    F_f, _, C_f, _ = result.orders["order_1"].unbalanced
+    vector, pins = max(((F_f, result.whole[0]), (C_f, result.whole[1])), key=lambda pair: abs(pair[1]))
+    return abs(argument(-vector * pins.conjugate()))
 
 
 def shafts_words(shafts: dict[str, BalanceShaft]) -> str:

@@ -143,7 +143,7 @@ def solve(
     return Outcome(
         "imbalance",
         result=found,
-        checks=checks(found, e.lambda_, shaft),
+        checks=checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         lines=tuple(lines),
         curves=pictures(found),
         tables=(remedy_table(found, imbalance.crank_balance_fraction), *tables),

@@ -92,6 +92,8 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
             return Expr(BINARY[type(op)], (sub(a), sub(b)))
         case ast.UnaryOp(op=ast.USub(), operand=a):
             return Expr("neg", (sub(a),))
+        case ast.Call(func=ast.Name(id="joined"), args=[a, ast.UnaryOp(op=ast.USub(), operand=b)]):
+            return Expr("sub", (sub(a), sub(b)))
         case ast.Call(func=ast.Name(id="joined"), args=[a, b]):
             return Expr("add", (sub(a), sub(b)))
         case ast.Call(func=ast.Name(id=name), args=args):

@@ -89,7 +89,7 @@ def resultant(x: Any) -> Any:
     one = np.sum(x).item()
     if isinstance(one, complex):
         return complex(one.real if abs(one.real) > dust else 0.0, one.imag if abs(one.imag) > dust else 0.0)
-    return one if abs(one) > dust else 0.0
+    return one if abs(one) > dust else abs(0.0 * one)  # an object of its own, by which its line is found again
 
 
 def joined(a: complex, b: complex) -> complex:
@@ -98,7 +98,7 @@ def joined(a: complex, b: complex) -> complex:
     dust = 1e-12 * (abs(a) + abs(b))
     if isinstance(found, np.ndarray):
         return cast(complex, np.where(abs(found) > dust, found, 0.0))
-    return cast(complex, found) if abs(found) > dust else 0j
+    return cast(complex, found) if abs(found) > dust else complex(0.0, 0.0)  # an object of its own, by which its line is found again
 
 
 def largest(a: float, b: float) -> float:

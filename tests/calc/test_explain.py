@@ -16,6 +16,13 @@ RESULTS = {name: solve(design(read(DESIGNS / f"{name}.toml"))) for name in ("r75
     ("twin_force_shaft", "engine.mean_torque", {"engine.cylinders", "engine.strokes", "engine.gas.peak_pressure_bar", "engine.bore_mm"}),
     ("twin_force_shaft", "engine.speed_irregularity", {"engine.flywheel_inertia_kgm2", "engine.rated_speed_rpm"}),
     ("twin_force_shaft", "engine.throw.top_dead_centre.pin.von_mises", {"engine.throw.pin_diameter_mm", "engine.gas.peak_pressure_bar"}),
+    ("twin_force_shaft", "engine.harmonic.order_2", {"engine.rod_length_mm", "engine.crank_radius_mm"}),
+    ("twin_force_shaft", "engine.piston_speed_max", {"engine.rod_length_mm", "engine.rated_speed_rpm"}),
+    ("twin_force_shaft", "engine.energy_fluctuation", {"engine.piston_mass_g", "engine.rated_speed_rpm", "engine.gas.peak_pressure_bar"}),
+    ("twin_force_shaft", "engine.gas_torque_peak", {"engine.gas.peak_pressure_bar", "engine.bore_mm"}),
+    ("twin_force_shaft", "imbalance.order_1.force_forward", {"imbalance.crank_balance_fraction", "engine.piston_mass_g"}),
+    ("r753ie4_gamma", "engine.firing_interval_shortest", {"engine.firing_order", "engine.strokes"}),
+    ("r753ie4_gamma", "imbalance.crank.balanced.unbalance", {"imbalance.crank_bodies.*.mass_kg"}),
     ("twin_force_shaft", "engine.delta", {"engine.cylinder_offset_mm", "engine.rod_length_mm"}),
     ("twin_force_shaft", "engine.inertia_torque.order_2", {"engine.crank_radius_mm", "engine.piston_mass_g", "engine.rated_speed_rpm"}),
     ("twin_force_shaft", "imbalance.counterweight.front.mass", {"imbalance.counterweight_span_mm", "imbalance.counterweight_radius_mm"}),
@@ -42,3 +49,9 @@ def test_inputs_of_other_steps_do_not_creep_in(name):
         if value.startswith("engine."):
             for link in chain(RESULTS[name], value):
                 assert all(key.startswith("engine.") for key in link.inputs), (value, link.inputs)
+
+
+def test_a_force_that_cancels_is_not_mistaken_for_a_couple():
+    """Both are 0 here; the force has no arm in its chain."""
+    found = {key for link in chain(RESULTS["twin_force_shaft"], "imbalance.order_1.two_term.force_peak") for key in link.inputs}
+    assert "engine.cylinder_pitch_mm" not in found and "imbalance.crank_balance_fraction" in found
