@@ -16,7 +16,7 @@ from ..sheet.units import Kilogram, KilogramMetre, Newton, NewtonMetre, Radian, 
 from . import formulas as f
 from .inputs import CountershaftInputs
 
-DRAWN = 1e-3  # of one cylinder's m·r·ω²: less is not worth a figure
+DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
 
 

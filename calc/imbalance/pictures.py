@@ -13,7 +13,7 @@ from .orders import DUST
 if TYPE_CHECKING:
     from .solve import ImbalanceResult
 
-DRAWN = 1e-3  # of one cylinder's m·r·ω²: less is not worth a figure
+DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 WITHOUT = "without the counter-shaft"
 Shaft = tuple[complex, complex]  # its force and couple, cylinder 1 at TDC; they turn backward
 KINDS = (("couple", "couple", "C", "N·m", 2), ("force", "force", "F", "N", 0))
