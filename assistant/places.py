@@ -4,7 +4,7 @@
 from typing import Any
 
 from calc.design import Design
-from calc.design_file import Table
+from calc.design_file import Table, changed
 from calc.sheet.quantity import Quantity, keys
 
 Place = tuple[str | int, ...]
@@ -32,21 +32,6 @@ def described(where: Place) -> Quantity:
     if about is None:
         raise KeyError(where)
     return about
-
-
-def changed(here: Any, where: Place, content: Any) -> Any:
-    """The same tables with one place changed; nothing is changed in place."""
-    if not where:
-        return content
-    first, rest = where[0], where[1:]
-    if isinstance(here, list):
-        return [changed(item, rest, content) if n == first else item for n, item in enumerate(here)]
-    made = dict(here)
-    if rest or content is not None:
-        made[first] = changed(here.get(first, {}), rest, content)
-    else:
-        made.pop(first, None)
-    return made
 
 
 def without_empty(data: Table, where: Place) -> Table:

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from calc.design_file import Table
+from calc.sheet.errors import BadInput, InputError
 
 from .places import Place
 
@@ -149,6 +150,14 @@ def _tables(value: Any) -> bool:
 
 
 # --- bytes --------------------------------------------------------------------------------------------------------------
+def write_asked(path: Path, text: str) -> None:
+    """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
+    try:
+        write_atomic(path, text.encode("utf-8"))
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+
+
 def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
     """Write a file so that a crash at any moment leaves the old or the new one whole: a new file beside it, then a rename.
 

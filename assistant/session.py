@@ -13,13 +13,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from calc.design import Design
-from calc.design_file import Document, Table, address, design, parse, read
+from calc.design_file import Document, Table, address, changed, design, parse, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
 from .history import History, State
-from .places import Place, changed, content_at, described, error_place, optional_table, without_empty
+from .places import Place, content_at, described, error_place, optional_table, without_empty
 from .recovery import Edits, Memory
 from .saving import ChangedOnDisk, SaveError, differences, edited_text, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run

@@ -39,7 +39,7 @@ class Document:
 
     def with_value(self, key: str, value: Any) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`)."""
-        return replace(self, data=_changed(self.data, address(self.data, key), value), lines={**self.lines, key: 0})
+        return replace(self, data=changed(self.data, address(self.data, key), value), lines={**self.lines, key: 0})
 
 
 # --- reading --------------------------------------------------------------------------------------------------------------
@@ -292,15 +292,16 @@ def value_at(data: Table, key: str) -> Any:
     return here
 
 
-def _changed(here: Any, where: tuple[str | int, ...], value: Any) -> Any:
+def changed(here: Any, where: tuple[str | int, ...], value: Any) -> Any:
+    """The same nested tables with one place changed; nothing is changed in place.  None takes the key out."""
     if not where:
         return value
     first, rest = where[0], where[1:]
     if isinstance(here, list):
-        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here)]
+        return [changed(item, rest, value) if n == first else item for n, item in enumerate(here)]
     made = dict(here)
     if rest or value is not None:
-        made[first] = _changed(here.get(first, {}), rest, value)
+        made[first] = changed(here.get(first, {}), rest, value)
     else:
         made.pop(first, None)  # None: left out, the program chooses
     return made

@@ -6,14 +6,12 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.commands.check import changed
-from assistant.plain import print_summary, table_json, table_lines
-from assistant.saving import edited_text, write_atomic
+from assistant.commands.set import edit
+from assistant.plain import table_json, table_lines
 from calc.design_file import Document, design, read
 from calc.engine import solve as engine
 from calc.imbalance.firing_orders import FiringOrder, as_designed, crank_words, firing_orders, orders_table
 from calc.sheet.errors import BadInput, InputError, NoSolution
-from calc.solve import solve
 
 CHOICES = {"engine": "firing orders, the one that leaves least first"}
 
@@ -52,14 +50,7 @@ def _apply(document: Document, path: Path, found: list[FiringOrder], number: int
     if not 1 <= number <= len(found):
         raise BadInput("--apply", [InputError(0, "", str(number), f"must be a row of the table, from 1 to {len(found)}")])
     one = found[number - 1]
-    changes = [f"engine.firing_order={list(one.order)}", "engine.crank_angles_deg="]
-    _, made = changed(document, changes)
-    text = edited_text(document.raw.decode("utf-8"), {"engine.firing_order": list(one.order), "engine.crank_angles_deg": None})
-    try:
-        write_atomic(path, text.encode("utf-8"))
-    except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
-    print_summary(solve(made))
+    edit(path, document, [f"engine.firing_order={list(one.order)}", "engine.crank_angles_deg="])
     print(
         f"\n{path} now fires {'-'.join(map(str, one.order))} (crank angles {crank_words(one.crank_angles)}°); as it was before: {path}.bak"
     )

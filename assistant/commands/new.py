@@ -4,7 +4,7 @@
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.saving import write_atomic
+from assistant.saving import write_asked
 from calc.sheet.errors import BadInput, InputError
 from calc.shipped import engine_design, engines
 
@@ -26,9 +26,6 @@ def run(asked: Namespace) -> int:
     path = Path(asked.file)
     if path.exists():
         raise BadInput(str(path), [InputError(0, "", "", "exists already and is left alone; choose another name")])
-    try:
-        write_atomic(path, engine_design(asked.engine).encode("utf-8"))
-    except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+    write_asked(path, engine_design(asked.engine))
     print(path)
     return 0

@@ -8,10 +8,9 @@ from pathlib import Path
 
 from assistant.commands.check import changed, known_step
 from assistant.plain import sign
-from assistant.saving import write_atomic
+from assistant.saving import write_asked
 from calc.design_file import read
 from calc.sheet.check import ORDER
-from calc.sheet.errors import BadInput, InputError
 from calc.sweep import sweep, varied
 
 
@@ -30,9 +29,6 @@ def run(asked: Namespace) -> int:
     path = Path(asked.output)
     text = StringIO()
     swept.write(text)
-    try:
-        write_atomic(path, text.getvalue().encode("utf-8"))
-    except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+    write_asked(path, text.getvalue())
     print(f"{summary}\n{path}: {len(swept.header)} columns")
     return 0

@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..imbalance.pictures import DRAWN
 from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.check import Check, check
@@ -16,7 +17,6 @@ from ..sheet.units import Kilogram, KilogramMetre, Newton, NewtonMetre, Radian, 
 from . import formulas as f
 from .inputs import CountershaftInputs
 
-DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
 
 

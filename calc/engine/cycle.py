@@ -122,6 +122,12 @@ class Cycle:
         )  # fmt: skip
 
 
+def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
+    """Where the widest gap between the points of a pressure table begins, over the closed cycle, and how wide it is."""
+    gap: Any = np.diff(corners, append=corners[:1] + length)
+    return float(corners[gap.argmax()]), float(gap.max())
+
+
 def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
     """The cycle of an engine's cylinders, with what was taken for numbers left out."""
     length = engine.strokes * math.pi
@@ -137,9 +143,9 @@ def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
         angles: Any = np.array([point.angle for point in gas.pressure])
         pressures: Any = np.array([point.pressure for point in gas.pressure])
         corners: Any = np.sort(np.mod(angles, length))
-        gap: Any = np.diff(corners, append=corners[:1] + length)
-        if gap.max() > WIDE:
-            start, end = math.degrees(corners[gap.argmax()]), math.degrees(corners[gap.argmax()] + gap.max())
+        from_, gap = widest_gap(corners, length)
+        if gap > WIDE:
+            start, end = math.degrees(from_), math.degrees(from_ + gap)
             notes.append(f"The pressure table has no point between {start:.4g}° and {end:.4g}°: a straight line is taken there.")
         return Cycle(length, crankcase, corners, {"angles": angles, "pressures": pressures}, tuple(notes))
     assert gas.peak_pressure is not None and gas.compression_ratio is not None

@@ -19,11 +19,11 @@ from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerS
 from . import formulas as f
 from . import torque
 from .crank import Crank, column, crank, firing, pin_of_cylinder
+from .cycle import WIDE, widest_gap
 from .firing import DUST, TURN, Firing
 from .inputs import EngineInputs
 
 ORDERS = range(1, 9)
-GAP = math.radians(60.0)  # without a point in a table of pressure
 IRREGULAR = 0.05
 EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
@@ -224,9 +224,10 @@ def _checks(engine: EngineInputs, e: EngineResult) -> tuple[Check, ...]:
             )
         )  # fmt: skip
     if engine.gas is not None and engine.gas.pressure:
+        _, gap = widest_gap(e.torque.cycle.corners, e.torque.cycle.length)
         gas.append(
             check(
-                "engine.gas.gap", "Largest gap in the table of indicated pressure", _gap(engine), "<=", GAP, "°",
+                "engine.gas.gap", "Largest gap in the table of indicated pressure", gap, "<=", WIDE, "°",
                 "rule of this program: a straight line is taken across a gap", "Give points at least every 60° of the whole cycle.",
                 kind="advice",
             )
@@ -246,14 +247,6 @@ def _checks(engine: EngineInputs, e: EngineResult) -> tuple[Check, ...]:
             "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"
         ),
     )
-
-
-def _gap(engine: EngineInputs) -> Radian:
-    """The largest gap between the points of the pressure table, over the closed cycle."""
-    assert engine.gas is not None
-    length = engine.strokes * math.pi
-    at: Any = np.sort([point.angle % length for point in engine.gas.pressure])
-    return float(np.diff(at, append=at[:1] + length).max())
 
 
 def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:

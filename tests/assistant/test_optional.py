@@ -118,6 +118,7 @@ async def test_the_first_field_of_an_added_table_is_in_view(screen: Screen) -> N
         await settled(pilot)
         await until(pilot, lambda: form.here() == (*PLACE, "peak_bar"))
         await until(pilot, lambda: form.field is not None and form.region.contains_region(form.field.region))
+        assert form.field is not None and form.region.contains_region(form.field.region)
 
 
 async def test_a_table_is_taken_out_in_one_step(screen: Screen, light: Session) -> None:
@@ -242,6 +243,7 @@ async def test_the_heading_can_be_clicked(screen: Screen) -> None:
         await until(pilot, lambda: work(pilot).get_widget_at(*heading.region.offset)[0] is heading)
         await pilot.click(heading, offset=(heading.render().plain.index("+"), 0))
         await until(pilot, lambda: work(pilot).session.value(PLACE) == {})
+        assert work(pilot).session.value(PLACE) == {}
 
 
 def test_an_added_table_is_saved_and_read_again(light: Session) -> None:

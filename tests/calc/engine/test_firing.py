@@ -203,3 +203,14 @@ def test_the_table_of_the_crank_says_what_the_layout_was_taken_for():
     assert [row[3] for row in table.rows] == [1, 2, 1, 2]
     assert [row[1] for row in table.rows] == [-45, -45, 45, 45]
     assert any("firing order is chosen" in note for note in outcome.notes)
+
+
+@pytest.mark.parametrize("strokes, cylinders", [(4, n) for n in (7, 9, 10, 11, 12)] + [(2, n) for n in (4, 5, 6, 7, 8, 9, 10, 11, 12)])
+def test_orders_that_are_taken_because_they_leave_least_do_so(strokes, cylinders):
+    """What stands in the table of orders is what the ranking finds at λ = 0.3."""
+    from calc.engine.inputs import usual_order
+
+    inputs, e, _ = solved(cylinders=cylinders, strokes=strokes, firing_order=None, rod_length=0.0535 / 0.3)
+    found = firing_orders(ImbalanceInputs(), inputs, e)
+    taken = next(one for one in found if one.order == usual_order(cylinders, strokes))
+    assert taken.left == pytest.approx(found[0].left, abs=1e-5 * e.reciprocating_mass * 0.0535 * e.angular_speed**2)
