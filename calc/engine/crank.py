@@ -26,7 +26,8 @@ def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
 @formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
 def places_in_order(order: Number) -> Number:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
-    return np.argsort(order)  # type: ignore[return-value]
+    place: Any = np.argsort(order)
+    return place
 
 
 @formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")

@@ -40,8 +40,8 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
     since: Any = np.mod(epsilon - fires, cycle)
-    found = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
-    return found if found.ndim else found.item()  # type: ignore[return-value]
+    found: Any = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
+    return found if found.ndim else found.item()
 
 
 @formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
