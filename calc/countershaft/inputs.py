@@ -1,9 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The counter-rotating shaft: its eccentric masses and its supports."""
+"""The counter-rotating shaft: its eccentric masses or the envelope to size it in, its outline, its supports, its making."""
 
 from collections.abc import Iterable
+from itertools import pairwise
 
-from ..sheet.quantity import choice, inputs, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, integer, quantity, series, table, tables, text
+from .mounting_inputs import Bolts, Cost, OilDrain, Support
+
+GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
+ANGLE = "With cylinder 1 at TDC, from up, in the sense of crank rotation."
+FROM_MID_SHAFT = "From mid-shaft, + towards the flywheel."
 
 
 @inputs
@@ -13,38 +19,198 @@ class EccentricMass:
     name: str = text("Name")
     mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
     radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e")
-    angle: float = quantity(
-        "Angle", "°", low=-720, high=720, symbol="gamma", step=1, help="With cylinder 1 at TDC, from up, in the sense of crank rotation."
+    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="gamma", step=1, help=ANGLE)
+    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
+
+
+@inputs
+class Extra:
+    """An element beside the main masses: a hole in a journal (mass below zero), material ahead of the gear."""
+
+    name: str = text("Name")
+    mass: float = quantity("Mass", "kg", low=-1000, high=1000, symbol="m", help="Below zero: removed, as by a hole.")
+    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e")
+    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="gamma", step=1, help=ANGLE)
+    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
+
+
+@inputs
+class Section:
+    """A stretch of the shaft: a full cylinder, or with a half-angle an eccentric sector on its core."""
+
+    from_: float = quantity("From", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
+    to: float = quantity("To", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
+    outer_radius: float = quantity("Outer radius", "mm", above=0, high=1000, symbol="R")
+    core_radius: float | None = quantity(
+        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", help="Of a sector; left out: 0."
     )
-    z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-shaft, + towards the flywheel.")
+    half_angle: float | None = quantity(
+        "Half-angle of the sector", "°", optional=True, above=0, high=180, symbol="gamma", help="Left out: a full cylinder."
+    )
+    angle: float | None = quantity("Angle of the sector's middle", "°", optional=True, low=-720, high=720, help=ANGLE)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.to <= self.from_:
+            yield "to_mm", "must lie behind from_mm: a section has a length above zero"
+        if self.half_angle is None:
+            for name, key in (("core_radius", "core_radius_mm"), ("angle", "angle_deg")):
+                if getattr(self, name) is not None:
+                    yield key, "belongs to a sector: give half_angle_deg too, or leave it out"
+        elif self.angle is None:
+            yield "angle_deg", "needed with half_angle_deg: where the sector's middle stands"
+        if self.core_radius is not None and self.core_radius >= self.outer_radius:
+            yield "core_radius_mm", "must be smaller than outer_radius_mm"
+
+
+@inputs
+class Journal:
+    """The size of one journal, for a shaft whose bearings are not part of the design."""
+
+    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d")
+    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l")
+
+
+@inputs
+class Holes:
+    """Radial holes drilled into the eccentric masses to calibrate the shaft."""
+
+    diameter: float = quantity("Diameter", "mm", above=0, high=200, symbol="d_c")
+    depth: float = quantity(
+        "Greatest depth", "mm", above=0, high=500, symbol="h_c", help="From the outer radius; the drill's cone is left out."
+    )
+    count: int = integer("Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses.")
+
+
+@inputs
+class Scatter:
+    """What production makes of the drawing: standard deviations."""
+
+    mass: float = quantity("Mass of each eccentric mass", "g", low=0, high=1e5)
+    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=100)
+    angle: float = quantity("Its angle", "°", low=0, high=90)
+    z: float = quantity("Its position", "mm", low=0, high=1000)
+    timing: float = quantity("Timing of the whole shaft by its teeth", "°", default=0.0, low=0, high=90, help="Common to all its masses.")
+    shafts: int = integer("Shafts to try", default=10_000, low=100, high=1_000_000)
+    seed: int = integer("Seed of the random numbers", default=1, low=0, high=2**31)
 
 
 @inputs
 class CountershaftInputs:
-    """The shaft: its masses and where it is carried."""
+    """The shaft: its masses or its envelope, where it is carried, and how it is made and mounted."""
 
-    mode: str = choice("Mode", "given", default="given", help="given: the eccentric masses below are checked.")
+    mode: str = choice(
+        "Mode", "given", "size", default="given",
+        help="given: the eccentric masses below are checked. size: the lightest pair of sectors in the envelope is found.",
+    )  # fmt: skip
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
     speed_ratio: float = quantity(
-        "Speed ratio to the crank", default=-1.0, low=-1, high=-1, symbol="i", help="−1: crank speed, opposite sense."
+        "Speed ratio to the crank", default=-1.0, low=-2, high=2, symbol="i",
+        help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].",
+    )  # fmt: skip
+    pair: str = choice(
+        "Twin shaft", "no", "yes", default="no", help="yes: a mirrored second shaft turns at the opposite speed and carries as much."
     )
     bearing_positions: tuple[float, ...] = series(
-        "Bearing positions",
-        "mm",
-        count=(2, 2),
-        low=-5000,
-        high=5000,
-        symbol="z",
-        help="Middle of the front and of the rear journal, from mid-shaft.",
-    )
+        "Bearing positions", "mm", count=(2, 9), low=-5000, high=5000, symbol="z",
+        help="Middle of the journals from mid-shaft, front to rear; more than two: a beam on many supports.",
+    )  # fmt: skip
     axis: tuple[float, ...] | None = series(
         "Axis from the crank's", "mm", optional=True, count=(2, 2), low=-5000, high=5000, symbol="p_S",
         help="[up, side], side 90° further in the sense of crank rotation. Beside the crank a force of the shaft raises a roll torque.",
     )  # fmt: skip
-    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass)
+    masses: tuple[EccentricMass, ...] = tables("Eccentric masses", EccentricMass, optional=True)
+    extras: tuple[Extra, ...] = tables("Further elements", Extra, optional=True)
+    outer_radius: float | None = quantity(
+        "Outer radius of the sectors", "mm", optional=True, above=0, high=1000, symbol="R", step=0.5,
+        help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal less the clearance.",
+    )  # fmt: skip
+    core_radius: float | None = quantity(
+        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", step=0.5, help="The shaft between and inside the sectors."
+    )
+    half_length: float | None = quantity(
+        "Half-length", "mm", optional=True, above=0, high=5000, symbol="z_max", step=1,
+        help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
+    )  # fmt: skip
+    overdesign: float = quantity(
+        "Couple beyond the required one", "%", default=0.0, low=-50, high=50, symbol="x_o",
+        help="Mode size: what drilling takes away again; half of its range is usual.",
+    )  # fmt: skip
+    radial_clearance: float | None = quantity(
+        "Clearance for threading in", "mm", optional=True, low=0, high=50, symbol="c_R",
+        help="Between sectors and largest seat. Left out: 0.2 mm in mode size; in mode given it is not threaded through a seat.",
+    )  # fmt: skip
+    sections: tuple[Section, ...] = tables("Outline for bending", Section, optional=True)
+    fillet_radius: float | None = quantity(
+        "Fillet at the shoulders", "mm", optional=True, above=0, high=100, symbol="rho_f", help="Left out: no notch stress."
+    )
+    sector_effectiveness: float = quantity(
+        "Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05,
+        help="How much of their full section's stiffness the sectors lend the shaft; 1 is optimistic, 0.2 honest.",
+    )  # fmt: skip
+    gear_z: float | None = quantity(
+        "Middle of the gear",
+        "mm",
+        optional=True,
+        low=-5000,
+        high=5000,
+        symbol="z_G",
+        help="Left out: ahead of the front journal, against it.",
+    )
+    journals: tuple[Journal, ...] = tables("Journals", Journal, optional=True)
+    balance_grade: str = choice(
+        "Balance quality grade", *GRADES, default="G6.3", help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40."
+    )
+    holes: Holes | None = table("Calibration holes", Holes, optional=True)
+    scatter: Scatter | None = table("Production scatter", Scatter, optional=True)
+    bolts: Bolts | None = table("Bolts of the support", Bolts, optional=True)
+    support: Support | None = table("Support", Support, optional=True)
+    oil_drain: OilDrain | None = table("Oil drain", OilDrain, optional=True)
+    cost: Cost | None = table("Cost", Cost, optional=True)
 
     def problems(self) -> Iterable[tuple[str, str]]:
-        if len(self.bearing_positions) == 2 and self.bearing_positions[0] >= self.bearing_positions[1]:
-            yield "bearing_positions_mm", "the rear bearing must lie behind the front one: [z_front, z_rear] with z_front < z_rear"
-        if not self.masses:
+        if any(b <= a for a, b in pairwise(self.bearing_positions)):
+            yield "bearing_positions_mm", "must rise from front to rear: [z_front, z_rear] with z_front < z_rear"
+        if self.speed_ratio not in (-2.0, -1.0, 1.0, 2.0):
+            yield "speed_ratio", "must be -1, 1, -2 or 2"
+        if self.journals and len(self.journals) != len(self.bearing_positions):
+            yield "journals", f"give one for each of the {len(self.bearing_positions)} bearing_positions_mm"
+        yield from self._envelope()
+        yield from self._sections()
+        yield from self._places()
+
+    def _envelope(self) -> Iterable[tuple[str, str]]:
+        if self.mode == "given" and not self.masses:
             yield "masses", "needs at least one [[countershaft.masses]]"
+        if self.mode == "size":
+            for name in ("outer_radius", "core_radius", "half_length"):
+                if getattr(self, name) is None:
+                    yield f"{name}_mm", 'needed with mode = "size": the envelope is outer_radius_mm, core_radius_mm and half_length_mm'
+        if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
+            yield "core_radius_mm", "must be smaller than outer_radius_mm"
+
+    def _sections(self) -> Iterable[tuple[str, str]]:
+        ordered = sorted(range(len(self.sections)), key=lambda i: self.sections[i].from_)
+        for i, k in pairwise(ordered):
+            gap = self.sections[k].from_ - self.sections[i].to
+            if abs(gap) > 1e-9:
+                what = "crosses" if gap < 0 else "leaves a gap behind"
+                yield f"sections.{k}.from_mm", f"{what} section {i}, which ends at {self.sections[i].to * 1e3:g} mm; the shaft is one piece"
+
+    def _places(self) -> Iterable[tuple[str, str]]:
+        """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
+        if not self.bearing_positions:
+            return
+        start, end = self.bearing_positions[0], self.bearing_positions[-1]
+        where = "the span of the bearings"
+        if self.sections:
+            start, end = min(s.from_ for s in self.sections), max(s.to for s in self.sections)
+            where = "the shaft's sections"
+            for i, z in enumerate(self.bearing_positions):
+                if not start <= z <= end:
+                    yield f"bearing_positions_mm.{i}", f"lies outside the shaft's sections, from {start * 1e3:g} to {end * 1e3:g} mm"
+        hint = (
+            "" if self.sections else "; an overhung one needs [[countershaft.sections]] that reach it, or stands in [[countershaft.extras]]"
+        )
+        for i, mass in enumerate(self.masses):
+            if not start <= mass.z <= end:
+                yield f"masses.{i}.z_mm", f"lies outside {where}, from {start * 1e3:g} to {end * 1e3:g} mm{hint}"

@@ -126,7 +126,8 @@ def keys(inputs: Any) -> dict[str, Key]:
     found = {}
     for f in fields(inputs):
         if (about := f.metadata.get("quantity")) is not None:
-            found[f.name + about.units.suffix] = Key(f.name + about.units.suffix, f.name, about, f)
+            key = f.name.rstrip("_") + about.units.suffix  # `from_`: the key may be a word of Python
+            found[key] = Key(key, f.name, about, f)
     return found
 
 

@@ -13,6 +13,7 @@ Number = Annotated[float, ""]
 Metre = Annotated[float, "m"]
 SquareMetre = Annotated[float, "m²"]
 CubicMetre = Annotated[float, "m³"]
+Metre4 = Annotated[float, "m⁴"]
 Kilogram = Annotated[float, "kg"]
 Second = Annotated[float, "s"]
 Radian = Annotated[float, "rad"]
@@ -29,6 +30,7 @@ PerPascal = Annotated[float, "1/Pa"]
 Watt = Annotated[float, "W"]
 WattPerMetre = Annotated[float, "W/m"]
 Celsius = Annotated[float, "°C"]
+Euro = Annotated[float, "€"]
 Kelvin = Annotated[float, "K"]
 PerKelvin = Annotated[float, "1/K"]
 KelvinPerWatt = Annotated[float, "K/W"]
@@ -83,6 +85,8 @@ UNITS = _units(
     ("m", "_m", 1.0),
     ("cm³", "_cm3", 1e-6),
     ("mm²", "_mm2", 1e-6),
+    ("mm³", "_mm3", 1e-9),
+    ("mm⁴", "_mm4", 1e-12),
     ("g", "_g", 1e-3),
     ("kg", "_kg", 1.0),
     ("g·mm", "_gmm", 1e-6),
@@ -121,4 +125,5 @@ UNITS = _units(
     ("h", "_h", 3600.0),
     ("‰", "_permille", 1e-3),
     ("%", "_percent", 1e-2),
+    ("€", "_EUR", 1.0),
 )
