@@ -66,6 +66,8 @@ class Design:
                 yield key, _unknown_name(name, known)
         if self.imbalance is not None and self.engine is not None and self.imbalance.crank_bodies:
             yield from self._crank_bodies(self.imbalance, self.engine)
+        if self.countershaft is not None:
+            yield from self._countershaft(self.countershaft)
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -87,12 +89,35 @@ class Design:
         if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
             yield "imbalance.crank_bodies_throw_at_tdc", f"must be a cylinder of this engine, from 1 to {engine.cylinders}"
 
+    def _countershaft(self, shaft: CountershaftInputs) -> Iterable[tuple[str, str]]:
+        if self.bearings is not None:
+            if len(shaft.bearing_positions) > 2:
+                yield "countershaft.bearing_positions_mm", "[bearings] has a front and a rear one: give two, or the sizes as journals"
+            if shaft.journals:
+                yield "countershaft.journals", "are those of [bearings]; leave them out here, or [bearings]"
+        if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
+            yield "countershaft.speed_ratio", "must be -1 where [bearings] or [gears] carry the shaft"
+        lengths = [j.length for j in shaft.journals] or ([self.bearings.front.length, self.bearings.rear.length] if self.bearings else [])
+        if shaft.sections and len(lengths) == len(shaft.bearing_positions):
+            start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
+            for i, (z, l) in enumerate(zip(shaft.bearing_positions, lengths)):
+                if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
+                    reach = f"from {start * 1e3:g} to {end * 1e3:g} mm"
+                    yield (
+                        f"countershaft.bearing_positions_mm.{i}",
+                        f"its journal, {l * 1e3:g} mm long, reaches beyond the shaft's sections, {reach}",
+                    )
+
     def _names(self) -> Iterable[tuple[str, Any, Any]]:
         known_oils, solids = self.oils, self.materials
         if self.engine is not None and self.engine.throw is not None:
             yield "engine.throw.material", self.engine.throw.material, solids
         if self.countershaft is not None:
             yield "countershaft.material", self.countershaft.material, solids
+            if self.countershaft.support is not None:
+                yield "countershaft.support.material", self.countershaft.support.material, solids
+            for i, other in enumerate(self.countershaft.cost.alternatives if self.countershaft.cost is not None else ()):
+                yield f"countershaft.cost.alternatives.{i}.material", other.material, solids
         if self.bearings is not None:
             yield "bearings.oil", self.bearings.oil, known_oils
             yield "bearings.housing_material", self.bearings.housing_material, solids

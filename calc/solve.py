@@ -12,11 +12,13 @@ from typing import Any
 
 from .bearings import solve as bearings
 from .countershaft import solve as countershaft
+from .countershaft.standing import Gear
 from .design import STEPS, Design
 from .engine import solve as engine
 from .friction import train as friction
 from .gears import solve as gears
 from .gears.curves import curves
+from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
 from .sheet.errors import NoSolution
@@ -94,7 +96,11 @@ def solve(design: Design, before: Results | None = None) -> Results:
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None
     slopes = design.bearings.slope if design.bearings else None
-    c = part("countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, slopes, after=(e, i))
+    gear = shaft_gear(design, geometry.result)
+    c = part(
+        "countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, materials, journals(design), gear,
+        slopes, after=(e, i),
+    )  # fmt: skip
     if c.result is not None and design.imbalance is not None:
         i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
     b = part(
@@ -106,6 +112,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
         "friction", design.friction, friction.solve, design.friction, design.gears, geometry.result, b.result, first_speed,
         oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
     )  # fmt: skip
+    if c.result is not None and design.countershaft is not None:
+        c = countershaft.with_standing(c, design.countershaft, gear, _shaft_torque(design, geometry.result, f))
     torque = _torque(design, geometry, f, first_speed)
     if torque is not None:
         rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
@@ -138,6 +146,22 @@ def shaft_axis(design: Design) -> complex | None:
     return complex(*place) if place is not None else None
 
 
+def journals(design: Design) -> tuple[tuple[float, float], ...]:
+    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they are not known."""
+    if design.countershaft is not None and design.countershaft.journals:
+        return tuple((j.diameter, j.length) for j in design.countershaft.journals)
+    own = design.bearings
+    return ((own.front.diameter, own.front.length), (own.rear.diameter, own.rear.length)) if own is not None else ()
+
+
+def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
+    """The wheel on the counter-shaft: the last of the train."""
+    if train is None or design.gears is None or design.countershaft is None:
+        return None
+    wheel = train.wheels[design.gears.wheels[-1].name]
+    return Gear(wheel.pitch_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
+
+
 def _mesh_oil(design: Design) -> tuple[str, str, float | None]:
     """Name, viscosity law and temperature of the oil on the teeth: given, or that of the bearings."""
     own, there = design.friction, design.bearings
@@ -157,6 +181,17 @@ def _torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | 
         return None
     train = geometry.result
     return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
+
+
+def _shaft_torque(design: Design, train: TrainResult | None, f: Outcome) -> float | None:
+    """The torque at the shaft's gear: of the given power, else of what the last mesh passes on in the closed balance."""
+    if train is None or design.gears is None:
+        return None
+    power = design.gears.power
+    if power is None and f.state == "solved":
+        power = list(f.result.meshes.values())[-1].power_out
+    speed = abs(train.wheels[design.gears.wheels[-1].name].speed)
+    return power / (2 * pi * speed) if power is not None and speed else None
 
 
 def _name(inputs: Any, attribute: str) -> str:

@@ -6,8 +6,20 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, modulus, resultant, total
-from ..sheet.units import Kilogram, KilogramMetre, Metre, Newton, NewtonMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
+from ..sheet.functions import argument, cis, conj, cos, joined, modulus, resultant, sqrt, tan, total
+from ..sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    Metre,
+    MetrePerSecond2,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+)  # fmt: skip
 
 TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
 
@@ -21,6 +33,21 @@ def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Ph
 @formula("C_S", TABLE_4_1)
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(m * e * z * cis(gamma))
+
+
+@formula("ω_S", "speed of the shaft", names={"i": "i"})
+def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
+    return abs(i) * omega
+
+
+@formula("F_S", "main masses and further elements together", names={"F_m": "F_m", "F_x": "F_x"})
+def whole_force(F_m: PhasorNewton, F_x: PhasorNewton) -> PhasorNewton:
+    return joined(F_m, F_x)
+
+
+@formula("C_S", "main masses and further elements together")
+def whole_couple(C_m: PhasorNewtonMetre, C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return joined(C_m, C_x)
 
 
 @formula("ΣU", "static unbalance: rotating force over ω²", unit="g·mm")
@@ -64,22 +91,96 @@ def force(F_S: PhasorNewton) -> Newton:
     return modulus(F_S)
 
 
-@formula("C_1⁻,res", "sum of the two vectors that turn backwards", names={"C_b": "C_1⁻"})
-def residual_backward(C_b: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
-    return C_b + C_S
+@formula("C_res", "sum of the shaft's couple and the engine's that turns like it", names={"C_like": "C"})
+def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return C_like + C_S
 
 
 @formula(
-    "C_1,res",
-    "largest first-order couple over a turn: the forward and the backward vector in line",
-    names={"C_f": "C_1⁺", "C_b": "C_1⁻,res"},
+    "C_left",
+    "largest couple of that order over a turn: the vectors of both senses in line",
+    names={"C_res": "C_res", "C_against": "C_against"},
 )
-def residual_couple(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
-    return modulus(C_f) + modulus(C_b)
+def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> NewtonMetre:
+    """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of it."""
+    return modulus(C_against) + modulus(C_res)
+
+
+@formula("F_res", "sum of the shaft's force and the engine's that turns like it", names={"F_like": "F"})
+def residual_force_vector(F_like: PhasorNewton, F_S: PhasorNewton) -> PhasorNewton:
+    return F_like + F_S
+
+
+@formula("F_left", "largest force of that order over a turn: the vectors of both senses in line")
+def residual_force(F_against: PhasorNewton, F_res: PhasorNewton) -> Newton:
+    return modulus(F_against) + modulus(F_res)
+
+
+@formula("C̄_S", "a shaft mirrored in the vertical plane, turning the other way", names={"C_S": "C_S"})
+def mirrored_couple(C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return conj(C_S)
+
+
+@formula("F̄_S", "a shaft mirrored in the vertical plane, turning the other way")
+def mirrored_force(F_S: PhasorNewton) -> PhasorNewton:
+    return conj(F_S)
+
+
+# --- what stands still --------------------------------------------------------------------------------------------------------
+GEAR = "components of the tooth force at the reference circle of a helical wheel"
+G: MetrePerSecond2 = 9.80665
+
+
+@formula("G_S", "weight, g = 9.80665 m/s²", names={"G": "g"})
+def weight(m_S: Kilogram) -> Newton:
+    return m_S * G
+
+
+@formula("G_r", "lever about the front bearing", names={"z_S": "z_S"})
+def weight_rear(G_S: Newton, z_S: Metre, z_f: Metre, z_r: Metre) -> Newton:
+    return G_S * (z_S - z_f) / (z_r - z_f)
+
+
+@formula("G_f", "equilibrium")
+def weight_front(G_S: Newton, G_r: Newton) -> Newton:
+    return G_S - G_r
+
+
+@formula("F_t", GEAR)
+def gear_tangential(T: NewtonMetre, d: Metre) -> Newton:
+    return 2 * T / d
+
+
+@formula("F_r", GEAR)
+def gear_radial(F_t: Newton, alpha_n: Radian, beta: Radian) -> Newton:
+    return F_t * tan(alpha_n) / cos(beta)
+
+
+@formula("F_a", GEAR)
+def gear_axial(F_t: Newton, beta: Radian) -> Newton:
+    return F_t * tan(beta)
 
 
 @formula(
-    "F_1,res", "largest first-order force over a turn: the forward and the backward vector in line", names={"F_f": "F_1⁺", "F_b": "F_1⁻"}
+    "R_G,r",
+    "levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial plane, taken for the worse",
 )
-def residual_force(F_f: PhasorNewton, F_b: PhasorNewton, F_S: PhasorNewton) -> Newton:
-    return modulus(F_f) + modulus(F_b + F_S)
+def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
+    return sqrt((F_t * (z_G - z_f)) ** 2 + (F_r * abs(z_G - z_f) + F_a * d / 2) ** 2) / (z_r - z_f)
+
+
+@formula(
+    "R_G,f", "levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial plane, taken for the worse"
+)
+def gear_on_front(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
+    return sqrt((F_t * (z_r - z_G)) ** 2 + (F_r * abs(z_r - z_G) + F_a * d / 2) ** 2) / (z_r - z_f)
+
+
+@formula("R_0", "weight and tooth force in line: a bound, since the wheels' places are not known")
+def stationary(G_B: Newton, R_G: Newton) -> Newton:
+    return abs(G_B) + R_G
+
+
+@formula("R_max", "the turning and the standing part in line, once a turn")
+def reaction_peak(R: Newton, R_0: Newton) -> Newton:
+    return R + R_0

@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the counter-shaft's step publishes."""
+
+from ..sheet.quantity import group, result, value
+from ..sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    Metre,
+    Newton,
+    NewtonMetre,
+    NewtonPerMetreSecond,
+    Pascal,
+    Radian,
+    RevPerSecond,
+)  # fmt: skip
+from .outline import Outline
+from .standing import Standing
+
+
+@result
+class SupportResult:
+    """One support: what it carries, and the load on its journal."""
+
+    reaction: Newton = value("Reaction", "N", "R")
+    specific_load: Pascal | None = value("Specific load", "MPa", "p", default=None)
+    heat_index: NewtonPerMetreSecond | None = value("Heat index", "N·rpm/mm", "W", default=None)
+    slope: Radian | None = value("Slope of the journal", "mrad", "θ", default=None)
+
+
+@result
+class CountershaftResult:
+    """What the shaft supplies, leaves over and puts on its supports; how it bends; what its making needs."""
+
+    couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
+    couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
+    residual_order_1_couple: NewtonMetre | None = value("First-order couple left over", "N·m", "C_left", default=None)
+    residual_order_1_force: Newton | None = value("First-order force left over", "N", "F_left", default=None)
+    residual_order_2_couple: NewtonMetre | None = value("Second-order couple left over", "N·m", "C_left", default=None)
+    residual_order_2_force: Newton | None = value("Second-order force left over", "N", "F_left", default=None)
+    static_unbalance: KilogramMetre = value("Static unbalance of the shaft", "g·mm", "ΣU")
+    force: Newton = value("Rotating force of the shaft", "N", "F_S")
+    reaction_front: Newton = value("Reaction of the front bearing", "N", "R_f")
+    reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
+    support: dict[str, SupportResult] = group()
+    eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S", default=None)
+    centre_of_gravity: Metre | None = value("Its centre of gravity from mid-shaft", "mm", "z_S", default=None)
+    standing: Standing | None = group(spread=True, default=None)
+    slope_front: Radian | None = value("Slope of the front journal", "mrad", "θ_f", default=None)
+    slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None)
+    slope_front_stiff: Radian | None = value("Slope of the front journal, full stiffness", "mrad", "θ_f", default=None)
+    slope_rear_stiff: Radian | None = value("Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None)
+    first_critical_speed: RevPerSecond | None = value("First bending critical speed", "rpm", "n_1", default=None)
+    first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
+    roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
+    force_vector: complex  # F_S and C_S, cylinder 1 at TDC
+    couple_vector: complex
+    omega: float  # of the shaft
+    outline: Outline | None = None

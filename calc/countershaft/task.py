@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the shaft has to take: of the order of its speed, the vectors of the engine that turn like it."""
+
+from ..imbalance.solve import ImbalanceResult
+from ..sheet.record import record
+from ..sheet.units import Newton, NewtonMetre
+from .inputs import CountershaftInputs
+
+
+@record
+class Task:
+    """The engine's vectors of one order, cylinder 1 at TDC: those that turn like the shaft, and those that turn against it.
+
+    `one_force`, `one_couple`: m·r·ω² of one cylinder, and over one pitch, by which what is left is judged.
+    """
+
+    order: int
+    F: complex
+    C: complex
+    F_against: complex
+    C_against: complex
+    one_force: Newton
+    one_couple: NewtonMetre
+
+    @property
+    def couple(self) -> NewtonMetre:
+        """The couple that a shaft must supply to leave nothing of what turns like it."""
+        return abs(self.C)
+
+
+def task(shaft: CountershaftInputs, imbalance: ImbalanceResult) -> Task:
+    """The task of a shaft at `speed_ratio` times crank speed."""
+    order = round(abs(shaft.speed_ratio))
+    F_f, F_b, C_f, C_b = imbalance.orders[f"order_{order}"].vectors
+    if shaft.speed_ratio < 0:
+        return Task(order, F_b, C_b, F_f, C_f, imbalance.one_force, imbalance.one_couple)
+    return Task(order, F_f, C_f, F_b, C_b, imbalance.one_force, imbalance.one_couple)
