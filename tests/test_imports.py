@@ -9,7 +9,7 @@ import pytest
 
 from .conftest import DESIGNS, GAMMA, ROOT
 
-HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL")
+HEAVY = ("scipy", "matplotlib", "reportlab", "rich", "textual", "tomlkit", "pypdf", "PIL", "ezdxf")
 
 
 def loaded(code: str) -> set[str]:
