@@ -22,6 +22,7 @@ COMMANDS = {
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
     "sweep": "many designs at once, a row of a CSV table for each",
+    "export": "results as JSON or CSV, the shaft as a DXF drawing",
     "validate": "published reference values beside ours",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -77,6 +78,13 @@ def parser() -> argparse.ArgumentParser:
     add["sweep"].add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     add["sweep"].add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
     add["sweep"].add_argument("-o", "--output", metavar="OUT.csv", help="default: to the terminal")
+
+    add["export"].add_argument("file")
+    kinds = add["export"].add_mutually_exclusive_group()
+    kinds.add_argument("--dxf", action="store_const", const="dxf", dest="kind", help="side view and cross-sections of the shaft, in mm")
+    kinds.add_argument("--csv", action="store_const", const="csv", dest="kind", help="the values, a row each; checks stand in --json")
+    kinds.add_argument("--json", action="store_const", const="json", dest="kind", help="the object of check --json")
+    add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
 

@@ -1,0 +1,149 @@
+"""`contralbero export`: what stands in the files, and what is refused."""
+
+import csv
+import json
+from io import StringIO
+
+import ezdxf
+import pytest
+
+from assistant.cli import main
+
+from .conftest import DESIGNS, GAMMA
+
+PLAIN = """schema = 1
+name = "a shaft alone"
+[engine]
+name = "twin"
+layout = "inline"
+cylinders = 2
+strokes = 4
+bore_mm = 80.0
+crank_radius_mm = 40.0
+rod_length_mm = 130.0
+cylinder_pitch_mm = 90.0
+crank_angles_deg = [0.0, 180.0]
+piston_mass_g = 400.0
+rod_mass_g = 500.0
+rated_speed_rpm = 5000.0
+[imbalance]
+crank_balance_fraction = 0.5
+kinematics = "exact"
+[countershaft]
+mode = "given"
+material = "42CrMo4"
+bearing_positions_mm = [-60.0, 60.0]
+masses = [
+    { name = "front", mass_kg = 0.5, radius_mm = 15.0, angle_deg = 180.0, z_mm = -30.0 },
+    { name = "rear", mass_kg = 0.5, radius_mm = 15.0, angle_deg = 0.0, z_mm = 30.0 },
+]
+"""
+SECTIONS = """
+[[countershaft.sections]]
+from_mm = -70.0
+to_mm = -50.0
+outer_radius_mm = 12.0
+[[countershaft.sections]]
+from_mm = -50.0
+to_mm = 50.0
+outer_radius_mm = 20.0
+core_radius_mm = 8.0
+half_angle_deg = 90.0
+angle_deg = 180.0
+[[countershaft.sections]]
+from_mm = 50.0
+to_mm = 70.0
+outer_radius_mm = 12.0
+"""
+
+
+@pytest.fixture
+def design(tmp_path):
+    def written(text):
+        path = tmp_path / "shaft.toml"
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    return written
+
+
+def run(capsys, *arguments):
+    code = main([*map(str, arguments)])
+    return code, *capsys.readouterr()
+
+
+def test_json_is_the_object_of_check(capsys, tmp_path):
+    out = tmp_path / "gamma.json"
+    code, said, errors = run(capsys, "export", GAMMA, "--json", "-o", out)
+    assert code == 0 and errors == "" and said.rstrip().endswith(str(out))
+    assert "Bearings" in said and "FAIL" in said  # the summary of the verdicts
+    _, shown, _ = run(capsys, "check", GAMMA, "--json")
+    assert json.loads(out.read_text(encoding="utf-8")) == json.loads(shown)
+
+
+def test_csv_has_a_row_for_each_value(capsys, tmp_path):
+    out = tmp_path / "gamma.csv"
+    assert run(capsys, "export", GAMMA, "--csv", "-o", out)[0] == 0
+    rows = list(csv.DictReader(StringIO(out.read_text(encoding="utf-8"))))
+    _, shown, _ = run(capsys, "check", GAMMA, "--json")
+    values = json.loads(shown)["values"]
+    assert list(rows[0]) == ["id", "value", "unit", "label", "symbol"]
+    assert {row["id"]: (float(row["value"]) if row["value"] else None, row["unit"], row["label"]) for row in rows} == {
+        name: (value["value"], value["unit"], value["label"]) for name, value in values.items()
+    }
+    assert next(row for row in rows if row["id"] == "countershaft.couple")["symbol"] == "C_S"
+
+
+def test_dxf_is_the_shaft(capsys, tmp_path, design):
+    out = tmp_path / "shaft.dxf"
+    code, said, errors = run(capsys, "export", design(PLAIN + SECTIONS), "--dxf", "-o", out)
+    assert code == 0 and errors == "" and "Counter-shaft" in said
+    document = ezdxf.readfile(out)
+    assert not document.audit().errors
+    (found,) = document.modelspace().query('LWPOLYLINE[layer=="OUTLINE"]')
+    xs, ys = zip(*((x, y) for x, y, *_ in found.get_points()))
+    assert (min(xs), max(xs), min(ys), max(ys)) == pytest.approx((-70.0, 70.0, -12.0, 20.0))
+    assert "a shaft alone" in [text.dxf.text for text in document.modelspace().query("TEXT")]
+    before = out.read_bytes()
+    assert run(capsys, "export", design(PLAIN + SECTIONS), "-o", out)[0] == 0  # the ending decides
+    assert out.read_bytes() == before
+
+
+def test_a_shaft_without_outline_says_what_to_add(capsys, tmp_path, design):
+    out = tmp_path / "shaft.dxf"
+    code, _, errors = run(capsys, "export", design(PLAIN), "--dxf", "-o", out)
+    assert code == 2 and not out.exists()
+    assert "[[countershaft.sections]]" in errors and "core_radius_mm" in errors
+
+
+def test_a_design_without_a_shaft_says_so(capsys, tmp_path):
+    out = tmp_path / "pair.dxf"
+    code, _, errors = run(capsys, "export", DESIGNS / "timing_pair.toml", "--dxf", "-o", out)
+    assert code == 2 and "add [countershaft]" in errors and not out.exists()
+
+
+@pytest.mark.parametrize("arguments, said", [
+    (("-o", "out.xyz"), ".xyz is not known"), (("-o", "out"), "has no ending"), (("--dxf", "-o", "out.csv"), "--dxf writes .dxf"),
+    (("--json", "-o", "out"), "--json writes .json"), (("--csv", "-o", "design.toml"), "--csv writes .csv"),
+])  # fmt: skip
+def test_other_endings_are_refused(capsys, arguments, said, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, _, errors = run(capsys, "export", GAMMA, *arguments)
+    assert code == 2 and said in errors and not list(tmp_path.iterdir())
+
+
+def test_all_mistakes_are_named_at_once(capsys, tmp_path, design):
+    path = design(PLAIN.replace("bore_mm = 80.0", "bore_mm = -1.0").replace('"42CrMo4"', '"42CrMo5"'))
+    code, _, errors = run(capsys, "export", path, "--dxf", "-o", tmp_path / "out.xyz")
+    assert code == 2
+    assert "bore_mm" in errors and "-o" in errors and ".xyz" in errors
+
+
+def test_a_file_that_can_not_be_written_is_named(capsys, tmp_path):
+    code, _, errors = run(capsys, "export", GAMMA, "--json", "-o", tmp_path / "nowhere" / "out.json")
+    assert code == 2 and "nowhere" in errors
+
+
+def test_formats_exclude_each_other_and_a_path_is_needed(capsys, tmp_path):
+    assert run(capsys, "export", GAMMA, "--json", "--csv", "-o", tmp_path / "out.json")[0] == 2
+    assert run(capsys, "export", GAMMA, "--json")[0] == 2
