@@ -38,6 +38,7 @@ class Material:
     density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
     proof_stress: float | None = quantity("Proof stress", "MPa", optional=True, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
+    tensile_strength: float | None = quantity("Tensile strength", "MPa", optional=True, above=0, high=10000, symbol="R_m")
     source: str = text("Source", default="the user")
 
 

@@ -1,0 +1,36 @@
+"""Strengths in the table of materials: Finotti 2013, Table 4.2 (after Meneghetti et al. 2013) and ch. 6."""
+
+import pytest
+
+from calc.catalogue import materials
+
+# E in GPa, Rm and Rp0.2 in MPa; the source gives no Rp0.2 of the grey iron
+TABLE = {
+    "DI-400": (160, 440, 305), "DI-600": (165, 722, 426), "DI-700": (161, 805, 487), "IDI PD 06": (170, 855, 592), "IDI": (170, 758, 455),
+    "ADI 800": (170, 858, 551), "ADI 1050": (163, 1110, 794), "ADI 1200": (148, 1330, 1046), "42CrMo4": (210, 1026, 882),
+    "EN-GJL-250": (110, 250, None), "EN AC-43100": (74.5, 220, 180),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", TABLE)
+def test_stiffness_and_strength(name):
+    solid, (E, strength, proof) = materials()[name], TABLE[name]
+    assert pytest.approx(E) == solid.E / 1e9
+    assert solid.tensile_strength / 1e6 == pytest.approx(strength)
+    assert (solid.proof_stress is None) if proof is None else solid.proof_stress / 1e6 == pytest.approx(proof)
+
+
+def test_no_other_strength_is_stated():
+    assert {n for n, m in materials().items() if m.proof_stress is not None or m.tensile_strength is not None} == set(TABLE)
+
+
+@pytest.mark.parametrize("name", materials())
+def test_numbers_are_those_of_a_metal(name):
+    solid = materials()[name]
+    light = solid.density < 3000
+    assert (2500 if light else 7000) <= solid.density <= 7900
+    assert (18e-6 if light else 10e-6) <= solid.expansion <= (24e-6 if light else 15e-6)
+    assert 0.25 <= solid.poisson <= 0.34
+    if solid.proof_stress is not None and solid.tensile_strength is not None:
+        assert 0.5 < solid.proof_stress / solid.tensile_strength < 0.9
+    assert len(solid.source) > 10
