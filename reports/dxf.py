@@ -5,7 +5,7 @@ Nothing of the machine or the hour stands in it: the same drawing gives the same
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
@@ -29,11 +29,12 @@ COLOURS = {
     "DIMENSIONS": 8,
     "TEXT": 7,
 }  # of the DXF palette
+WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions
 mm = UNITS["mm"].shown
 
 
-def dxf(drawing: Iterable[Primitive], layers: tuple[str, ...] = LAYERS) -> str:
+def dxf(drawing: Sequence[Primitive], layers: tuple[str, ...] = LAYERS) -> str:
     """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they are named."""
     import ezdxf
 
@@ -50,6 +51,9 @@ def dxf(drawing: Iterable[Primitive], layers: tuple[str, ...] = LAYERS) -> str:
             if primitive.layer not in document.layers:
                 _layer(document, primitive.layer)
             _draw(space, primitive)
+        _view(document, drawing)
+        for kind in sorted(document.entitydb.dxf_types_in_use()):
+            document.classes.add_class(kind)  # else they are written in the order of a set, another one in each run
         text = StringIO()
         document.write(text)
     return text.getvalue()
@@ -70,6 +74,30 @@ def _fixed() -> Iterator[None]:
 
 def _layer(document: "Drawing", name: str) -> None:
     document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name == "AXIS" else "CONTINUOUS")
+
+
+def _view(document: "Drawing", drawing: Sequence[Primitive]) -> None:
+    """What a program shows when it opens the file: all of it."""
+    points = [_at(point) for primitive in drawing for point in _points(primitive)]
+    if not points:
+        return
+    (left, right), (low, high) = ((min(places), max(places)) for places in zip(*points))
+    document.modelspace().reset_extents((left, low, 0.0), (right, high, 0.0))
+    height = max(high - low, (right - left) / WIDE)
+    document.set_modelspace_vport(1.1 * height, ((left + right) / 2, (low + high) / 2))
+
+
+def _points(primitive: Primitive) -> tuple[Point, ...]:
+    match primitive:
+        case Polyline():
+            return primitive.points
+        case Arc():
+            (x, y), r = primitive.centre, primitive.radius
+            return (x - r, y - r), (x + r, y + r)
+        case Words():
+            return (primitive.at,)
+        case Dimension():
+            return primitive.start, primitive.end, primitive.line
 
 
 def _draw(space: "Modelspace", primitive: Primitive) -> None:

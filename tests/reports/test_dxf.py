@@ -205,15 +205,27 @@ def test_a_name_can_not_break_the_file(name):
     assert plain.replace("%%u", "") in texts or plain == ""
 
 
-def test_the_same_shaft_gives_the_same_bytes(written, tmp_path):
-    """In this process, and in another with another seed of hashes, another time zone and another home."""
+@pytest.mark.parametrize("seed", ["1", "2", "3", "4"])
+def test_the_same_shaft_gives_the_same_bytes(written, tmp_path, seed):
+    """In this process, and in others with other seeds of hashes, another time zone and another home."""
     assert dxf(shaft_drawing(shaft(), POSITIONS, "Shaft Ø of the test")) == written
     code = (
         "import sys; from tests.reports.test_dxf import *\n"
         "sys.stdout.buffer.write(dxf(shaft_drawing(shaft(), POSITIONS, 'Shaft Ø of the test')).encode())"
     )
-    other = {**os.environ, "PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "HOME": str(tmp_path), "PYTHONPATH": str(ROOT)}
+    other = {**os.environ, "PYTHONHASHSEED": seed, "TZ": "Asia/Tokyo", "HOME": str(tmp_path), "PYTHONPATH": str(ROOT)}
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, cwd=ROOT, env=other, check=True).stdout.decode() == written
+
+
+def test_programs_open_it_on_the_whole_drawing(written):
+    """The view holds all lines that are drawn."""
+    document = read(written)
+    view = document.viewports.get("*Active")[0].dxf
+    low, high = document.header["$EXTMIN"], document.header["$EXTMAX"]
+    box = bbox.extents(document.modelspace().query("LWPOLYLINE"))
+    assert low[0] <= box.extmin.x and low[1] <= box.extmin.y and high[0] >= box.extmax.x and high[1] >= box.extmax.y
+    assert view.height >= high[1] - low[1]
+    assert tuple(view.center)[:2] == pytest.approx(((low[0] + high[0]) / 2, (low[1] + high[1]) / 2))
 
 
 def test_the_library_keeps_its_own_options(written):
