@@ -32,7 +32,7 @@ class HolesResult:
     hole_couple: NewtonMetre = value("Couple removed by one hole", "N·m", "ΔC")
     hole_unbalance_of_mass: KilogramMetre = value("Unbalance that drilling can take off each mass", "g·mm", "ΔU_m")
     hole_range: NewtonMetre = value("Couple that all holes together can take", "N·m", "ΔC_c")
-    hole_range_share: Number | None = value("its share of the required couple", "%", default=None)
+    hole_range_share: Number | None = value("its share of the required couple", "%", "q_c", default=None)
     hole_overdesign: Number | None = value("Couple beyond the required one that drilling needs", "%", "x_c", default=None)
 
 
@@ -71,14 +71,12 @@ def hole_range(N_c: Number, C: NewtonMetre) -> NewtonMetre:
     return N_c * C
 
 
-@formula("ΔC_c/C_S", "range of the holes over the required couple", unit="%", names={"C_c": "ΔC_c"})
+@formula("q_c", "range of the holes over the required couple", unit="%", names={"C_c": "ΔC_c"})
 def range_share(C_c: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_c / C_S
 
 
-@formula(
-    "x_c", "rule of this program: half of the range, so that drilling reaches as far below as above", unit="%", names={"q": "ΔC_c/C_S"}
-)
+@formula("x_c", "rule of this program: half of the range, so that drilling reaches as far below as above", unit="%", names={"q": "q_c"})
 def needed_overdesign(q: Number) -> Number:
     return q / 2
 

@@ -27,7 +27,7 @@ class ToleranceResult:
     residual_unbalance_permitted_front: KilogramMetre = value("in the plane of the front bearing", "g·mm", "U_per,f")
     residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
     permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
-    permitted_couple_error_share: Number | None = value("its share of the required couple", "%", default=None)
+    permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
 @formula("U_per", f"{ISO}, permissible residual unbalance; G = e_per·ω", unit="g·mm")
@@ -56,7 +56,7 @@ def couple_error(U_f: KilogramMetre, z_f: Metre, U_r: KilogramMetre, z_r: Metre,
     return omega**2 * (U_f * modulus(z_f) + U_r * modulus(z_r))
 
 
-@formula("C_per/C_S", "permitted error of the couple over the required couple", unit="%")
+@formula("q_per", "permitted error of the couple over the required couple", unit="%")
 def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
 
@@ -76,8 +76,11 @@ def permitted(
     most = MOST_INBOARD if z_f <= z_S <= z_r else MOST_OUTBOARD
     with about(f"balance quality {grade}"):
         U = permitted_unbalance(G=grade_number(grade), m_S=mass, omega=omega)
+    with about(f"balance quality {grade}, front bearing"):
         front = plane_unbalance(U=U, q=lever_front(z_r=z_r, z_S=z_S, z_f=z_f), q_max=most)
+    with about(f"balance quality {grade}, rear bearing"):
         rear = plane_unbalance(U=U, q=lever_rear(z_S=z_S, z_f=z_f, z_r=z_r), q_max=most)
+    with about(f"balance quality {grade}"):
         error = couple_error(U_f=front, z_f=z_f, U_r=rear, z_r=z_r, omega=omega)
         return ToleranceResult(
             residual_unbalance_permitted=U,
