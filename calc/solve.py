@@ -12,7 +12,7 @@ from typing import Any
 
 from .bearings import solve as bearings
 from .countershaft import solve as countershaft
-from .countershaft.standing import Gear
+from .countershaft.standing import Gear, with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
 from .friction import train as friction
@@ -89,7 +89,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
 
     e = part("engine", design.engine, engine.solve, design.engine, materials)
     i = part(
-        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, design.countershaft is not None,
+        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, takes_first_order(design),
         shaft_teeth(design), shaft_axis(design), after=(e,),
     )  # fmt: skip
     first_speed = _first_speed(design)
@@ -101,7 +101,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
         "countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, materials, journals(design), gear,
         slopes, after=(e, i),
     )  # fmt: skip
-    if c.result is not None and design.imbalance is not None:
+    if c.result is not None and design.imbalance is not None and takes_first_order(design):
         i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
     b = part(
         "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
@@ -113,7 +113,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
         oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
     )  # fmt: skip
     if c.result is not None and design.countershaft is not None:
-        c = countershaft.with_standing(c, design.countershaft, gear, _shaft_torque(design, geometry.result, f))
+        c = with_standing(c, design.countershaft, gear, _shaft_torque(design, geometry.result, f))
     torque = _torque(design, geometry, f, first_speed)
     if torque is not None:
         rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
@@ -133,6 +133,11 @@ def _first_speed(design: Design) -> float | None:
     if design.gears is not None and design.gears.speed is not None:
         return design.gears.speed
     return design.engine.rated_speed if design.engine is not None else None
+
+
+def takes_first_order(design: Design) -> bool:
+    """Whether a shaft of the design turns at −1 times crank speed."""
+    return design.countershaft is not None and design.countershaft.speed_ratio == -1
 
 
 def shaft_teeth(design: Design) -> int | None:

@@ -92,7 +92,7 @@ class BearingsInputs:
     )
     slope: tuple[float, ...] | None = series(
         "Slope of the journals", "mrad", optional=True, count=(1, 2), low=0, high=20, symbol="theta",
-        help="One for both, or [front, rear]. Left out: taken as zero, and said so.",
+        help="One for both, or [front, rear]. Left out: that of the counter-shaft's bending; where it is not known zero.",
     )  # fmt: skip
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)

@@ -4,7 +4,7 @@
 from dataclasses import replace
 
 from ..catalogue import Material, Oil
-from ..countershaft.solve import CountershaftResult
+from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..lubricant import Lubricant
 from ..sheet.errors import NoSolution
@@ -115,9 +115,9 @@ def solve(
     """Front and rear bearing under the shaft's reactions, which turn with it at crank speed and grow with its square."""
     speed, bench = engine.rated_speed, engine.bench
     loads = shaft.reaction_front, shaft.reaction_rear
-    slopes = bearings.slope or (0.0,)
+    slopes = bearings.slope or _bent(shaft)
     results: dict[str, BearingResult] = {}
-    notes: list[str] = list(_notes(bearings))
+    notes: list[str] = list(_notes(bearings, shaft))
     with trace() as lines:
         with about("oil"):
             lubricant = Lubricant(oil, bearings.viscosity_law)
@@ -236,7 +236,12 @@ def _beside(route: Route, seat: Seat, duty: Duty, place: str, name: str, notes: 
         return None
 
 
-def _notes(inputs: BearingsInputs) -> tuple[str, ...]:
+def _bent(shaft: CountershaftResult) -> tuple[Radian, ...]:
+    """The slopes of the journals as the counter-shaft's bending gives them; zero where it is not known."""
+    return (0.0,) if shaft.slope_front is None or shaft.slope_rear is None else (shaft.slope_front, shaft.slope_rear)
+
+
+def _notes(inputs: BearingsInputs, shaft: CountershaftResult) -> tuple[str, ...]:
     found = [
         "The load turns with the shaft: in its frame the seat turns backwards, so Sommerfeld's number is that of a standing load. Every "
         "point of the seat sees the largest pressure once a turn (fatigue); the journal is loaded on one fixed arc (wear).",
@@ -244,7 +249,11 @@ def _notes(inputs: BearingsInputs) -> tuple[str, ...]:
         "The shaft's weight and the gear force stand still and are not part of the load.",
         "Multigrade oils thin at high shear rate; the viscosity laws do not know it.",
     ]
-    if inputs.slope is None:
+    if inputs.slope is not None:
+        found.append("The slope of the journals is the one given here (slope_mrad), not that of the counter-shaft's bending.")
+    elif shaft.slope_front is not None:
+        found.append("The slope of the journals is that of the counter-shaft's bending, with the stiffness share of its sectors.")
+    else:
         found.append("No slope of the journals is given: it is taken as zero, and the film at the edge is that of the middle.")
     if inputs.supply == "shaft":
         found.append("The feed hole turns with the shaft and is taken to lie opposite the load.")

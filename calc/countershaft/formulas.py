@@ -6,7 +6,7 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, conj, cos, joined, modulus, resultant, sqrt, tan, total
+from ..sheet.functions import argument, cis, conj, cos, joined, modulus, pi, resultant, sqrt, tan, total
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -15,10 +15,13 @@ from ..sheet.units import (
     Newton,
     NewtonMetre,
     Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
     PhasorNewton,
     PhasorNewtonMetre,
     Radian,
     RadPerSecond,
+    RevPerSecond,
 )  # fmt: skip
 
 TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
@@ -28,6 +31,21 @@ TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
     return omega**2 * resultant(m * e * cis(gamma))
+
+
+@formula("F_i", "centrifugal force of each eccentric mass")
+def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
+    return omega**2 * m * e * cis(gamma)
+
+
+@formula("n_S", "definition of angular speed", unit="rpm")
+def revolutions(omega: RadPerSecond) -> RevPerSecond:
+    return omega / (2 * pi)
+
+
+@formula("R", "the largest seat, less the clearance for threading in", unit="mm")
+def widest(d: Metre, c_R: Metre) -> Metre:
+    return d / 2 - c_R
 
 
 @formula("C_S", TABLE_4_1)
@@ -124,6 +142,27 @@ def mirrored_couple(C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
 @formula("F̄_S", "a shaft mirrored in the vertical plane, turning the other way")
 def mirrored_force(F_S: PhasorNewton) -> PhasorNewton:
     return conj(F_S)
+
+
+@formula("ΔC_S", "part of the shaft's couple along the required one, beyond it", names={"C_req": "C_req"})
+def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMetre:
+    """Above zero: the shaft is too heavy by so much, which drilling can take away."""
+    return modulus(C_S) * cos(argument(C_S) - argument(C_req)) - modulus(C_req)
+
+
+# --- what is asked of a shaft to be sized ----------------------------------------------------------------------------------
+@formula(
+    "U_req", "opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm", names={"F_like": "F"}
+)
+def asked_unbalance(x_o: Number, F_like: PhasorNewton, omega: RadPerSecond) -> PhasorKilogramMetre:
+    return -(1 + x_o) * F_like / omega**2
+
+
+@formula(
+    "P_req", "opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²", names={"C_like": "C"}
+)
+def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
+    return -(1 + x_o) * C_like / omega**2
 
 
 # --- what stands still --------------------------------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 
 from ..sheet.quantity import choice, inputs, integer, quantity, tables, text
+from .thread import thread, thread_problem
 
 
 @inputs
@@ -33,6 +34,10 @@ class Bolts:
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.hole_diameter >= self.head_diameter:
             yield "hole_diameter_mm", "must be smaller than head_diameter_mm, or the head bears on nothing"
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
+        elif self.hole_diameter <= (D := thread(self.thread)[0]):
+            yield "hole_diameter_mm", f"must be larger than the thread, {D * 1e3:g} mm"
 
 
 @inputs
@@ -54,6 +59,10 @@ class Union:
     thread: str = text("Thread", help="Like M18x1.5.")
     bore: float = quantity("Bore", "mm", above=0, high=200)
 
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
+
 
 @inputs
 class OilDrain:
@@ -68,6 +77,8 @@ class OilDrain:
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.hose_max < self.hose_min:
             yield "hose_max_mm", "must not be below hose_min_mm"
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
 
 
 @inputs

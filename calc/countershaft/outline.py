@@ -11,10 +11,21 @@ import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
-from ..sheet.functions import resultant
+from ..sheet.functions import modulus, resultant
 from ..sheet.record import record
 from ..sheet.trace import about
-from ..sheet.units import Kilogram, KilogramPerMetre3, Metre, Number, Radian, SquareMetre
+from ..sheet.units import (
+    Kilogram,
+    KilogramPerMetre3,
+    Metre,
+    NewtonMetre,
+    Number,
+    PhasorCubicMetre,
+    PhasorNewtonMetre,
+    Radian,
+    RadPerSecond,
+    SquareMetre,
+)  # fmt: skip
 from . import sector as s
 from .inputs import CountershaftInputs, EccentricMass, Extra
 
@@ -153,27 +164,46 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
 
 
 def assembled(
-    sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], positions: tuple[Metre, ...], r_0: Metre,
-    gear: tuple[Metre, Metre] | None, gear_z: Metre | None, extras: tuple[Extra, ...],
-) -> Outline:  # fmt: skip
-    """Sectors, journals (diameter, length) and gear (radius, width) joined by the core.  Raises NoOutline where two of them cross."""
+    shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], gear: tuple[Metre, Metre] | None
+) -> Outline:
+    """Sectors, journals (diameter, length) and gear (radius, width), joined by the core.  Raises NoOutline where two of them cross."""
+    return _joined(_solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras)
+
+
+def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metre, Metre], ...]) -> tuple[Metre, Metre]:
+    """Outer and core radius of the sectors.  Raises NoOutline where these or the journals are not known."""
+    r_0 = shaft.core_radius
+    if R is None or r_0 is None or not journals:
+        there = (("core_radius_mm", r_0 is not None), ("outer_radius_mm", R is not None))
+        missing = [name for name, given in (*there, ("[bearings] or [[countershaft.journals]]", bool(journals))) if not given]
+        raise NoOutline(f"give [[countershaft.sections]], or {' and '.join(missing)}")
+    if r_0 >= R:
+        raise NoOutline(f"the core of radius {r_0 * 1e3:.4g} mm is not smaller than the outer radius of the sectors, {R * 1e3:.4g} mm")
+    return R, r_0
+
+
+def _solid(
+    shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], gear: tuple[Metre, Metre] | None
+) -> list[Piece]:
+    """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against it."""
+    positions = shaft.bearing_positions
     solid = list(sectors)
     for z, (d, l) in zip(positions, journals):
         solid.append(Piece(z - l / 2, z + l / 2, d / 2, 0.0, None, 0.0, "journal"))
     if gear is not None:
         radius, width = gear
-        front = positions[0] - (journals[0][1] / 2 if journals else 0.0)
-        middle = gear_z if gear_z is not None else front - width / 2
+        middle = shaft.gear_z if shaft.gear_z is not None else positions[0] - journals[0][1] / 2 - width / 2
         solid.append(Piece(middle - width / 2, middle + width / 2, radius, 0.0, None, 0.0, "gear"))
-    solid.sort(key=lambda piece: piece.start)
-    ends = [min([solid[0].start, *positions]), max([solid[-1].end, *positions])]
-    for extra in extras:  # a stub that reaches as far beyond an overhung element as before it
-        ends = [
-            min(ends[0], 2 * extra.z - ends[0]) if extra.z < ends[0] else ends[0],
-            max(ends[1], 2 * extra.z - ends[1]) if extra.z > ends[1] else ends[1],
-        ]
+    return sorted(solid, key=lambda piece: piece.start)
+
+
+def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> Outline:
+    """The solid pieces with core between them, and a stub around each overhung element that reaches as far beyond as before it."""
+    start, end = min(solid[0].start, positions[0]), max(solid[-1].end, positions[-1])
+    for z in (extra.z for extra in extras):
+        start, end = min(start, 2 * z - start), max(end, 2 * z - end)
     pieces: list[Piece] = []
-    here = ends[0]
+    here = start
     for piece in solid:
         if piece.start < here - TOUCH:
             raise NoOutline(f"{_said(piece)} crosses {_said(pieces[-1])}")
@@ -181,8 +211,8 @@ def assembled(
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
         pieces.append(piece)
         here = piece.end
-    if ends[1] > here + TOUCH:
-        pieces.append(Piece(here, ends[1], r_0, 0.0, None, 0.0, "core"))
+    if end > here + TOUCH:
+        pieces.append(Piece(here, end, r_0, 0.0, None, 0.0, "core"))
     return outline(tuple(pieces), derived=True)
 
 
@@ -200,6 +230,15 @@ def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra, ...]) -
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
 
 
-def unbalance_per_length(found: Outline, rho: KilogramPerMetre3) -> ComplexArray:
-    """ρ·S of each piece [kg·m/m]: times ω² the distributed centrifugal load."""
-    return rho * found.moment
+@formula("C_O", "couple of the pieces of the outline and the further elements, their unbalance times position")
+def outline_couple(
+    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre, C_x: PhasorNewtonMetre
+) -> NewtonMetre:
+    return modulus(omega**2 * rho * resultant(S * l * z) + C_x)
+
+
+def couple_of(found: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, C_x: complex) -> NewtonMetre:
+    """The couple of the outline about mid-shaft, with that of the further elements."""
+    S: Any = found.moment
+    l, z = found.each("end") - found.each("start"), (found.each("start") + found.each("end")) / 2
+    return outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)

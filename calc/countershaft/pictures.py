@@ -1,35 +1,86 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of this step: what is left over a turn, and over the speed range."""
+"""The figures of this step: what is left over a turn and over the speed range, and what the bearings carry."""
+
+from typing import Any
 
 import numpy as np
 
 from ..imbalance.pictures import DRAWN
 from ..sheet.step import Curve, Series
+from ..sheet.units import Metre, RadPerSecond
+from .bending import Bending
+from .drawing import outline_curve
 from .result import CountershaftResult
 from .task import Task
 
+WORDS = {1: "First", 2: "Second"}
 
-def pictures(todo: Task, found: CountershaftResult) -> tuple[Curve, ...]:
-    """All figures of the step."""
+
+def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+    """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the bearings."""
     parts = (
         ("couple", "N·m", todo.C, todo.C_against, found.couple_vector, todo.one_couple),
         ("force", "N", todo.F, todo.F_against, found.force_vector, todo.one_force),
     )
-    return tuple(
-        _residual(todo.order, word, unit, like, against, supplied)
-        for word, unit, like, against, supplied, one in parts
-        if max(abs(like), abs(against), abs(supplied)) > DRAWN * one
+    drawn = [part for part in parts if max(abs(part[2]), abs(part[3]), abs(part[4])) > DRAWN * part[5]]
+    return (
+        *(_over_a_turn(todo.order, *part[:5]) for part in drawn),
+        *(_over_speed(todo.order, part[0], part[1], part[2], part[3], found, omega) for part in drawn),
+        _reactions(found, omega),
+        *((outline_curve(found.outline, positions),) if found.outline is not None else ()),
+        *(_bent(found.bending, positions) if found.bending is not None else ()),
     )
 
 
-def _residual(order: int, word: str, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
+def _over_a_turn(order: int, word: str, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
     """What is left of the shaft's order, as the path over a turn, before and after the shaft."""
     theta = np.radians(np.arange(0, 361, 3.0))
     same, other = np.exp(-1j * theta), np.exp(1j * theta)
     alone = against * other + like * same
     after = against * other + (like + supplied) * same
-    title = f"{'First' if order == 1 else 'Second'}-order {word} before and after the counter-shaft"
     return Curve(
-        "residual" if word == "couple" else "residual_force", title, f"horizontal, {unit}", f"vertical, {unit}",
+        "residual" if word == "couple" else "residual_force", f"{WORDS[order]}-order {word} before and after the counter-shaft",
+        f"horizontal, {unit}", f"vertical, {unit}",
         (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
+    )  # fmt: skip
+
+
+def _speeds(omega: RadPerSecond) -> tuple[Any, Any]:
+    """Crank speeds up to a tenth above rated [rpm], and the square of their ratio to it, by which all inertia forces grow."""
+    share = np.linspace(0.0, 1.1, 45)
+    return share * omega * 30 / np.pi, share**2
+
+
+def _over_speed(order: int, word: str, unit: str, like: complex, against: complex, found: CountershaftResult, omega: RadPerSecond) -> Curve:
+    """The peak of a turn over the speed range, without the shaft and with it."""
+    rpm, square = _speeds(omega)
+    after = getattr(found, f"residual_order_{order}_{word}")
+    return Curve(
+        f"residual_{word}_over_speed", f"{WORDS[order]}-order {word} over the speed range, peak of a turn",
+        "crank speed, rpm", f"{word}, {unit}",
+        (Series("before", rpm, (abs(like) + abs(against)) * square), Series("after", rpm, after * square)),
+    )  # fmt: skip
+
+
+def _reactions(found: CountershaftResult, omega: RadPerSecond) -> Curve:
+    """What turns with the shaft, on each of its bearings."""
+    rpm, square = _speeds(omega)
+    each: dict[str, Any] = dict(found.support) or {"front": found.reaction_front, "rear": found.reaction_rear}
+    return Curve(
+        "reactions", "Reactions of the bearings over the speed range, the turning part", "crank speed, rpm", "reaction, N",
+        tuple(Series(name.replace("_", " "), rpm, getattr(one, "reaction", one) * square) for name, one in each.items()),
+    )  # fmt: skip
+
+
+def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+    """The deflection line and the bending moment, in the plane of the shaft's couple."""
+    marks = Series("bearings", np.array(positions) * 1e3, np.zeros(len(positions)))
+    share, z = Series("with the stiffness share of the sectors", bent.z * 1e3, bent.deflection * 1e6), bent.z * 1e3
+    stiff = Series("at full stiffness", z, bent.deflection_stiff * 1e6)
+    return (
+        Curve("deflection", "Deflection line of the shaft at rated speed", "from mid-shaft, mm", "deflection, µm", (share, stiff, marks)),
+        Curve(
+            "moment", "Bending moment of the shaft at rated speed", "from mid-shaft, mm", "moment, N·m",
+            (Series("", bent.moment_z * 1e3, bent.moment),),
+        ),
     )  # fmt: skip

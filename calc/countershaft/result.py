@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the counter-shaft's step publishes."""
 
+from typing import TYPE_CHECKING
+
 from ..sheet.quantity import group, result, value
 from ..sheet.units import (
     Kilogram,
@@ -9,12 +11,22 @@ from ..sheet.units import (
     Newton,
     NewtonMetre,
     NewtonPerMetreSecond,
+    Number,
     Pascal,
     Radian,
     RevPerSecond,
 )  # fmt: skip
+from .bending import Bending
+from .holes import HolesResult
 from .outline import Outline
 from .standing import Standing
+from .tolerance import ToleranceResult
+
+if TYPE_CHECKING:  # loaded only where they are asked for
+    from .bolts import BoltsResult
+    from .drain import DrainResult
+    from .scatter import ScatterResult
+    from .sizing import SizedSector
 
 
 @result
@@ -43,8 +55,14 @@ class CountershaftResult:
     reaction_rear: Newton = value("Reaction of the rear bearing", "N", "R_r")
     support: dict[str, SupportResult] = group()
     eccentric_mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    sector_half_angle: Radian | None = value("Half-angle of a sector, the wider one", "°", "γ", default=None)
+    sector_length: Metre | None = value("Length of a sector, the longer one", "mm", "b", default=None)
+    sector_mass: Kilogram | None = value("Mass of a sector, the heavier one", "kg", "m", default=None)
+    sector: "dict[str, SizedSector] | None" = group(default=None)
+    utilisation: Number | None = value("Utilisation of the envelope", "", "u", default=None)
     mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S", default=None)
     centre_of_gravity: Metre | None = value("Its centre of gravity from mid-shaft", "mm", "z_S", default=None)
+    outline_couple: NewtonMetre | None = value("Couple of the given sections", "N·m", "C_O", default=None)
     standing: Standing | None = group(spread=True, default=None)
     slope_front: Radian | None = value("Slope of the front journal", "mrad", "θ_f", default=None)
     slope_rear: Radian | None = value("Slope of the rear journal", "mrad", "θ_r", default=None)
@@ -53,6 +71,13 @@ class CountershaftResult:
     first_critical_speed: RevPerSecond | None = value("First bending critical speed", "rpm", "n_1", default=None)
     first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
+    bending: Bending | None = group(spread=True, default=None)
+    tolerance: ToleranceResult | None = group(spread=True, default=None)
+    holes: HolesResult | None = group(spread=True, default=None)
+    scatter: "ScatterResult | None" = group(default=None)
+    bolts: "BoltsResult | None" = group(spread=True, default=None)
+    drain: "DrainResult | None" = group(spread=True, default=None)
+    couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
     omega: float  # of the shaft

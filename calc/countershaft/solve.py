@@ -3,7 +3,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -12,15 +12,22 @@ from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
-from ..sheet.units import KilogramPerMetre3, Metre, NewtonMetre, RadPerSecond
+from ..sheet.units import Metre, NewtonMetre, RadPerSecond
 from . import formulas as f
+from .bending import bending
+from .bending import checks as bending_checks
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .judgement import checks, notes
-from .outline import NoOutline, Outline, assembled, given, sectors_of, weighed
+from .making import Gathered, making
+from .outline import NoOutline, Outline, assembled, couple_of, given, known, sectors_of, weighed
 from .pictures import pictures
 from .result import CountershaftResult, SupportResult
-from .standing import Gear, standing
+from .standing import Gear
+from .supports import heat_index, reactions, specific_load
 from .task import Task, task
+
+if TYPE_CHECKING:
+    from .sizing import Sized
 
 Journals = tuple[tuple[Metre, Metre], ...]  # (diameter, length), front to rear
 
@@ -35,27 +42,143 @@ def solve(
     `slopes` are those of the journals where they are given, for a shaft whose outline is not known.
     """
     todo = task(shaft, imbalance)
-    rho = materials[shaft.material].density
-    said: list[str] = []
+    steel = materials[shaft.material]
+    to = Gathered()
     with trace() as lines:
         omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
-        masses = shaft.masses
+        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, to)
+        if sized is not None:
+            from .sizing import eccentric_masses
+
+            masses = eccentric_masses(sized)
+        R = shaft.outer_radius if shaft.outer_radius is not None else _widest(shaft, journals)
         F_S, C_S = _supplied(masses, shaft.extras, omega_S)
         found = _balance(shaft, todo, masses, F_S, C_S, omega_S)
-        drawn = _outline(shaft, masses, rho, journals, gear, said)
+        found = replace(found, support=_supports(shaft, masses, journals, found))
+        drawn = _drawn(shaft, masses, sized, R, steel, journals, gear, to)
         if drawn is not None:
-            m_S, z_S = weighed(drawn, rho, shaft.extras)
+            m_S, z_S = weighed(drawn, steel.density, shaft.extras)
             found = replace(found, outline=drawn, mass=m_S, centre_of_gravity=z_S)
+            if not drawn.derived:
+                to.values["outline_couple"] = _outline_couple(shaft, drawn, steel, omega_S)
+            found = _bent(shaft, found, drawn, steel, to)
         elif slopes:
             found = replace(found, slope_front=slopes[0], slope_rear=slopes[-1])
+        making(shaft, todo, masses, found, R, materials, to)
+    found = replace(found, **to.values)
     return Outcome(
         "countershaft",
         result=found,
-        checks=checks(shaft, todo, imbalance, found, journals),
+        checks=(*checks(shaft, todo, found, journals), *to.checks),
         lines=tuple(lines),
-        curves=pictures(todo, found),
-        notes=(*notes(shaft, found), *said),
+        curves=(*pictures(todo, found, omega, shaft.bearing_positions), *to.curves),
+        tables=tuple(to.tables),
+        notes=(*notes(shaft, found), *to.notes),
     )
+
+
+def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, to: Gathered) -> "Sized | None":
+    """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
+    if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
+        return None
+    from .sizing import size
+
+    U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
+    P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
+    found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
+    heavier = max(found.front.mass, found.rear.mass)
+    to.values |= dict(
+        sector_half_angle=found.sector_half_angle, sector_length=found.sector_length, sector_mass=heavier, utilisation=found.utilisation,
+        sector={"front": found.front, "rear": found.rear},
+    )  # fmt: skip
+    for word, there in (("masses", shaft.masses), ("sections", shaft.sections)):
+        if there:
+            to.notes.append(f"Mode size: [[countershaft.{word}]] are left aside; the sectors are found.")
+    return found
+
+
+def _widest(shaft: CountershaftInputs, journals: Journals) -> Metre | None:
+    """What may be threaded through the largest seat; None where no journal is known."""
+    return f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0) if journals else None
+
+
+def _drawn(
+    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, steel: Material,
+    journals: Journals, gear: Gear | None, to: Gathered,
+) -> Outline | None:  # fmt: skip
+    """The shaft's outline, given or put together; None where it can not be, and a note says why."""
+    if shaft.sections and sized is None:
+        return given(shaft)
+    try:
+        outer, core = known(shaft, R, journals)
+        if sized is not None:
+            from .sizing import pieces
+
+            sectors = pieces(sized)
+        else:
+            sectors = sectors_of(masses, steel.density, outer, core)
+        found = assembled(shaft, sectors, journals, (gear.diameter / 2, gear.face_width) if gear else None)
+    except NoOutline as none:
+        to.notes.append(f"Mass, balance tolerance, bending and critical speed are not computed: {none}.")
+        return None
+    to.notes.append(
+        f"The outline is put together from the sectors, the core, the journals{' and the gear' if gear else ''}."
+        if sized is not None
+        else "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, the core, the journals"
+        f"{' and the gear' if gear else ''}; the true shape may be given as [[countershaft.sections]]."
+    )
+    return found
+
+
+def _outline_couple(shaft: CountershaftInputs, drawn: Outline, steel: Material, omega: RadPerSecond) -> NewtonMetre:
+    """The couple of given sections: beside that of the masses it shows whether both are one shaft."""
+    with about("given sections"):
+        m, e, gamma, z = (_column(shaft.extras, name) for name in ("mass", "radius", "angle", "z"))
+        C_x = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma) if shaft.extras else 0j
+        return couple_of(drawn, steel.density, omega, C_x)
+
+
+def _bent(shaft: CountershaftInputs, found: CountershaftResult, drawn: Outline, steel: Material, to: Gathered) -> CountershaftResult:
+    """The same result with the slopes of its journals, its first critical speed and its stresses."""
+    bent = bending(drawn, steel, found.omega, shaft.bearing_positions, shaft.extras, shaft.sector_effectiveness, shaft.fillet_radius)
+    to.checks += bending_checks(bent, steel)
+    to.notes += bent.notes
+    slopes, stiff = bent.slopes, bent.slopes_stiff
+    support = {name: replace(one, slope=slope.item()) for (name, one), slope in zip(found.support.items(), slopes)}
+    return replace(
+        found,
+        bending=bent,
+        support=support,
+        slope_front=slopes[0].item(),
+        slope_rear=slopes[-1].item(),
+        slope_front_stiff=stiff[0].item(),
+        slope_rear_stiff=stiff[-1].item(),
+        first_critical_speed=bent.natural_frequency,
+        first_critical_speed_stiff=bent.natural_frequency_stiff,
+    )
+
+
+def _supports(
+    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, found: CountershaftResult
+) -> dict[str, SupportResult]:
+    """Support by support, where there are more than two, or the journals are the shaft's own; else [bearings] has them."""
+    positions = shaft.bearing_positions
+    if len(positions) == 2 and not shaft.journals:
+        return {}
+    parts = (*masses, *shaft.extras)
+    m, e, gamma, z = (_column(parts, name) for name in ("mass", "radius", "angle", "z"))
+    forces = f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma)
+    made = {}
+    for n, R in enumerate(reactions(forces, z, positions)):
+        with about(f"support {n + 1}"):
+            load = f.reaction(R=R.item())
+            p = W = None
+            if journals:
+                d, l = journals[n]
+                p = specific_load(F=load, d=d, l=l)
+                W = heat_index(F=load, n=f.revolutions(omega=found.omega), l=l)
+            made[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W)
+    return made
 
 
 def _supplied(masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> tuple[complex, complex]:
@@ -108,81 +231,10 @@ def _balance(
         reaction_front=f.reaction(R=R_f),
         reaction_rear=f.reaction(R=R_r),
         support={},
+        couple_against=abs(C_against),
         eccentric_mass=f.eccentric_mass(m=_column(masses, "mass")),
         roll_torque=roll_torque(p=complex(*shaft.axis), F=F_S) if shaft.axis is not None and shaft.pair == "no" else None,
         force_vector=F_S,
         couple_vector=C_S,
         omega=omega,
     )
-
-
-def _outline(
-    shaft: CountershaftInputs,
-    masses: tuple[EccentricMass, ...],
-    rho: KilogramPerMetre3,
-    journals: Journals,
-    gear: Gear | None,
-    said: list[str],
-) -> Outline | None:
-    """The shaft's pieces: given, or put together from what is known; else None, and a note says what is missing."""
-    if shaft.sections:
-        return given(shaft)
-    R = shaft.outer_radius
-    if R is None and journals:
-        R = max(d for d, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
-    if R is None or shaft.core_radius is None or not journals:
-        missing = [
-            name
-            for name, there in (
-                ("core_radius_mm", shaft.core_radius is not None),
-                ("outer_radius_mm", R is not None),
-                ("[bearings] or [[countershaft.journals]]", bool(journals)),
-            )
-            if not there
-        ]
-        said.append(f"Mass, bending and critical speed are not computed: give [[countershaft.sections]], or {' and '.join(missing)}.")
-        return None
-    try:
-        sectors = sectors_of(masses, rho, R, shaft.core_radius)
-        found = assembled(
-            sectors, journals, shaft.bearing_positions, shaft.core_radius,
-            (gear.diameter / 2, gear.face_width) if gear is not None else None, shaft.gear_z, shaft.extras,
-        )  # fmt: skip
-    except NoOutline as none:
-        said.append(f"Mass, bending and critical speed are not computed, since the shaft can not be drawn: {none}.")
-        return None
-    said.append(
-        "The outline is put together from eccentric masses (as sectors of the same mass, centre of gravity and place), core, journals"
-        + (" and gear" if gear is not None else "")
-        + "; the true shape may be given as [[countershaft.sections]]."
-    )
-    return found
-
-
-def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None, torque: NewtonMetre | None) -> Outcome:
-    """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
-    if len(shaft.bearing_positions) != 2:
-        return outcome
-    found: CountershaftResult = outcome.result
-    with trace() as lines, about("standing part of the load"):
-        z_f, z_r = shaft.bearing_positions
-        weight = None
-        if found.mass is not None and found.centre_of_gravity is not None:
-            G_S = f.weight(m_S=found.mass)
-            G_r = f.weight_rear(G_S=G_S, z_S=found.centre_of_gravity, z_f=z_f, z_r=z_r)
-            weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
-        reactions = found.reaction_front, found.reaction_rear
-        stands = standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), torque)
-    return replace(outcome, result=replace(found, standing=stands), lines=(*outcome.lines, *lines))
-
-
-def gear_place(shaft: CountershaftInputs, found: CountershaftResult, gear: Gear | None) -> Metre | None:
-    """The middle of the gear: given, or as the outline has it; else the front bearing's."""
-    if gear is None:
-        return None
-    if shaft.gear_z is not None or found.outline is None:
-        return shaft.gear_z if shaft.gear_z is not None else shaft.bearing_positions[0]
-    return next(((p.start + p.end) / 2 for p in found.outline.pieces if p.what == "gear"), shaft.bearing_positions[0])
-
-
-__all__ = ["CountershaftResult", "Gear", "SupportResult", "solve", "with_standing"]

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """What stands still while the shaft turns: its weight and the force of its gear, on two bearings, beside the turning reactions."""
 
-from typing import NamedTuple
+from dataclasses import replace
+from typing import Any, NamedTuple
 
 from ..sheet.quantity import result, value
+from ..sheet.step import Outcome
+from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Newton, NewtonMetre, Radian
 from . import formulas as f
+from .inputs import CountershaftInputs
 
 
 class Gear(NamedTuple):
@@ -64,3 +68,29 @@ def standing(
         reaction_front_peak=f.reaction_peak(R=reactions[0], R_0=front),
         reaction_rear_peak=f.reaction_peak(R=reactions[1], R_0=rear),
     )
+
+
+def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None, torque: NewtonMetre | None) -> Outcome:
+    """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
+    if len(shaft.bearing_positions) != 2:
+        return outcome
+    found = outcome.result
+    with trace() as lines, about("standing part of the load"):
+        z_f, z_r = shaft.bearing_positions
+        weight = None
+        if found.mass is not None and found.centre_of_gravity is not None:
+            G_S = f.weight(m_S=found.mass)
+            G_r = f.weight_rear(G_S=G_S, z_S=found.centre_of_gravity, z_f=z_f, z_r=z_r)
+            weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
+        reactions = found.reaction_front, found.reaction_rear
+        stands = standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), torque)
+    return replace(outcome, result=replace(found, standing=stands), lines=(*outcome.lines, *lines))
+
+
+def gear_place(shaft: CountershaftInputs, found: Any, gear: Gear | None) -> Metre | None:
+    """The middle of the gear: given, or as the outline has it; else the front bearing's."""
+    if gear is None:
+        return None
+    if shaft.gear_z is not None or found.outline is None:
+        return shaft.gear_z if shaft.gear_z is not None else shaft.bearing_positions[0]
+    return next(((p.start + p.end) / 2 for p in found.outline.pieces if p.what == "gear"), shaft.bearing_positions[0])

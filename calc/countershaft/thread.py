@@ -2,9 +2,9 @@
 """Metric threads: the designation read, and the diameters of ISO 724 and ISO 898-1."""
 
 import re
+from math import pi
 
 from ..sheet.formula import formula
-from ..sheet.functions import pi
 from ..sheet.units import Metre, SquareMetre
 
 # Coarse pitch of each nominal diameter, mm (ISO 261); of the pitches of a diameter it is the largest.

@@ -58,7 +58,10 @@ def test_a_shaft_out_of_static_balance_fails(gamma):
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.residual_force"] == "fail"
 
 
-def test_the_slopes_that_are_given_are_judged(gamma):
-    assert {c.id: c.verdict for c in shaft(gamma).checks}["countershaft.slope_front"] == "pass"
-    outcome = shaft(gamma.with_value("bearings.slope_mrad", 0.3))
+def test_the_slopes_that_are_given_are_judged_where_the_outline_is_not_known(gamma):
+    bare = gamma.with_value("countershaft.core_radius_mm", None)
+    outcome = shaft(bare)
+    assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_front"] == "pass"
+    assert outcome.result.mass is None and any("core_radius_mm" in note for note in outcome.notes)
+    outcome = shaft(bare.with_value("bearings.slope_mrad", 0.3))
     assert {c.id: c.verdict for c in outcome.checks}["countershaft.slope_rear"] == "fail"
