@@ -48,15 +48,16 @@ def stresses(found: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | Non
 def _notch(found: Outline, bent: Bent, c: Any, r: Metre) -> dict[str, Any]:
     """The shoulder with the largest stress at its fillet: the round one from the larger diameter down to that of the weaker section.
 
-    A sector counts there with its core, at whose back its shoulder to a full section lies.  Shoulders lower than a tenth of the fillet,
-    where the fit ends, are left out and said.
+    A sector counts there with its core, at whose back its shoulder to a full section lies; of two sectors on one core, with its edge.
+    Shoulders lower than a tenth of the fillet, where the fit ends, are left out and said.
     """
     shoulders = []
     low = 0
     for i, k in pairwise(range(len(found.pieces))):
         weak = min(i, k, key=lambda n: float(found.inertia[n]))
         piece, other = found.pieces[weak], found.pieces[i + k - weak]
-        d = 2 * (piece.core_radius if piece.half_angle is not None and piece.core_radius else piece.outer_radius)
+        at_core = piece.half_angle is not None and 0 < piece.core_radius != (other.core_radius if other.half_angle is not None else 0.0)
+        d = 2 * (piece.core_radius if at_core else piece.outer_radius)
         D = 2 * max(piece.outer_radius, other.outer_radius)
         if D - d < 2 * STEP or (piece.half_angle, piece.core_radius, piece.outer_radius) == (
             other.half_angle, other.core_radius, other.outer_radius

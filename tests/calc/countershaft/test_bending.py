@@ -126,6 +126,22 @@ def test_the_notch_at_its_end():
     assert bent(1.0).notch_stress is None
 
 
+def test_the_shoulder_of_two_sectors_on_one_core_is_that_of_their_edges():
+    """R 30 beside R 40 on a core of 15: D 80, d 60, whatever the core.  A step lower than a tenth of the fillet is said to be left out."""
+    found = outline((piece(-180, 0, 30, 15, HALF, math.pi), piece(0, 180, 40, 15, HALF)), False)
+    assert bent(1.0, fillet=2 * mm, found=found, extras=()).step_over_fillet == pytest.approx(20 / 4)
+    flat = outline((piece(-180, 0, 30), piece(0, 180, 30.1)), False)
+    r = bent(1.0, fillet=2 * mm, found=flat, extras=(Extra(name="mass", mass=0.5, radius=5 * mm, angle=0.0, z=0.05),))
+    assert r.notch_stress is None
+    assert "1 of the shoulders" in r.notes[0]
+
+
+def test_the_sense_of_rotation_does_not_matter():
+    forward, backward = bent(0.2), bent(0.2, omega=-OMEGA)
+    assert backward.slopes == pytest.approx(forward.slopes)
+    assert backward.speed == forward.speed > 0
+
+
 # --- what must hold for any shaft -------------------------------------------------------------------------------------------------
 def test_a_shaft_turned_about_its_axis_bends_the_same():
     a, c = bent(0.3), bent(0.3, up=0.7)
