@@ -122,7 +122,8 @@ def bending(
     return Bending(
         largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
         natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1], speed=abs(omega) / (2 * math.pi),
-        reactions=bent.reactions, plane=plane, z=bent.z, deflection=(bent.w * back).real, deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w,
+        reactions=bent.reactions, plane=plane, z=bent.z, deflection=(bent.w * back).real,
+        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w,
         moment_z=bent.moment_z, moment=(bent.moment * back).real,
     )  # fmt: skip
 
