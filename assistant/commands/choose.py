@@ -1,19 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
+"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file.
+
+What can be chosen for a step stands in `choose_STEP.py`: what it NEEDS and WHY, and `offer()`.
+"""
 
 import json
 import sys
 from argparse import Namespace
+from collections.abc import Callable
+from dataclasses import dataclass
+from importlib import import_module
 from pathlib import Path
 
 from assistant.commands.set import edit
 from assistant.plain import table_json, table_lines
-from calc.design_file import Document, design, read
-from calc.engine import solve as engine
-from calc.imbalance.firing_orders import FiringOrder, as_designed, crank_words, firing_orders, orders_table
+from calc.design_file import design, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.step import Table
 
-CHOICES = {"engine": "firing orders, the one that leaves least first"}
+CHOICES = {"engine": "firing orders, the one that leaves least first", "countershaft": "shafts in the envelope, the lightest first"}
+
+
+@dataclass(frozen=True)
+class Offer:
+    """What was found: how many rows, the table of the first of them, and for each row (from 1) the keys to write and what is then said."""
+
+    count: int
+    table: Callable[[int], Table]
+    changes: Callable[[int], list[str]]
+    said: Callable[[int], str]
+    hint: str
 
 
 def run(asked: Namespace) -> int:
@@ -24,34 +40,27 @@ def run(asked: Namespace) -> int:
         )
     document = read(asked.file)
     made = design(document)
-    if made.engine is None or made.imbalance is None:
-        missing = "engine" if made.engine is None else "imbalance"
-        raise BadInput(asked.file, [InputError(0, missing, "", "needed: firing orders are ranked by what they leave of the imbalance")])
+    step = import_module(f"assistant.commands.choose_{asked.step}")
+    missing = next((key for key in step.NEEDS if getattr(made, key) is None), None)
+    if missing is not None:
+        raise BadInput(asked.file, [InputError(0, missing, "", f"needed: {step.WHY}")])
     if asked.top < 1:
         raise BadInput("--top", [InputError(0, "", str(asked.top), "must be a number of rows, 1 or more")])
-    e = engine.values(made.engine)
     try:
-        found = firing_orders(made.imbalance, made.engine, e)
+        offer: Offer = step.offer(made, asked.file)
     except NoSolution as none:
-        print(f"{asked.file}: engine: {none}", file=sys.stderr)
+        print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
         return 3
     if asked.apply is not None:
-        return _apply(document, Path(asked.file), found, asked.apply)
-    table = orders_table(found, asked.top, as_designed(made.imbalance, made.engine, e), made.engine)
+        if not 1 <= asked.apply <= offer.count:
+            raise BadInput("--apply", [InputError(0, "", str(asked.apply), f"must be a row of the table, from 1 to {offer.count}")])
+        edit(Path(asked.file), document, offer.changes(asked.apply))
+        print(f"\n{asked.file} {offer.said(asked.apply)}; as it was before: {asked.file}.bak")
+        return 0
+    table = offer.table(asked.top)
     if asked.json:
-        print(json.dumps({"schema": 1, "step": "engine", **table_json(table)}, ensure_ascii=False, indent=1))
+        print(json.dumps({"schema": 1, "step": asked.step, **table_json(table)}, ensure_ascii=False, indent=1))
         return 0
     print("\n".join(table_lines(table)))
-    print("\n`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more.")
-    return 0
-
-
-def _apply(document: Document, path: Path, found: list[FiringOrder], number: int) -> int:
-    if not 1 <= number <= len(found):
-        raise BadInput("--apply", [InputError(0, "", str(number), f"must be a row of the table, from 1 to {len(found)}")])
-    one = found[number - 1]
-    edit(path, document, [f"engine.firing_order={list(one.order)}", "engine.crank_angles_deg="])
-    print(
-        f"\n{path} now fires {'-'.join(map(str, one.order))} (crank angles {crank_words(one.crank_angles)}°); as it was before: {path}.bak"
-    )
+    print(f"\n{offer.hint}")
     return 0

@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
+
+from assistant.commands.choose import Offer
+from calc.countershaft.choices import candidates, changes, choices, choices_table, envelope
+from calc.design import Design
+from calc.engine import solve as engine
+from calc.imbalance import solve as imbalance
+
+NEEDS = ("engine", "imbalance", "countershaft")
+WHY = "the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"
+
+
+def offer(made: Design, file: str) -> Offer:
+    assert made.engine is not None and made.imbalance is not None and made.countershaft is not None
+    shaft = made.countershaft
+    room = envelope(shaft, made.bearings, file)
+    materials = candidates(shaft, made.materials, file)
+    e = engine.values(made.engine)
+    found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials)
+
+    def said(number: int) -> str:
+        one = found.shafts[number - 1]
+        sized = one.sized
+        return f"now sizes its shaft in {one.material} within an outer radius of {sized.outer_radius * 1e3:g} mm: {sized.mass:.4g} kg"
+
+    return Offer(
+        count=len(found.shafts),
+        table=lambda top: choices_table(found, top, room),
+        changes=lambda number: changes(found.shafts[number - 1], room),
+        said=said,
+        hint="`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more.",
+    )

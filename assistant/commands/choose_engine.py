@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Firing orders to choose from, ranked by what they leave."""
+
+from assistant.commands.choose import Offer
+from calc.design import Design
+from calc.engine import solve as engine
+from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
+
+NEEDS = ("engine", "imbalance")
+WHY = "firing orders are ranked by what they leave of the imbalance"
+
+
+def offer(made: Design, file: str) -> Offer:
+    assert made.engine is not None and made.imbalance is not None
+    inputs, crank = made.engine, made.imbalance
+    e = engine.values(inputs)
+    found = firing_orders(crank, inputs, e)
+
+    def said(number: int) -> str:
+        one = found[number - 1]
+        return f"now fires {'-'.join(map(str, one.order))} (crank angles {crank_words(one.crank_angles)}°)"
+
+    return Offer(
+        count=len(found),
+        table=lambda top: orders_table(found, top, as_designed(crank, inputs, e), inputs),
+        changes=lambda number: [f"engine.firing_order={list(found[number - 1].order)}", "engine.crank_angles_deg="],
+        said=said,
+        hint="`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more.",
+    )
