@@ -23,7 +23,7 @@ import numpy as np
 
 from ..sheet.arrays import Array, BoolArray, IndexArray
 
-CLOSE = 1e-8  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
+CLOSE = 1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
 ROUNDS = 60
 TINY = 1e-300  # in place of no length: what is asked of it is then far beyond 1
 LINE = np.linspace(0.0, 1.0, 97)  # of a search along a line
@@ -126,34 +126,36 @@ def _reach(inside: Array, outside: Array, serves: Callable[[Array], Any], steps:
 def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     """A grid over all that serves: along each edge, and from there both sectors shorter.  Then closer around its least mass."""
     from_, to = (_reach(best, np.full_like(best, end), lambda t: _worst(asked, t) <= 1, LINE, 5) for end in (0.0, 1.0))
-    t = from_[..., None] + (to - from_)[..., None] * ROW
+    t = from_[..., None] + (to - from_)[..., None] * ROW**2  # closer where the lengths are short, and their effect large
     front, rear = _edges(t)
 
     def both_shorter(x: Array) -> Any:
         return np.maximum(*shares(asked, front[..., None] - x, rear[..., None] - x)) <= 1
 
-    most = _reach(np.zeros_like(t), t, both_shorter, ROW, 3)
-    x = most[..., None] * ROW
+    most = _reach(np.zeros_like(t), t, both_shorter, ROW, 4)
+    x = most[..., None] * (1 - (1 - ROW) ** 3)
     f, r = front[..., None] - x, rear[..., None] - x
     n, every = len(best), np.arange(len(best))
     i: Any = np.where(fits[..., None, None], amount(asked, f, r), np.inf).reshape(n, -1).argmin(-1)
     edge, column = np.divmod(i // len(ROW), len(ROW))
-    along, across = most[every, edge, column] / (len(ROW) - 1), (to - from_)[every, edge] / (len(ROW) - 1) / 2
-    return _closer(asked, f.reshape(n, -1)[every, i], r.reshape(n, -1)[every, i], np.maximum(along, 1e-6), np.maximum(across, 1e-6))
+    f, r = f.reshape(n, -1)[every, i], r.reshape(n, -1)[every, i]
+    along = np.minimum(most[every, edge, column] / 5 / np.maximum(np.minimum(f, r), TINY), 1)
+    across = np.minimum((to - from_)[every, edge] / 5 / np.maximum(np.minimum(f, r), TINY), 1)
+    return _closer(asked, f, r, np.maximum(along, 1e-6), np.maximum(across, 1e-6))
 
 
 def _closer(asked: Task, f: Array, r: Array, along: Array, across: Array) -> tuple[Array, Array]:
-    """A window around the best, along (1, 1) and across it, made smaller wherever the best lies inside."""
-    n, every, last = len(f), np.arange(len(f)), len(WINDOW) - 1
+    """A window around the best, both lengths in proportion and against each other; made smaller where the best lies well inside."""
+    n, every, middle = len(f), np.arange(len(f)), len(WINDOW) // 2
     for _ in range(ROUNDS):
-        d, o = along[:, None, None] * WINDOW[:, None], across[:, None, None] * WINDOW
-        front = np.minimum(np.maximum(f[:, None, None] + d + o, 0), 1)
-        rear = np.minimum(np.maximum(r[:, None, None] + d - o, 0), 1)
+        d, o = np.exp(along[:, None] * WINDOW)[:, :, None], np.exp(across[:, None] * WINDOW)[:, None, :]
+        front = np.minimum(f[:, None, None] * d * o, 1)
+        rear = np.minimum(r[:, None, None] * d / o, 1)
         i: Any = amount(asked, front, rear).reshape(n, -1).argmin(-1)
         f, r = front.reshape(n, -1)[every, i], rear.reshape(n, -1)[every, i]
-        row, column = np.divmod(i, last + 1)
-        along = np.where((row > 0) & (row < last), along / 4, along)
-        across = np.where((column > 0) & (column < last), across / 4, across)
+        row, column = np.divmod(i, len(WINDOW))
+        along = np.where(abs(row - middle) <= middle // 2, along / 3, along)
+        across = np.where(abs(column - middle) <= middle // 2, across / 3, across)
         if max(along.max(), across.max()) < CLOSE:
             break
     return f, r

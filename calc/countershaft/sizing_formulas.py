@@ -11,15 +11,12 @@ from ..sheet.units import (
     Kilogram,
     KilogramMetre,
     KilogramMetre2,
-    KilogramPerMetre,
     KilogramPerMetre3,
     Metre,
     NewtonMetre,
     Number,
     PhasorKilogramMetre,
     PhasorKilogramMetre2,
-    PhasorNewton,
-    PhasorNewtonMetre,
     PhasorNumber,
     Radian,
     RadPerSecond,
@@ -34,17 +31,6 @@ FACES = "sector with its outer face at the end of the envelope"
 
 
 # --- what is asked of the sectors --------------------------------------------------------------------------------------------
-@formula("U", "against the engine's force, with what drilling may take away again", unit="kg·mm")
-def unbalance_asked(F: PhasorNewton, x_o: Number, omega: RadPerSecond) -> PhasorKilogramMetre:
-    """Of a shaft that leaves nothing of F, which turns like it."""
-    return -(1 + x_o) * F / omega**2
-
-
-@formula("P", "against the engine's couple, with what drilling may take away again", unit="kg·mm²")
-def product_asked(C: PhasorNewtonMetre, x_o: Number, omega: RadPerSecond) -> PhasorKilogramMetre2:
-    return -(1 + x_o) * C / omega**2
-
-
 @formula("ΣU_x", "unbalance of the further elements", unit="kg·mm")
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
@@ -137,18 +123,18 @@ def opposite(angle: Radian) -> Radian:
 
 
 # --- any two sectors --------------------------------------------------------------------------------------------------------------
-@formula("k", "largest unbalance of a sector per length, at a half-angle of 90°")
-def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> KilogramPerMetre:
+@formula("k", "largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
+def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> Kilogram:
     return 2 / 3 * rho * (R**3 - r_0**3)
 
 
 @formula("α", "unbalance asked of the sectors over that of one of full length at 90°", names={"U": "U_s"})
-def force_number(U: PhasorKilogramMetre, k: KilogramPerMetre, z_max: Metre) -> PhasorNumber:
+def force_number(U: PhasorKilogramMetre, k: Kilogram, z_max: Metre) -> PhasorNumber:
     return U / (k * z_max)
 
 
 @formula("Π", "unbalance times position asked of the sectors, by the same measure", names={"P": "P_s"})
-def product_number(P: PhasorKilogramMetre2, k: KilogramPerMetre, z_max: Metre) -> PhasorNumber:
+def product_number(P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> PhasorNumber:
     return P / (k * z_max**2)
 
 
@@ -193,7 +179,7 @@ def front_unbalance(U: PhasorKilogramMetre, U_r: PhasorKilogramMetre) -> PhasorK
 
 
 @formula("γ", "half-angle of a sector of given unbalance and length")
-def sector_half_angle(U: PhasorKilogramMetre, k: KilogramPerMetre, b: Metre) -> Radian:
+def sector_half_angle(U: PhasorKilogramMetre, k: Kilogram, b: Metre) -> Radian:
     return asin(smallest(1.0, modulus(U) / (k * b)))
 
 
