@@ -43,6 +43,8 @@ FLOW = {"m³/s": 1.0, "L/min": 1e-3 / 60, "L/s": 1e-3, "L/h": 1e-3 / 3600, "cm³
 UNIT_WORDS: dict[str, dict[str, Any]] = {
     "mm": LENGTH, "µm": LENGTH, "m": LENGTH,
     "cm³": {"cm³": 1e-6, "ccm": 1e-6, "cc": 1e-6, "L": 1e-3, "dm³": 1e-3, "mm³": 1e-9, "m³": 1.0, "in³": INCH**3},
+    "mm³": {"mm³": 1e-9, "cm³": 1e-6, "m³": 1.0},
+    "mm⁴": {"mm⁴": 1e-12, "cm⁴": 1e-8, "m⁴": 1.0},
     "mm²": {"mm²": 1e-6, "cm²": 1e-4, "m²": 1.0, "in²": INCH**2},
     "g": MASS, "kg": MASS,
     "g·mm": UNBALANCE, "kg·mm": UNBALANCE,
@@ -70,6 +72,7 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "g/kWh": {"g/kWh": 1e-3 / 3.6e6, "kg/kWh": 1 / 3.6e6},
     "g/h": {"g/h": 1e-3 / 3600, "kg/h": 1 / 3600},
     "h": {"h": 3600.0, "min": 60.0, "s": 1.0, "d": 86400.0},
+    "€": {"€": 1.0, "EUR": 1.0, "k€": 1e3, "kEUR": 1e3},
     "‰": SHARE, "%": SHARE, "": SHARE,
 }
 # fmt: on

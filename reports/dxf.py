@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
-from calc.countershaft.drawing import LAYERS, Arc, Dimension, Point, Polyline, Primitive, Words
+from calc.sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
 from calc.sheet.units import UNITS
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ STYLE = "CONTRALBERO"  # of the dimensions
 mm = UNITS["mm"].shown
 
 
-def dxf(drawing: Sequence[Primitive], layers: tuple[str, ...] = LAYERS) -> str:
+def dxf(drawing: Sequence[Primitive], layers: tuple[str, ...] = ()) -> str:
     """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they are named."""
     import ezdxf
 

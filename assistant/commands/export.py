@@ -79,7 +79,7 @@ def drawing_text(document: Document, results: Results) -> str:
             document.place,
             [InputError(0, "countershaft", "", f"{why}: {HOW}; `contralbero check {document.place} --step countershaft` tells more")],
         )
-    from calc.countershaft.drawing import shaft_drawing
+    from calc.countershaft.drawing import LAYERS, shaft_drawing
     from reports.dxf import dxf
 
-    return dxf(shaft_drawing(outline, shaft.bearing_positions, results.design.name))
+    return dxf(shaft_drawing(outline, shaft.bearing_positions, results.design.name), LAYERS)

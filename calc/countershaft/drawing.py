@@ -8,64 +8,15 @@ of the first eccentric sector; in a cross-section, "up" is that direction too an
 import math
 from itertools import pairwise
 
-from ..sheet.record import record
+from ..sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
 from ..sheet.step import Curve, Series
 from ..sheet.units import UNITS, Metre, Radian
 from .outline import TOUCH, Outline, Piece
-
-Point = tuple[Metre, Metre]
 
 LAYERS = ("OUTLINE", "SECTORS", "JOURNALS", "GEAR", "AXIS", "SUPPORTS", "DIMENSIONS", "TEXT")
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
 LETTER = 0.01  # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
 FLAT = 1e-9  # rad and shares of a radius: below it an edge is seen from its end
-
-
-@record
-class Polyline:
-    """Straight lines from point to point; closed: back to the first."""
-
-    layer: str
-    points: tuple[Point, ...]
-    closed: bool = False
-
-
-@record
-class Arc:
-    """A part of a circle, anticlockwise from `start` to `end`, angles from the right; a whole circle from 0 to 2π."""
-
-    layer: str
-    centre: Point
-    radius: Metre
-    start: Radian
-    end: Radian
-
-
-@record
-class Words:
-    """A line of text that begins at a place."""
-
-    layer: str
-    at: Point
-    text: str
-    height: Metre
-
-
-@record
-class Dimension:
-    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put aside by `shift`."""
-
-    layer: str
-    start: Point
-    end: Point
-    line: Point
-    height: Metre
-    upright: bool = False
-    diameter: bool = False
-    shift: Metre = 0.0
-
-
-Primitive = Polyline | Arc | Words | Dimension
 
 
 # --- shapes -------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,8 @@ from ezdxf import bbox
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.countershaft.drawing import LAYERS, Arc, Dimension, Polyline, Words, outline_curve, reach, shaft_drawing, silhouette, upwards
+from calc.countershaft.drawing import LAYERS, outline_curve, reach, shaft_drawing, silhouette, upwards
+from calc.sheet.drawing import Arc, Dimension, Polyline, Words
 from calc.countershaft.outline import Outline, Piece, outline
 from reports.dxf import STYLE, dxf
 
@@ -41,7 +42,7 @@ def read(text):
 
 @pytest.fixture(scope="module")
 def written():
-    return dxf(shaft_drawing(shaft(), POSITIONS, "Shaft Ø of the test"))
+    return dxf(shaft_drawing(shaft(), POSITIONS, "Shaft Ø of the test"), LAYERS)
 
 
 def shapes(document, kind, layer):
@@ -198,7 +199,7 @@ def test_the_title_is_there(written):
 
 @pytest.mark.parametrize("name", ["two\nlines\r\n 0\nEOF", "caret ^J and 100 %%u", "\t\x00 tab", "", "日本語 ⌀"])
 def test_a_name_can_not_break_the_file(name):
-    document = read(dxf(shaft_drawing(shaft(), POSITIONS, name)))
+    document = read(dxf(shaft_drawing(shaft(), POSITIONS, name), LAYERS))
     assert not document.audit().errors
     plain = " ".join("".join(c if c.isprintable() else " " for c in name).split())
     texts = [text.plain_text().replace("^ ", "^") for text in shapes(document, "TEXT", "TEXT")]
@@ -208,10 +209,10 @@ def test_a_name_can_not_break_the_file(name):
 @pytest.mark.parametrize("seed", ["1", "2", "3", "4"])
 def test_the_same_shaft_gives_the_same_bytes(written, tmp_path, seed):
     """In this process, and in others with other seeds of hashes, another time zone and another home."""
-    assert dxf(shaft_drawing(shaft(), POSITIONS, "Shaft Ø of the test")) == written
+    assert dxf(shaft_drawing(shaft(), POSITIONS, "Shaft Ø of the test"), LAYERS) == written
     code = (
         "import sys; from tests.reports.test_dxf import *\n"
-        "sys.stdout.buffer.write(dxf(shaft_drawing(shaft(), POSITIONS, 'Shaft Ø of the test')).encode())"
+        "sys.stdout.buffer.write(dxf(shaft_drawing(shaft(), POSITIONS, 'Shaft Ø of the test'), LAYERS).encode())"
     )
     other = {**os.environ, "PYTHONHASHSEED": seed, "TZ": "Asia/Tokyo", "HOME": str(tmp_path), "PYTHONPATH": str(ROOT)}
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, cwd=ROOT, env=other, check=True).stdout.decode() == written

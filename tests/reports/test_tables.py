@@ -88,8 +88,9 @@ def test_nought_has_no_sign() -> None:
 def test_what_is_not_known_of_a_material_is_a_dash() -> None:
     made = solved((ROOT / "designs" / "twin_force_shaft.toml").read_bytes())
     words = drawn(material_blocks(Context(made.document, made.results, "0" * 64, "engineer", WORDS["en"])))
-    unknown = [m for m in used_materials(Context(made.document, made.results, "", "engineer", WORDS["en"]))[1] if m.proof_stress is None]
-    assert unknown and words.count("–") == len(unknown) and "None" not in words
+    used = used_materials(Context(made.document, made.results, "", "engineer", WORDS["en"]))[1]
+    unknown = sum(m.proof_stress is None for m in used) + sum(m.tensile_strength is None for m in used)
+    assert unknown and words.count("–") == unknown and "None" not in words
 
 
 def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
