@@ -42,6 +42,11 @@ def making(
         _holes(shaft, todo, masses, found, rho, R, to)
     if shaft.scatter is not None:
         _scatter(shaft, todo, masses, found, to)
+    if shaft.cost is not None:
+        from .alternatives import compared, compared_table
+
+        to.values["material"] = other = compared(shaft, materials, R, shaft.core_radius, found.eccentric_mass)
+        to.tables.append(compared_table(shaft, other))
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
         from . import bolts

@@ -23,6 +23,7 @@ from .standing import Standing
 from .tolerance import ToleranceResult
 
 if TYPE_CHECKING:  # loaded only where they are asked for
+    from .alternatives import MaterialResult
     from .bolts import BoltsResult
     from .drain import DrainResult
     from .scatter import ScatterResult
@@ -77,6 +78,7 @@ class CountershaftResult:
     scatter: "ScatterResult | None" = group(default=None)
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
+    material: "dict[str, MaterialResult] | None" = group(default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex

@@ -46,7 +46,7 @@ def solve(
     to = Gathered()
     with trace() as lines:
         omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
-        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, to)
+        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, to)
         if sized is not None:
             from .sizing import eccentric_masses
 
@@ -77,14 +77,21 @@ def solve(
     )
 
 
-def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, to: Gathered) -> "Sized | None":
+def _sized(
+    shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material], to: Gathered
+) -> "Sized | None":
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
+    from .alternatives import front_curve
     from .sizing import size
 
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
+    costs = shaft.cost.alternatives if shaft.cost is not None else ()
+    densities = {name: materials[name].density for name in (shaft.material, *(a.material for a in costs))}
+    front = front_curve(U, P, omega, shaft.outer_radius, shaft.core_radius, shaft.half_length, densities, shaft.extras)
+    to.curves += [front] if front is not None else []
     found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
     heavier = max(found.front.mass, found.rear.mass)
     to.values |= dict(

@@ -13,8 +13,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.countershaft.drawing import LAYERS, outline_curve, reach, shaft_drawing, silhouette, upwards
-from calc.sheet.drawing import Arc, Dimension, Polyline, Words
 from calc.countershaft.outline import Outline, Piece, outline
+from calc.sheet.drawing import Arc, Dimension, Polyline, Words
 from reports.dxf import STYLE, dxf
 
 from ..conftest import ROOT
