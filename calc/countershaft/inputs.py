@@ -174,6 +174,11 @@ class CountershaftInputs:
             yield "speed_ratio", "must be -1, 1, -2 or 2"
         if self.journals and len(self.journals) != len(self.bearing_positions):
             yield "journals", f"give one for each of the {len(self.bearing_positions)} bearing_positions_mm"
+        if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
+            yield "holes.depth_mm", f"must stay below outer_radius_mm, {self.outer_radius * 1e3:g} mm: a hole ends before the axis"
+        sectors = 2 if self.mode == "size" else len(self.masses)
+        if self.holes is not None and sectors and self.holes.count % sectors:
+            yield "holes.count", f"must be a multiple of {sectors}: every eccentric mass gets as many holes"
         yield from self._envelope()
         yield from self._sections()
         yield from self._places()
@@ -208,6 +213,9 @@ class CountershaftInputs:
             for i, z in enumerate(self.bearing_positions):
                 if not start <= z <= end:
                     yield f"bearing_positions_mm.{i}", f"lies outside the shaft's sections, from {start * 1e3:g} to {end * 1e3:g} mm"
+            for i, extra in enumerate(self.extras):
+                if not start <= extra.z <= end:
+                    yield f"extras.{i}.z_mm", f"lies outside {where}, from {start * 1e3:g} to {end * 1e3:g} mm"
         hint = (
             "" if self.sections else "; an overhung one needs [[countershaft.sections]] that reach it, or stands in [[countershaft.extras]]"
         )
