@@ -25,6 +25,7 @@ from ..sheet.arrays import Array, BoolArray, IndexArray
 
 CLOSE = 1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
 ROUNDS = 60
+LEVEL = 1e-6  # of the mass: a gain by which the window becomes smaller all the same
 TINY = 1e-300  # in place of no length: what is asked of it is then far beyond 1
 LINE = np.linspace(0.0, 1.0, 97)  # of a search along a line
 ROW = np.linspace(0.0, 1.0, 21)  # of the grid
@@ -135,27 +136,44 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     most = _reach(np.zeros_like(t), t, both_shorter, ROW, 4)
     x = most[..., None] * (1 - (1 - ROW) ** 3)
     f, r = front[..., None] - x, rear[..., None] - x
-    n, every = len(best), np.arange(len(best))
-    i: Any = np.where(fits[..., None, None], amount(asked, f, r), np.inf).reshape(n, -1).argmin(-1)
-    edge, column = np.divmod(i // len(ROW), len(ROW))
-    f, r = f.reshape(n, -1)[every, i], r.reshape(n, -1)[every, i]
-    along = np.minimum(most[every, edge, column] / 5 / np.maximum(np.minimum(f, r), TINY), 1)
-    across = np.minimum((to - from_)[every, edge] / 5 / np.maximum(np.minimum(f, r), TINY), 1)
-    return _closer(asked, f, r, np.maximum(along, 1e-6), np.maximum(across, 1e-6))
+    n, N = len(best), len(ROW)
+    mass = np.where(fits[..., None, None], amount(asked, f, r), np.inf)
+    starts: Any = np.stack([  # a sector that does next to nothing makes a second minimum, mostly on an edge
+        mass.reshape(n, -1).argmin(-1), mass[:, 0, :, 0].argmin(-1) * N, N * N + mass[:, 1, :, 0].argmin(-1) * N,
+    ], -1)  # fmt: skip
+    every = np.arange(n)[:, None]
+    edge, column = np.divmod(starts // N, N)
+    f, r = f.reshape(n, -1)[every, starts], r.reshape(n, -1)[every, starts]
+    short = 5 * np.maximum(np.minimum(f, r), TINY)
+    along = np.clip(most[every, edge, column] / short, 1e-6, 1)
+    across = np.clip((to - from_)[every, edge] / short, 1e-6, 1)
+    many = np.repeat(asked[0], 3), np.repeat(asked[1], 3), np.repeat(asked[2], 3)
+    f, r = (x.reshape(n, 3) for x in _closer(many, f.ravel(), r.ravel(), along.ravel(), across.ravel()))
+    i: Any = amount(asked, f, r).argmin(-1)
+    return _taken(f, i), _taken(r, i)
 
 
 def _closer(asked: Task, f: Array, r: Array, along: Array, across: Array) -> tuple[Array, Array]:
-    """A window around the best, both lengths in proportion and against each other; made smaller where the best lies well inside."""
+    """A window around the best, both lengths in proportion and against each other.
+
+    It becomes smaller where the best lies well inside, larger where it lies at the rim.
+    """
     n, every, middle = len(f), np.arange(len(f)), len(WINDOW) // 2
+    before: Any = np.full(n, np.inf)
     for _ in range(ROUNDS):
         d, o = np.exp(along[:, None] * WINDOW)[:, :, None], np.exp(across[:, None] * WINDOW)[:, None, :]
         front = np.minimum(f[:, None, None] * d * o, 1)
         rear = np.minimum(r[:, None, None] * d / o, 1)
-        i: Any = amount(asked, front, rear).reshape(n, -1).argmin(-1)
+        mass = amount(asked, front, rear).reshape(n, -1)
+        i: Any = mass.argmin(-1)
         f, r = front.reshape(n, -1)[every, i], rear.reshape(n, -1)[every, i]
         row, column = np.divmod(i, len(WINDOW))
-        along = np.where(abs(row - middle) <= middle // 2, along / 3, along)
-        across = np.where(abs(column - middle) <= middle // 2, across / 3, across)
+        level = mass[every, i] >= before * (1 - LEVEL)  # it wanders where a length does not matter
+        along, across = (
+            np.where(level | (off <= middle // 2), width / 3, np.where(off == middle, np.minimum(3 * width, 1), width))
+            for width, off in ((along, abs(row - middle)), (across, abs(column - middle)))
+        )
+        before = mass[every, i]
         if max(along.max(), across.max()) < CLOSE:
             break
     return f, r
