@@ -15,17 +15,17 @@ FIT = (0.1, 20.0)  # of t/r
 BRANCH = 2.0  # of t/r, where the second fit begins
 
 
-@formula("t/r", "height of the shoulder over the radius of its fillet")
+@formula("ξ", "t/r: height of the shoulder over the radius of its fillet")
 def step_over_fillet(D: Metre, d: Metre, r: Metre) -> Number:
     return (D - d) / (2 * r)
 
 
-@formula("2t/D", "height of the shoulder over the larger radius")
+@formula("ζ", "2·t/D: height of the shoulder over the larger radius")
 def relative_step(D: Metre, d: Metre) -> Number:
     return (D - d) / D
 
 
-@formula("K_t", f"{PETERSON}, t/r up to 2", names={"x": "t/r", "y": "2t/D"})
+@formula("K_t", f"{PETERSON}, t/r up to 2", names={"x": "ξ", "y": "ζ"})
 def low_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 0.1 to 2, y = 2t/D."""
     return (
@@ -36,7 +36,7 @@ def low_shoulder(x: Number, y: Number) -> Number:
     )  # fmt: skip
 
 
-@formula("K_t", f"{PETERSON}, t/r from 2 to 20", names={"x": "t/r", "y": "2t/D"})
+@formula("K_t", f"{PETERSON}, t/r from 2 to 20", names={"x": "ξ", "y": "ζ"})
 def high_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 2 to 20, y = 2t/D."""
     return (

@@ -10,13 +10,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
 
 from .arrows import arrows, sample_arrow
 from .boxes import BLACK, Box, Colour
 from .flow import LEFT, WIDTH, Block
-from .plots import EDGE, HIGH, LEFT_AXIS, LETTER, LIMIT, LOW, RIGHT_AXIS, Plots, bar_colour, hatching, limits, plot, series_style
+from .plots import EDGE, HIGH, LEFT_AXIS, LETTER, LIMIT, LOW, RIGHT_AXIS, Plots, bar_colour, hatching, limits, numbers, plot, series_style
 from .prose import STRONG, lines
 
 if TYPE_CHECKING:
@@ -25,6 +27,7 @@ if TYPE_CHECKING:
 GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2
 TALL, SQUARE = 128.0, 160.0  # height of the axes
+FLAT, ROOM = 2.0, 1.2  # width over height from which a drawing is flat, and the room it gets around it
 SAMPLE = 20.0  # width of a legend's sample
 
 Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the left margin, height of its middle
@@ -35,9 +38,12 @@ def figure_blocks(curves: list[tuple[int, Curve]], word: str, plots: Plots) -> l
     blocks = []
     n = 0
     while n < len(curves):
-        last = n + 1 == len(curves)
-        pair = [_Figure(number, curve, word, plots, WIDTH if last and not curve.equal else PART) for number, curve in curves[n : n + 2]]
-        n += 2
+        alone = _flat(curves[n][1]) or n + 1 == len(curves) or _flat(curves[n + 1][1])
+        row = curves[n : n + 1] if alone else curves[n : n + 2]
+        pair = [
+            _Figure(number, curve, word, plots, WIDTH if _flat(curve) or (alone and not curve.equal) else PART) for number, curve in row
+        ]
+        n += len(row)
         above = max(len(f.legend) for f in pair)
         for figure in pair:
             figure.rows = above  # so that the axes of neighbours stand level
@@ -51,6 +57,17 @@ def figure_blocks(curves: list[tuple[int, Curve]], word: str, plots: Plots) -> l
     return blocks
 
 
+def _flat(curve: Curve) -> bool:
+    """Whether a figure in true scale is so much wider than high that it takes the page's whole width."""
+    return curve.equal and _ratio(curve) > FLAT
+
+
+def _ratio(curve: Curve) -> float:
+    """Width over height of what is drawn."""
+    wide, high = (np.ptp(np.concatenate([numbers(getattr(s, axis)) for s in curve.series])) for axis in ("x", "y"))
+    return float(wide / high) if high > 0 else 1.0
+
+
 class _Figure:
     """One figure with its legend and caption, laid out before anything is drawn."""
 
@@ -61,6 +78,8 @@ class _Figure:
         self.rows = len(self.legend)
         self.axes = SQUARE if curve.equal else TALL
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
+        if _flat(curve):
+            self.axes, self.wide = ROOM * (width - LEFT_AXIS - RIGHT_AXIS) / _ratio(curve), width
 
     @property
     def legend_height(self) -> float:

@@ -49,12 +49,12 @@ def shear_coefficient(nu: Number) -> Number:
     return 6 * (1 + nu) / (7 + 6 * nu)
 
 
-@formula("κ_s·G·A", "Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
+@formula("S_s", "Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
 def shear_stiffness(kappa: Number, G: Pascal, A: SquareMetre) -> Newton:
     return kappa * G * A
 
 
-@formula("E·I", "bending stiffness of the section")
+@formula("B", "bending stiffness of the section")
 def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     return E * I
 
@@ -72,7 +72,7 @@ def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
     return I_0 + eta * (I - I_0)
 
 
-@formula("I_⊥", "second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
+@formula("I_side", "second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
 def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
     return (R**4 - r_0**4) / 4 * (gamma - sin(gamma) * cos(gamma)) + pi * r_0**4 / 4
 

@@ -4,7 +4,7 @@
 from ..sheet.formula import formula
 from ..sheet.units import Euro, Kilogram, KilogramPerMetre3, Metre, Number
 
-SAME = "same couple at the same length and half-angle: ρ·(R³ − r_0³) stays"
+SAME = "same couple at the same length and half-angle: density times the difference of the cubed radii stays"
 COST = "Finotti 2013, 4.1: cost of the first year"
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import notch
+from ..sheet.number import short
 from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, NewtonMetre
 from . import bending_formulas as f
@@ -81,5 +82,5 @@ def _notch(found: Outline, bent: Bent, c: Any, r: Metre) -> dict[str, Any]:
 
     with untraced():
         governs = max(shoulders, key=lambda shoulder: float(stressed(shoulder)["notch_stress"]))
-    with about(f"shoulder at {governs[0] * 1e3:.4g} mm"):
+    with about(f"shoulder at {short(governs[0] * 1e3)} mm"):
         return {**stressed(governs), "notes": notes}

@@ -242,7 +242,7 @@ def test_lines_lead_from_the_material_to_the_slopes():
     made = {id(line.value): line for line in lines}
     slope = made[id(r.slopes)]
     EI = made[id(slope.arguments["EI"])]
-    assert EI.formula.symbol == "E·I" and EI.arguments["E"] is STEEL.E
+    assert EI.formula.symbol == "B" and EI.arguments["E"] is STEEL.E
     shared = made[id(EI.arguments["I"])]
     assert shared.arguments["I"] is found.inertia
     assert made[id(slope.arguments["q"])].arguments["S"] is found.moment
