@@ -25,7 +25,7 @@ from ..sheet.arrays import Array, BoolArray, IndexArray
 
 CLOSE = 1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
 ROUNDS = 60
-LEVEL = 1e-6  # of the mass: a gain by which the window becomes smaller all the same
+LEVEL = 1e-9  # of the mass: a gain by which the window becomes smaller all the same
 TINY = 1e-300  # in place of no length: what is asked of it is then far beyond 1
 LINE = np.linspace(0.0, 1.0, 97)  # of a search along a line
 ROW = np.linspace(0.0, 1.0, 21)  # of the grid
