@@ -26,7 +26,7 @@ from .lengths import one
 
 LEAST = "least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b"
 MOMENTS = "equilibrium of unbalances and of their moments about mid-shaft"
-SCALE = "the couple of sectors of given length and half-angle goes with ρ·(R³ − r_0³)"
+SCALE = "the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii"
 FACES = "sector with its outer face at the end of the envelope"
 
 
