@@ -5,9 +5,12 @@ import json
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from .catalogue import TABLES
+
+if TYPE_CHECKING:
+    from .design import Design
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
@@ -28,15 +31,25 @@ def engines() -> dict[str, ShippedEngine]:
 
 
 def engine_design(name: str) -> str:
-    """The text of a design for a shipped engine: complete where a counter-shaft is known for it, else engine and imbalance."""
+    """The text of a design for a shipped engine: complete where first order asks for a shaft at −1, else engine and imbalance."""
     row = _rows()[name]
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
     engine, imbalance = row["engine"], {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
-    about = f"{row['what']}. Data: {row['source']}. {row.get('note', '')}".rstrip()
-    note = f"{about} No counter-shaft is known for it: add [countershaft], [bearings], [gears] and [friction]."
-    head = {"schema": 1, "name": engine["name"], "note": note}
-    return f"{_lines(head)}\n[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+    body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
+    from .begun import begun  # numpy, which a list of the engines does not need
+    from .design_file import design, parse
+
+    def read(tables: str) -> "Design":
+        return design(parse(_text(engine["name"], "", tables).encode("utf-8"), name))
+
+    said, shaft = begun(read(body), body, read)
+    return _text(engine["name"], f"{row['what']}. Data: {row['source']}. {said}", body + shaft)
+
+
+def _text(name: str, note: str, tables: str) -> str:
+    """The text of a whole design."""
+    return f"{_lines({'schema': 1, 'name': name, 'note': note})}\n{tables}"
 
 
 def _engine(row: dict[str, Any]) -> dict[str, Any]:

@@ -197,6 +197,8 @@ def test_a_shipped_engine_makes_a_design(tmp_path):
         assert name in listed
         assert run("new", f"{name}.toml", "--engine", name, cwd=tmp_path).returncode == 0
         assert run("check", f"{name}.toml", "--step", "imbalance", cwd=tmp_path).returncode == 0
+    done = run("check", "boxer-2.toml", cwd=tmp_path)  # its couple turns backward: complete, and no limit fails
+    assert done.returncode == 0 and "not asked" not in done.stdout
 
 
 def test_set_edits_in_place_and_keeps_the_comments(tmp_path):
