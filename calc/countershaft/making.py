@@ -45,7 +45,7 @@ def making(
     if shaft.cost is not None:
         from .alternatives import compared, compared_table
 
-        to.values["material"] = other = compared(shaft, materials, R, shaft.core_radius, found.eccentric_mass)
+        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, found.eccentric_mass)
         to.tables.append(compared_table(shaft, other))
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:

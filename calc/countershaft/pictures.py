@@ -23,12 +23,14 @@ def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positio
         ("force", "N", todo.F, todo.F_against, found.force_vector, todo.one_force),
     )
     drawn = [part for part in parts if max(abs(part[2]), abs(part[3]), abs(part[4])) > DRAWN * part[5]]
+    bent = _bent(found.bending, positions) if found.bending is not None else ()
     return (
-        *(_over_a_turn(todo.order, *part[:5]) for part in drawn),
-        *(_over_speed(todo.order, part[0], part[1], part[2], part[3], found, omega) for part in drawn),
-        _reactions(found, omega),
+        *(_over_speed(todo.order, *part[:4], found, omega) for part in drawn),
+        *bent[:1],
         *((outline_curve(found.outline, positions),) if found.outline is not None else ()),
-        *(_bent(found.bending, positions) if found.bending is not None else ()),
+        *bent[1:],
+        _reactions(found, omega),
+        *(_over_a_turn(todo.order, *part[:5]) for part in drawn),
     )
 
 

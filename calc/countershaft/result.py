@@ -78,7 +78,7 @@ class CountershaftResult:
     scatter: "ScatterResult | None" = group(default=None)
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
-    material: "dict[str, MaterialResult] | None" = group(default=None)
+    alternative: "dict[str, MaterialResult] | None" = group(default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
