@@ -18,7 +18,7 @@ def bore_growth(R_m: Metre, R: Metre) -> Metre:
     return 2 * (R_m - R)
 
 
-@formula("Σm'", "same length and half-angle: as density and the difference of the squared radii", names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"})
+@formula("Σm'", "same length and half-angle: as density and squared radii", names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"})
 def mass_for(m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: Metre, R_m: Metre, r_0: Metre) -> Kilogram:
     return m * rho_m * (R_m**2 - r_0**2) / (rho * (R**2 - r_0**2))
 

@@ -83,7 +83,7 @@ def _sized(
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
-    from .alternatives import front_curve
+    from .front import front_curve
     from .sizing import size
 
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
