@@ -12,7 +12,7 @@ from typing import Any
 
 from .bearings import solve as bearings
 from .countershaft import solve as countershaft
-from .countershaft.standing import Gear, with_standing
+from .countershaft.standing import Drive, Gear, with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
 from .friction import train as friction
@@ -113,7 +113,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
         oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
     )  # fmt: skip
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, _shaft_torque(design, geometry.result, f))
+        c = with_standing(c, design.countershaft, gear, _shaft_drive(design, geometry.result, f))
     torque = _torque(design, geometry, f, first_speed)
     if torque is not None:
         rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
@@ -188,15 +188,15 @@ def _torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | 
     return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
 
 
-def _shaft_torque(design: Design, train: TrainResult | None, f: Outcome) -> float | None:
-    """The torque at the shaft's gear: of the given power, else of what the last mesh passes on in the closed balance."""
+def _shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive | None:
+    """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
     if train is None or design.gears is None:
         return None
     power = design.gears.power
     if power is None and f.state == "solved":
         power = list(f.result.meshes.values())[-1].power_out
     speed = abs(train.wheels[design.gears.wheels[-1].name].speed)
-    return power / (2 * pi * speed) if power is not None and speed else None
+    return Drive(power, speed) if power is not None and speed else None
 
 
 def _name(inputs: Any, attribute: str) -> str:

@@ -88,7 +88,10 @@ class _Shaft:
 
     def given(self, EI: Any) -> dict[str, Any]:
         """What the solution is found from."""
-        return dict(EI=EI, S_s=self.shear, mu=self.line_mass, q=self.q, F=self.forces, m=self.masses, omega=self.omega)
+        return dict(
+            EI=EI, S_s=self.shear, mu=self.line_mass, q=self.q, F=self.forces, m=self.masses, omega=self.omega, z=self.ends,
+            z_B=self.positions,
+        )  # fmt: skip
 
 
 def bending(
@@ -174,7 +177,7 @@ def _frequencies(
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             shared, whole = ((EI, shaft.model(EI)) for EI in stiffnesses)
-    rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, m=shaft.masses)
+    rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, m=shaft.masses, z=shaft.ends, z_B=shaft.positions)
     first = f.natural_frequency(EI=shared[0], **rest, model=shared[1])
     return first, first if shared[1] is whole[1] else f.natural_frequency(EI=whole[0], **rest, model=whole[1])
 
@@ -203,7 +206,8 @@ def _share_at_limit(
             break
         a, f_a, b = b, f_b, min(max(b - f_b * (b - a) / (f_b - f_a), LEAST_SHARE), 1.0)
         if abs(b - a) < 1e-5:  # the step after it is far smaller
-            return f.limiting_share(theta_lim=limit, eta=b)
+            rest = {name: x for name, x in shaft.given(None).items() if name != "EI"}
+            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=shaft.found.inertia, **rest, eta=b)  # type: ignore[arg-type]
         f_b = stiffer(b)
     return None
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the bending of the shaft is computed from, and what comes out: stiffness, load, slope, frequency, stress.
 
-All formulas take arrays, an element for each piece of the shaft.  θ is the rotation of the section, that of the journal.
+All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section, that of the journal.
 """
 
 from typing import Any
@@ -108,7 +108,7 @@ def point_load(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Pha
 @formula("θ", FINITE, shows=f"|θ| at each journal from {TURNING}", unit="mrad")
 def slopes(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
-    u: Bent,
+    z: Metre, z_B: Metre, u: Bent,
 ) -> Radian:  # fmt: skip
     """`u` is the solution for the other arguments, from which the moments are taken too."""
     found: Any = np.abs(u.slopes)
@@ -116,7 +116,7 @@ def slopes(
 
 
 @formula("f_1", f"{FINITE}; without rotary inertia and gyroscopic effect", shows="lowest root of |K − (2π·f)²·M| = 0, subspace iteration")
-def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, model: Beam) -> RevPerSecond:
+def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam) -> RevPerSecond:
     """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
     return b.natural_frequency(model) / (2 * pi)
 
@@ -124,9 +124,14 @@ def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Ki
 @formula("M_max", FINITE, shows=f"largest |M| along the shaft, M = −E·I·θ' from {TURNING}")
 def largest_moment(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
-    u: Bent,
+    z: Metre, z_B: Metre, u: Bent,
 ) -> NewtonMetre:  # fmt: skip
     return float(np.abs(u.moment).max())
+
+
+@formula("z_M", FINITE, shows="where |M| is largest", unit="mm")
+def moment_place(u: Bent) -> Metre:
+    return float(u.moment_z[np.abs(u.moment).argmax()])
 
 
 @formula("M", FINITE, shows=f"largest |M| on each piece, from {TURNING}")
@@ -150,8 +155,11 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
 
 
 @formula("η_lim", "where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ")
-def limiting_share(theta_lim: Radian, eta: Number) -> Number:
-    """`eta` is the root itself."""
+def limiting_share(
+    theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton,
+    m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number,
+) -> Number:  # fmt: skip
+    """`eta` is the root itself, found from the other arguments."""
     return eta
 
 

@@ -64,7 +64,8 @@ def margin(D_o: Metre, D_max: Metre) -> Metre:
 @formula(
     "d_u", "Finotti 2013, 4.4: the union with the widest bore among those whose thread fits the block", shows="largest bore", unit="mm"
 )
-def widest_bore(bores: Metre) -> Metre:
+def widest_bore(bores: Metre, designation: str) -> Metre:
+    """`bores`: of the unions at hand with the thread `designation`."""
     sizes: Any = bores
     return max(sizes)
 
@@ -111,7 +112,7 @@ def solve(drain: OilDrain) -> DrainResult:
         picked = _pick(drain, at_hand)
         fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
         bores: Any = tuple(union.bore for union in fits)
-        bore = widest_bore(bores=bores) if fits else None
+        bore = widest_bore(bores=bores, designation=drain.thread) if fits else None
         taken = picked if picked is not None and picked[1] >= drain.hose_max else None
         gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
         with about("oil drain, DIN 3021"):

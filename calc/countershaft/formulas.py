@@ -22,6 +22,7 @@ from ..sheet.units import (
     Radian,
     RadPerSecond,
     RevPerSecond,
+    Watt,
 )  # fmt: skip
 
 TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
@@ -183,6 +184,11 @@ def weight_rear(G_S: Newton, z_S: Metre, z_f: Metre, z_r: Metre) -> Newton:
 @formula("G_f", "equilibrium")
 def weight_front(G_S: Newton, G_r: Newton) -> Newton:
     return G_S - G_r
+
+
+@formula("T", "power over angular speed")
+def gear_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
+    return P / (2 * pi * n)
 
 
 @formula("F_t", GEAR)

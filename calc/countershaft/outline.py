@@ -11,10 +11,11 @@ import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray
 from ..sheet.formula import formula
-from ..sheet.functions import modulus, resultant
+from ..sheet.functions import cis, modulus, resultant
 from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import (
+    CubicMetre,
     Kilogram,
     KilogramPerMetre3,
     Metre,
@@ -111,6 +112,48 @@ def sector_length(m: Kilogram, rho: KilogramPerMetre3, A: SquareMetre) -> Metre:
     return m / (rho * A)
 
 
+@formula("R", "half of the diameter", unit="mm")
+def radius(d: Metre) -> Metre:
+    return d / 2
+
+
+@formula("z_1", "front face of a stretch of length b around its middle", unit="mm")
+def front_face(z: Metre, b: Metre) -> Metre:
+    return z - b / 2
+
+
+@formula("z_2", "rear face of a stretch of length b around its middle", unit="mm")
+def rear_face(z: Metre, b: Metre) -> Metre:
+    return z + b / 2
+
+
+@formula("l", "length of each piece of the shaft", unit="mm")
+def lengths(z_1: Metre, z_2: Metre) -> Metre:
+    return z_2 - z_1
+
+
+@formula("z", "middle of each piece of the shaft", unit="mm")
+def middles(z_1: Metre, z_2: Metre) -> Metre:
+    return (z_1 + z_2) / 2
+
+
+@formula("z_G", "rule of this program: the gear stands ahead of the front journal, against it", unit="mm", names={"l": "l_f", "b": "b_G"})
+def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
+    return z_f - l / 2 - b / 2
+
+
+@formula("S_γ", "static moment of the sectors, each in its direction", unit="mm³")
+def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
+    """`gamma`: the angle of a sector's middle, cylinder 1 at TDC."""
+    return S * cis(gamma)
+
+
+def around(z: Metre, b: Metre, what: str) -> tuple[Metre, Metre]:
+    """The faces of a stretch of the shaft, from its middle and its length."""
+    with about(what):
+        return front_face(z=z, b=b), rear_face(z=z, b=b)
+
+
 def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     """Pieces with the properties of their sections."""
     R, r_0, full = (np.array([getattr(p, n) for p in pieces]) for n in ("outer_radius", "core_radius", "half_angle"))
@@ -129,7 +172,8 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             whole = s.whole_area(A=A, r_0=r_0)
             y = s.whole_centre(S=S, A_tot=whole)
             area[sectors], inertia[sectors] = whole, s.sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y)
-            moment[sectors] = S * np.exp(1j * np.array([p.angle for p in pieces])[sectors])
+            middle: Any = np.array([p.angle for p in pieces])[sectors]
+            moment[sectors] = directed_moment(S=S, gamma=middle)
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
 
@@ -159,14 +203,14 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
                 )
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0))
-        found.append(Piece(mass.z - b / 2, mass.z + b / 2, R, r_0, gamma, mass.angle, "sector"))
+        found.append(Piece(*around(mass.z, b, f"sector of mass {mass.name}"), R, r_0, gamma, mass.angle, "sector"))
     return found
 
 
 def assembled(
     shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], gear: tuple[Metre, Metre] | None
 ) -> Outline:
-    """Sectors, journals (diameter, length) and gear (radius, width), joined by the core.  Raises NoOutline where two of them cross."""
+    """Sectors, journals and gear (diameter, length of each), joined by the core.  Raises NoOutline where two of them cross."""
     return _joined(_solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras)
 
 
@@ -188,12 +232,16 @@ def _solid(
     """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against it."""
     positions = shaft.bearing_positions
     solid = list(sectors)
-    for z, (d, l) in zip(positions, journals):
-        solid.append(Piece(z - l / 2, z + l / 2, d / 2, 0.0, None, 0.0, "journal"))
+    for n, (z, (d, l)) in enumerate(zip(positions, journals)):
+        with about(f"journal {n + 1}"):
+            R = radius(d=d)
+        solid.append(Piece(*around(z, l, f"journal {n + 1}"), R, 0.0, None, 0.0, "journal"))
     if gear is not None:
-        radius, width = gear
-        middle = shaft.gear_z if shaft.gear_z is not None else positions[0] - journals[0][1] / 2 - width / 2
-        solid.append(Piece(middle - width / 2, middle + width / 2, radius, 0.0, None, 0.0, "gear"))
+        d, width = gear
+        with about("gear on the shaft"):
+            R = radius(d=d)
+            middle = shaft.gear_z if shaft.gear_z is not None else gear_middle(z_f=positions[0], l=journals[0][1], b=width)
+        solid.append(Piece(*around(middle, width, "gear on the shaft"), R, 0.0, None, 0.0, "gear"))
     return sorted(solid, key=lambda piece: piece.start)
 
 
@@ -220,10 +268,16 @@ def _said(piece: Piece) -> str:
     return f"the {piece.what} from {piece.start * 1e3:.4g} to {piece.end * 1e3:.4g} mm"
 
 
+def _extent(found: Outline) -> tuple[Any, Any]:
+    """Length and middle of each piece."""
+    z_1, z_2 = found.each("start"), found.each("end")
+    return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
+
+
 def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
     A: Any = found.area
-    l, z = found.each("end") - found.each("start"), (found.each("start") + found.each("end")) / 2
+    l, z = _extent(found)
     m: Any = np.array([x.mass for x in extras])
     z_m: Any = np.array([x.z for x in extras])
     m_S = shaft_mass(rho=rho, A=A, l=l, m=m)
@@ -240,5 +294,5 @@ def outline_couple(
 def couple_of(found: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, C_x: complex) -> NewtonMetre:
     """The couple of the outline about mid-shaft, with that of the further elements."""
     S: Any = found.moment
-    l, z = found.each("end") - found.each("start"), (found.each("start") + found.each("end")) / 2
+    l, z = _extent(found)
     return outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)

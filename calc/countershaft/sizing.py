@@ -34,7 +34,7 @@ from . import lengths
 from . import sector as s
 from . import sizing_formulas as f
 from .inputs import EccentricMass, Extra
-from .outline import Piece
+from .outline import Piece, around
 
 DUST = 1e-12  # of what the envelope can do: a force or an unbalance below it is none
 
@@ -235,8 +235,8 @@ def eccentric_masses(found: Sized) -> tuple[EccentricMass, ...]:
 def pieces(found: Sized) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
     return [
-        Piece(one.z - one.length / 2, one.z + one.length / 2, found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector")
-        for one in (found.front, found.rear)
+        Piece(*around(one.z, one.length, f"{name} sector"), found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector")
+        for name, one in (("front", found.front), ("rear", found.rear))
         if one.mass
     ]
 

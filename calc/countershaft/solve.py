@@ -124,7 +124,7 @@ def _drawn(
             sectors = pieces(sized)
         else:
             sectors = sectors_of(masses, steel.density, outer, core)
-        found = assembled(shaft, sectors, journals, (gear.diameter / 2, gear.face_width) if gear else None)
+        found = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
         to.notes.append(f"Mass, balance tolerance, bending and critical speed are not computed: {none}.")
         return None

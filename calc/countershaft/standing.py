@@ -7,9 +7,10 @@ from typing import Any, NamedTuple
 from ..sheet.quantity import result, value
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
-from ..sheet.units import Metre, Newton, NewtonMetre, Radian
+from ..sheet.units import Metre, Newton, NewtonMetre, Radian, RevPerSecond, Watt
 from . import formulas as f
 from .inputs import CountershaftInputs
+from .outline import middles
 
 
 class Gear(NamedTuple):
@@ -19,6 +20,13 @@ class Gear(NamedTuple):
     face_width: Metre
     normal_pressure_angle: Radian
     helix_angle: Radian
+
+
+class Drive(NamedTuple):
+    """What the wheel takes from the train."""
+
+    power: Watt
+    speed: RevPerSecond
 
 
 @result
@@ -40,13 +48,14 @@ class Standing:
 
 def standing(
     reactions: tuple[Newton, Newton], positions: tuple[Metre, ...], weight: tuple[Newton, Newton, Newton] | None,
-    gear: Gear | None, z_G: Metre | None, torque: NewtonMetre | None,
+    gear: Gear | None, z_G: Metre | None, drive: Drive | None,
 ) -> Standing:  # fmt: skip
-    """`reactions` turn with the shaft; `weight`: of the shaft, on its front and on its rear bearing; `torque` at its gear."""
+    """`reactions` turn with the shaft; `weight`: of the shaft, on its front and on its rear bearing; `drive` at its gear."""
     found: dict[str, Newton] = {}
     on_front: Newton = 0.0
     on_rear: Newton = 0.0
-    if gear is not None and torque is not None and z_G is not None:
+    if gear is not None and drive is not None and z_G is not None:
+        torque = f.gear_torque(P=drive.power, n=drive.speed)
         z_f, z_r = positions[0], positions[-1]
         F_t = f.gear_tangential(T=torque, d=gear.diameter)
         F_r = f.gear_radial(F_t=F_t, alpha_n=gear.normal_pressure_angle, beta=gear.helix_angle)
@@ -70,7 +79,7 @@ def standing(
     )
 
 
-def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None, torque: NewtonMetre | None) -> Outcome:
+def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None, drive: Drive | None) -> Outcome:
     """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
     if len(shaft.bearing_positions) != 2:
         return outcome
@@ -83,7 +92,7 @@ def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None
             G_r = f.weight_rear(G_S=G_S, z_S=found.centre_of_gravity, z_f=z_f, z_r=z_r)
             weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
         reactions = found.reaction_front, found.reaction_rear
-        stands = standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), torque)
+        stands = standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), drive)
     return replace(outcome, result=replace(found, standing=stands), lines=(*outcome.lines, *lines))
 
 
@@ -93,4 +102,4 @@ def gear_place(shaft: CountershaftInputs, found: Any, gear: Gear | None) -> Metr
         return None
     if shaft.gear_z is not None or found.outline is None:
         return shaft.gear_z if shaft.gear_z is not None else shaft.bearing_positions[0]
-    return next(((p.start + p.end) / 2 for p in found.outline.pieces if p.what == "gear"), shaft.bearing_positions[0])
+    return next((middles(z_1=p.start, z_2=p.end) for p in found.outline.pieces if p.what == "gear"), shaft.bearing_positions[0])

@@ -34,8 +34,7 @@ def stresses(found: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | Non
     M: Any = f.piece_moments(z_1=start, z_2=end, u=bent)
     stress: Any = f.bending_stress(M=M, c=c, I=I)  # type: ignore[arg-type]
     k, size = int(stress.argmax()), np.abs(bent.moment)
-    at = int(size.argmax())
-    z_M = float(bent.moment_z[at])
+    z_M = f.moment_place(u=bent)
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
     i = max(here, key=lambda i: float(c[i] / I[i]))
     own = np.flatnonzero((bent.moment_z >= start[k] - STEP) & (bent.moment_z <= end[k] + STEP))

@@ -61,6 +61,7 @@ def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
 
 
+@formula("G", f"{ISO}, balance quality grade: e_per·ω", shows="number of the grade, in mm/s")
 def grade_number(grade: str) -> MetrePerSecond:
     """G of a grade: "G6.3" is 6.3 mm/s."""
     return float(grade[1:]) / 1000
@@ -75,7 +76,7 @@ def permitted(
     """
     most = MOST_INBOARD if z_f <= z_S <= z_r else MOST_OUTBOARD
     with about(f"balance quality {grade}"):
-        U = permitted_unbalance(G=grade_number(grade), m_S=mass, omega=omega)
+        U = permitted_unbalance(G=grade_number(grade=grade), m_S=mass, omega=omega)
     with about(f"balance quality {grade}, front bearing"):
         front = plane_unbalance(U=U, q=lever_front(z_r=z_r, z_S=z_S, z_f=z_f), q_max=most)
     with about(f"balance quality {grade}, rear bearing"):
@@ -93,11 +94,10 @@ def permitted(
 
 def table(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre) -> Table:
     """The usual grades side by side, and the chosen one among them."""
-    grades = sorted({*TABLED, grade}, key=grade_number)
     rows: list[tuple[str | float | None, ...]] = []
     gram, percent = UNITS["g·mm"].factor, UNITS["%"].factor
     with untraced():
-        for one in grades:
+        for one in sorted({*TABLED, grade}, key=grade_number):
             r = permitted(one, mass, omega, z_S, z_f, z_r, C_required)
             share = r.permitted_couple_error_share
             rows.append(
