@@ -63,14 +63,15 @@ def _slopes(found: CountershaftResult) -> tuple[Check, ...]:
 
 
 def _envelope(shaft: CountershaftInputs, found: CountershaftResult, journals: tuple[tuple[Metre, Metre], ...]) -> tuple[Check, ...]:
-    """Whether the sectors can be threaded in, and end before the journals begin."""
-    sectors = [p for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
-    if not sectors or not journals:
+    """Whether the sectors can be threaded in, and end before the journals begin; also where they are too long to be drawn."""
+    if not journals:
         return ()
+    radii = [p.outer_radius for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
+    R = max(radii, default=shaft.outer_radius)
     made = []
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED if shaft.mode == "size" else None
-    if clearance is not None:
-        room = max(d for d, _ in journals) / 2 - max(p.outer_radius for p in sectors)
+    if clearance is not None and R is not None:
+        room = max(d for d, _ in journals) / 2 - R
         made.append(
             check(
                 "countershaft.envelope", "Room around the sectors in the largest seat", round(room, 9), ">=", clearance, "mm",
