@@ -31,6 +31,7 @@ from . import sector as s
 from .inputs import CountershaftInputs, EccentricMass, Extra
 
 TOUCH = 1e-6  # m: pieces that meet within this are taken to touch
+THIN = 2e-3  # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
 
 
 @record
@@ -142,9 +143,8 @@ def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     return z_f - l / 2 - b / 2
 
 
-@formula("S_γ", "static moment of the sectors, each in its direction", unit="mm³")
+@formula("S_γ", "static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³")
 def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
-    """`gamma`: the angle of a sector's middle, cylinder 1 at TDC."""
     return S * cis(gamma)
 
 
@@ -155,7 +155,10 @@ def around(z: Metre, b: Metre, what: str) -> tuple[Metre, Metre]:
 
 
 def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
-    """Pieces with the properties of their sections."""
+    """Pieces with the properties of their sections.  Raises NoOutline where one is too thin to join its neighbours."""
+    thinnest, largest = (pick(pieces, key=lambda piece: piece.outer_radius) for pick in (min, max))
+    if thinnest.outer_radius < THIN * largest.outer_radius:
+        raise NoOutline(f"{_said(thinnest)} has a radius of {thinnest.outer_radius * 1e3:.3g} mm, too thin to join the shaft's parts")
     R, r_0, full = (np.array([getattr(p, n) for p in pieces]) for n in ("outer_radius", "core_radius", "half_angle"))
     sectors = np.array([g is not None for g in full])
     area, inertia = np.empty(len(pieces)), np.empty(len(pieces))
@@ -196,11 +199,9 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
         with about(f"sector of mass {mass.name}"):
             t = narrowness(e=mass.radius, R=R, r_0=r_0)
             if not 1e-6 < t < 1:
-                most = mass.radius / t if t else 0.0
-                raise NoOutline(
-                    f"mass {mass.name}: no sector from {r_0 * 1e3:g} to {R * 1e3:.4g} mm has its centre of gravity "
-                    f"at {mass.radius * 1e3:g} mm" + (f" (it stays below {most * 1e3:.4g} mm)" if most else "")
-                )
+                within = f" (it stays below {mass.radius / t * 1e3:.4g} mm)" if t else ""
+                place = f"from {r_0 * 1e3:g} to {R * 1e3:.4g} mm"
+                raise NoOutline(f"mass {mass.name}: no sector {place} has its centre of gravity at {mass.radius * 1e3:g} mm{within}")
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0))
         found.append(Piece(*around(mass.z, b, f"sector of mass {mass.name}"), R, r_0, gamma, mass.angle, "sector"))
@@ -233,16 +234,17 @@ def _solid(
     positions = shaft.bearing_positions
     solid = list(sectors)
     for n, (z, (d, l)) in enumerate(zip(positions, journals)):
-        with about(f"journal {n + 1}"):
-            R = radius(d=d)
-        solid.append(Piece(*around(z, l, f"journal {n + 1}"), R, 0.0, None, 0.0, "journal"))
+        solid.append(_turned(z, d, l, "journal", f"journal {n + 1}"))
     if gear is not None:
         d, width = gear
-        with about("gear on the shaft"):
-            R = radius(d=d)
-            middle = shaft.gear_z if shaft.gear_z is not None else gear_middle(z_f=positions[0], l=journals[0][1], b=width)
-        solid.append(Piece(*around(middle, width, "gear on the shaft"), R, 0.0, None, 0.0, "gear"))
+        middle = shaft.gear_z if shaft.gear_z is not None else gear_middle(z_f=positions[0], l=journals[0][1], b=width)
+        solid.append(_turned(middle, d, width, "gear", "gear on the shaft"))
     return sorted(solid, key=lambda piece: piece.start)
+
+
+def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: str) -> Piece:
+    with about(subject):
+        return Piece(front_face(z=z, b=l), rear_face(z=z, b=l), radius(d=d), 0.0, None, 0.0, what)
 
 
 def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> Outline:
@@ -269,7 +271,6 @@ def _said(piece: Piece) -> str:
 
 
 def _extent(found: Outline) -> tuple[Any, Any]:
-    """Length and middle of each piece."""
     z_1, z_2 = found.each("start"), found.each("end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
 

@@ -114,9 +114,9 @@ def _drawn(
     journals: Journals, gear: Gear | None, to: Gathered,
 ) -> Outline | None:  # fmt: skip
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
-    if shaft.sections and sized is None:
-        return given(shaft)
     try:
+        if shaft.sections and sized is None:
+            return given(shaft)
         outer, core = known(shaft, R, journals)
         if sized is not None:
             from .sizing import pieces
