@@ -1,6 +1,7 @@
 """What a design file may say of the counter-shaft and should not: every error named with its line, all at once, and never a traceback."""
 
 import math
+from itertools import pairwise
 
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -108,7 +109,7 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
     found = [line for line in errors(HEAD + added) if f"countershaft.{key}:" in line]
     assert found and words in found[0], errors(HEAD + added)
     named = int(found[0].split(":")[1])
-    assert FIRST <= named < FIRST + added.count("\n") or key.startswith("bearing_positions_mm") and named == FIRST - 2
+    assert FIRST <= named < FIRST + added.count("\n") or (key.startswith("bearing_positions_mm") and named == FIRST - 2)
 
 
 @pytest.mark.parametrize("old, new, key, words", [
@@ -168,7 +169,7 @@ def sections(draw):
     """Touching stretches from end to end, some of them sectors."""
     ends = [-220.0, *sorted(draw(st.lists(number(-219, 219), max_size=4, unique_by=round))), 220.0]
     made = []
-    for start, end in zip(ends, ends[1:]):
+    for start, end in pairwise(ends):
         made.append({"from_mm": start, "to_mm": end, "outer_radius_mm": draw(number(16, 60))})
         if draw(st.booleans()):
             made[-1] |= {

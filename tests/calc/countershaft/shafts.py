@@ -1,0 +1,40 @@
+"""A design of engine, imbalance and counter-shaft alone, and how the tests change it."""
+
+import copy
+import math
+
+from calc.design_file import Document, design, read
+from calc.solve import solve
+
+from ...conftest import DESIGNS, GAMMA
+
+START = read(GAMMA).data
+OMEGA = 2 * math.pi * 2600 / 60
+FRONT = {"name": "front", "mass_kg": 2.691, "radius_mm": 18.676, "angle_deg": 210.0, "z_mm": -77.671}
+REAR = {"name": "rear", "mass_kg": 2.688, "radius_mm": 18.731, "angle_deg": 30.0, "z_mm": 75.968}
+JOURNALS = [{"diameter_mm": 59.5, "length_mm": 27.5}, {"diameter_mm": 81.0, "length_mm": 26.5}]
+ENVELOPE = {"outer_radius_mm": 43.0, "core_radius_mm": 15.0, "half_length_mm": 150.0}
+
+
+def document(design_name=None, imbalance=None, **shaft):
+    """The source's shaft alone, or the shaft of another design, with its keys changed; None takes one out."""
+    data = copy.deepcopy(START if design_name is None else read(DESIGNS / f"{design_name}.toml").data)
+    own = {"mode": "given", "material": "20CrNi4", "bearing_positions_mm": [-167.5, 167.5], "masses": [FRONT, REAR]}
+    own = {**(own if design_name is None else data["countershaft"]), **shaft}
+    kept = {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance") if key in data}
+    kept["imbalance"] = {**kept["imbalance"], **(imbalance or {})}
+    return Document({**kept, "countershaft": {key: value for key, value in own.items() if value is not None}})
+
+
+def outcome(design_name=None, imbalance=None, **shaft):
+    return solve(design(document(design_name, imbalance, **shaft))).outcomes["countershaft"]
+
+
+def result(*arguments, **shaft):
+    made = outcome(*arguments, **shaft)
+    assert made.state == "solved", made.reason
+    return made.result
+
+
+def verdicts(made):
+    return {check.id.removeprefix("countershaft."): check.verdict for check in made.checks}
