@@ -70,6 +70,10 @@ NAMES += [
 ]
 
 
+NAMES += [f"countershaft.{name}" for name in """mass slope_front slope_rear slope_front_stiff slope_rear_stiff first_critical_speed bolt_preload
+residual_unbalance_permitted""".split()]  # fmt: skip
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_the_names_that_are_promised(checked, name):
     value = checked[1]["values"][name]
@@ -78,7 +82,8 @@ def test_the_names_that_are_promised(checked, name):
 
 LIMITS = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in """film_edge film_double_load temperature specific_load heat_index clearance_cold
 length_ratio transition""".split()]  # fmt: skip
-LIMITS += ["countershaft.residual", *(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
+LIMITS += [f"countershaft.{n}" for n in ("residual", "slope_front", "slope_rear", "first_critical_speed")]
+LIMITS += [*(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
 LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
 ADVICE = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("length_ratio_usual", "mckee", "routes_spread")]
 
@@ -88,6 +93,24 @@ def test_the_checks_that_are_promised(checked, name, kind):
     (found,) = [c for c in checked[1]["checks"] if c["id"] == name]
     assert found["kind"] == kind and found["verdict"] in ("pass", "warn", "fail") and found["source"]
     assert found["verdict"] == "pass" or found["advice"]
+
+
+def test_a_sized_shaft_says_its_sectors_and_its_envelope():
+    done = run("check", DESIGNS / "r753ie4_sized.toml", "--json", "--step", "countershaft")
+    found = json.loads(done.stdout)
+    assert done.returncode == 0
+    for name in ("mass", "sector_half_angle", "sector_length", "slope_front", "slope_rear_stiff", "first_critical_speed", "bolt_preload",
+                 "residual_unbalance_permitted", "scatter.couple_error", "hole_couple"):  # fmt: skip
+        assert isinstance(found["values"][f"countershaft.{name}"]["value"], float)
+    kinds = {c["id"]: c["kind"] for c in found["checks"]}
+    assert all(kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "slope_front", "slope_rear", "envelope"))
+    assert kinds["countershaft.balance_grade"] == "advice"
+
+
+def test_an_envelope_that_is_too_small_has_no_solution_and_says_what_it_holds():
+    done = run("check", DESIGNS / "r753ie4_sized.toml", "--set", "countershaft.outer_radius_mm=40")
+    assert done.returncode == 3 and done.stderr == ""
+    assert "N·m at most" in done.stdout and "an outer radius of" in done.stdout
 
 
 def test_verdicts_follow_from_value_limit_and_kind(checked):
@@ -162,6 +185,25 @@ def test_bad_use_is_exit_code_2_without_a_traceback(arguments, words, tmp_path):
     assert GAMMA.read_bytes() == before and list(tmp_path.iterdir()) == []
 
 
+def test_all_that_is_wrong_with_a_counter_shaft_is_said_at_once(tmp_path):
+    path = tmp_path / "d.toml"
+    text = (DESIGNS / "r753ie4_sized.toml").read_text(encoding="utf-8")
+    wrong = {
+        "outer_radius_mm = 43.0": "outer_radius_mm = nan", 'balance_grade = "G16"': 'balance_grade = "G17"', 'thread = "M10x1.5"': 'thread = "10"',
+        "hose_max_mm = 24.0": "hose_max_mm = 2.0", "count = 4\n\n[countershaft.scatter]": "count = 0\n\n[countershaft.scatter]",
+        'material = "20CrNi4"\nspeed_ratio = -1': 'material = "cheese"\nspeed_ratio = 0.5',
+    }  # fmt: skip
+    for old, new in wrong.items():
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    path.write_text(text, encoding="utf-8")
+    done = run("check", path)
+    assert done.returncode == 2 and done.stdout == "" and "Traceback" not in done.stderr
+    for key in ("outer_radius_mm", "balance_grade", "bolts.thread", "oil_drain.hose_max_mm", "holes.count", "material", "speed_ratio"):
+        (line,) = [line for line in done.stderr.splitlines() if f" countershaft.{key}: " in line]
+        assert key.rsplit(".", 1)[-1] in text.splitlines()[int(line.removeprefix(str(path)).split(":")[1]) - 1]
+
+
 def test_no_solution_is_exit_code_3():
     done = run("check", GAMMA, "--set", "countershaft.masses.front.mass_kg=300")
     assert done.returncode == 3
@@ -219,9 +261,10 @@ def test_set_leaves_the_file_alone_when_the_design_would_be_wrong(tmp_path):
     assert path.read_bytes() == GAMMA.read_bytes() and len(list(tmp_path.iterdir())) == 1
 
 
-@pytest.mark.parametrize(
-    "name", ["imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress"]
-)
+@pytest.mark.parametrize("name", [
+    "imbalance.required_couple", "countershaft.reaction_rear", "bearings.front.film", "gears.idler_shaft.contact_stress",
+    "countershaft.slope_front", "countershaft.bolt_slip_safety", "countershaft.clamp_nominal",
+])  # fmt: skip
 def test_explain_goes_back_to_the_inputs(name):
     done = run("explain", GAMMA, name)
     assert done.returncode == 0, done.stderr
@@ -238,7 +281,10 @@ def test_validate_compares_with_published_values():
     done = run("validate")
     assert done.returncode == 0, done.stdout
     found = json.loads(run("validate", "--json").stdout)
-    assert len(found["rows"]) > 80
+    assert len(found["rows"]) > 300
+    assert {"countershaft.bolt_preload_source", "countershaft.support.2.reaction", "countershaft.sector_mass"} <= {
+        r["what"] for r in found["rows"]
+    }
     assert all(row["source"] and row["verdict"] == "pass" for row in found["rows"])
 
 
@@ -352,9 +398,20 @@ def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):
 
 
 def test_sweep_without_a_file_prints_the_table_alone():
-    done = run("sweep", GAMMA, "--vary", "countershaft.masses.rear.angle_deg=20,30", "--step", "countershaft", "--values", "countershaft.residual_order_1_couple")
+    done = run(
+        "sweep",
+        GAMMA,
+        "--vary",
+        "countershaft.masses.rear.angle_deg=20,30",
+        "--step",
+        "countershaft",
+        "--values",
+        "countershaft.residual_order_1_couple",
+    )
     assert done.returncode == 0
-    assert done.stdout.splitlines()[0] == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
+    assert (
+        done.stdout.splitlines()[0] == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
+    )
     assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == ["fail", "warn"] and "2 designs" in done.stderr
 
 
