@@ -143,13 +143,15 @@ def test_an_array_put_together_from_masses_and_further_elements():
     assert MASSES | {key.replace("masses", "extras") for key in MASSES} <= found
 
 
-def test_chains_are_quick():
-    """All of a design's values in less than they took to solve, ten times over: a key of the guided session asks for one."""
-    start = perf_counter()
-    solve(RESULTS[SIZED].design)
-    solving = perf_counter() - start
-    start = perf_counter()
-    chains = Chains(RESULTS[SIZED])
-    for value in RESULTS[SIZED].values():
-        chains.of(value)
-    assert perf_counter() - start < 10 * solving
+def test_a_chain_costs_less_than_a_solve():
+    """The guided session asks for one at a key."""
+
+    def best(function, *arguments):
+        times = []
+        for _ in range(3):
+            start = perf_counter()
+            function(*arguments)
+            times.append(perf_counter() - start)
+        return min(times)
+
+    assert best(chain, RESULTS[SIZED], "countershaft.reaction_front_peak") < best(solve, RESULTS[SIZED].design)
