@@ -30,6 +30,7 @@ SECOND_ORDER = {"imbalance.order_2.force": ("force", "N"), "imbalance.order_2.co
 STEEL = "42CrMo4"
 UTILISATION = 0.75
 CORES = (0.65, 0.70, 0.75, 0.80, 0.85, 0.90)  # of the outer radius
+FILLET = 1.5e-3  # m
 SLOPE = 0.2e-3  # rad: of the 0.25 mrad that are accepted
 OVERDESIGN, DRILLED = 0.015, 0.03  # what the shaft is made stronger, and what the holes take: twice as much
 HEAT_INDEX = 400e3 * 1000 / 60  # N/(m·s): of the 500 000 N·rpm/mm that are accepted
@@ -128,7 +129,7 @@ def _envelope(made: Design, results: Results, core: float) -> _Shaft:
             R = step * 0.5e-3
             rear = _up(2 * (R + THREADED), 0.5e-3)
             length = min(_up(max(load * engine.rated_speed / HEAT_INDEX, BEARING[0] * rear), 0.5e-3), _down(BEARING[1] * rear, 0.5e-3))
-            half_length, r_0 = _down(span / 2 - length / 2 - 1e-3, 0.5e-3), _down(core * R, 0.5e-3)
+            half_length, r_0 = _down(span / 2 - length / 2 - 2 * FILLET, 0.5e-3), _down(core * R, 0.5e-3)
             if half_length <= 0:
                 break
             k = sizes.unbalance_per_length(rho=rho, R=R, r_0=r_0)
@@ -197,9 +198,9 @@ speed_ratio = -1
 bearing_positions_mm = [{mm(-found.span / 2)}, {mm(found.span / 2)}]  # assumed: as far apart as the row of cylinders is long, or 1.5 bores
 outer_radius_mm = {mm(found.outer)}  # assumed: the smallest with a utilisation up to {UTILISATION:g}; here {found.sized.utilisation:.2f}
 core_radius_mm = {mm(found.core)}  # assumed: {core}
-half_length_mm = {mm(found.half_length)}  # assumed: 1 mm short of the journals
+half_length_mm = {mm(found.half_length)}  # assumed: two fillets short of the journals
 radial_clearance_mm = {mm(THREADED)}  # assumed: for threading in
-fillet_radius_mm = 1.5  # assumed
+fillet_radius_mm = {mm(FILLET)}  # assumed
 overdesign_percent = {OVERDESIGN * 100:g}  # assumed: half of what the holes are to take
 
 [countershaft.holes]

@@ -164,7 +164,7 @@ class _Reader:
         try:
             for key, reason in getattr(made, "problems", lambda: ())():
                 if _join(prefix, key) not in wrong:
-                    self.error(_join(prefix, key), None, reason)
+                    self.error(_join(prefix, key), _plain(data, key), reason)
         except (TypeError, ValueError, AttributeError, LookupError):
             if not wrong:
                 raise  # a placeholder may stop a cross-check, nothing else may
@@ -219,6 +219,14 @@ class _Reader:
                 if name in names[:i]:
                     self.error(f"{key}.{i}.name", name, "stands twice; every element needs a name of its own")
         return made
+
+
+def _plain(data: Any, key: str) -> Any:
+    """What stands at a key below this table, if it is a number or a word; else None."""
+    for part in key.split("."):
+        here = data.get(part) if isinstance(data, dict) else data[int(part)] if isinstance(data, list) and part.isdigit() else None
+        data = here
+    return data if isinstance(data, (int, float, str)) else None
 
 
 def design(document: Document) -> Design:

@@ -164,7 +164,7 @@ def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
     if train is None or design.gears is None or design.countershaft is None:
         return None
     wheel = train.wheels[design.gears.wheels[-1].name]
-    return Gear(wheel.pitch_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
+    return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
 
 
 def _mesh_oil(design: Design) -> tuple[str, str, float | None]:

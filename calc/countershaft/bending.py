@@ -21,7 +21,7 @@ from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import Metre, NewtonMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond
 from . import bending_formulas as f
-from .beam import ELEMENT, Beam, beam, bend, displaced
+from .beam import Beam, beam, bend, displaced
 from .inputs import Extra
 from .outline import Outline
 from .stress import stresses
@@ -29,6 +29,7 @@ from .stress import stresses
 SLOPE_LIMIT = 0.25e-3  # rad; Finotti 2013, ch. 6: target of the engine's maker
 RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid
 LEAST_SHARE = 0.05  # the share of stiffness below which none is looked for
+FINE = 15e-3  # m: elements; the frequency of a stout shaft is then right to 2·10⁻⁵
 LONG = 40e-3  # m: elements where only slopes are wanted
 SAME = 1e-6  # m: so far a bearing may lie beyond the shaft's end
 
@@ -63,6 +64,8 @@ class Bending:
     moment_z: Array
     moment: Array
     step_over_fillet: Number | None = None  # of the shoulder that governs
+    fillet: Metre | None = None
+    fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
     notes: tuple[str, ...] = ()
 
 
@@ -82,7 +85,7 @@ class _Shaft:
     positions: Any
     omega: RadPerSecond
 
-    def model(self, EI: Any, longest: Metre = ELEMENT) -> Beam:
+    def model(self, EI: Any, longest: Metre = FINE) -> Beam:
         forces, masses = (self.places, self.forces), (self.places, self.masses)
         return beam(self.ends, EI, self.shear, self.line_mass, self.q, self.positions, forces, masses, longest=longest)
 
@@ -233,6 +236,7 @@ def checks(found: Bending, material: Material) -> tuple[Check, ...]:
             "A stiffer or lighter shaft: larger core, shorter span.",
         )
     ]  # fmt: skip
+    # the stresses are nominal: of the full sections, whatever their share in the stiffness
     proof, source = material.proof_stress, f"proof stress of {material.name}"
     advice = "A larger core where the moment is largest, or a shorter span."
     if proof is not None:
@@ -254,6 +258,15 @@ def checks(found: Bending, material: Material) -> tuple[Check, ...]:
             check(
                 "countershaft.fillet", "Height of the governing shoulder over its fillet radius", found.step_over_fillet, "in", notch.FIT,
                 "", f"range of the notch factor ({notch.PETERSON})", "Outside it the notch stress is an extrapolation.", kind="advice",
+            )
+        )  # fmt: skip
+    if found.fillet is not None and found.fillet_room is not None:
+        listed.append(
+            check(
+                "countershaft.fillet_room", "Fillet radius in the gap between two shoulders", found.fillet, "<=",
+                round(found.fillet_room, 9), "mm",
+                "a fillet takes its radius of the length of the thinner piece", "A smaller fillet_radius_mm, or shoulders further apart.",
+                kind="advice",
             )
         )  # fmt: skip
     return tuple(listed)

@@ -14,6 +14,7 @@ from ..sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ..sheet.quantity import result, value
 from ..sheet.trace import about
 from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewton, PhasorNewtonMetre, Radian, SquareMetre
+from .mounting_inputs import STRENGTH
 from .thread import nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
 
 if TYPE_CHECKING:
@@ -151,6 +152,26 @@ def safety_slip(n: Number, F_min: Newton, Q: Newton, mu_T: Number) -> Number:
     return n * F_min / (Q * sqrt(1 + 1 / mu_T**2))
 
 
+@formula("M_G", f"{VDI}: torque in the shank, the share of the thread", unit="N·m", names={"rho": "ρ′"})
+def thread_torque(F_V: Newton, d_2: Metre, alpha_h: Radian, rho: Radian) -> NewtonMetre:
+    return F_V * d_2 / 2 * tan(alpha_h + rho)
+
+
+@formula("d_0", f"{VDI}: diameter of the stress area", unit="mm")
+def stress_diameter(d_2: Metre, d_3: Metre) -> Metre:
+    return (d_2 + d_3) / 2
+
+
+@formula("τ_M", f"{VDI}: torsion of the shank while it is tightened", unit="MPa")
+def torsion_stress(M_G: NewtonMetre, d_0: Metre) -> Pascal:
+    return 16 * M_G / (pi * d_0**3)
+
+
+@formula("σ_red", f"{VDI}: equivalent stress while it is tightened, von Mises", unit="MPa")
+def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
+    return sqrt(sigma_z**2 + 3 * tau_M**2)
+
+
 # --- results ------------------------------------------------------------------------------------------------------------------
 @result
 class BoltsResult:
@@ -163,11 +184,13 @@ class BoltsResult:
     bolt_preload_min: Newton = value("Least preload, by the scatter of torque tightening", "N", "F_V,min")
     bolt_head_pressure: Pascal = value("Pressure under a bolt's head", "MPa", "p_h")
     bolt_tensile_stress: Pascal = value("Tensile stress of a bolt by its preload", "MPa", "σ_z")
+    bolt_tightening_stress: Pascal = value("Equivalent stress of a bolt while it is tightened", "MPa", "σ_red")
     bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
     bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None)
     bolt_slip_across_safety: Number | None = value("Safety against slip, load across the bolts", "", "S_across", default=None)
     bolt_slip_safety: Number | None = value("Safety against slip while the load turns", "", "S_slip", default=None)
     support: "Material | None"
+    property_class: str
 
 
 def solve(
@@ -195,7 +218,10 @@ def solve(
     with about("bolts"):
         F_min = least_preload(F_V=F_V, alpha_A=ALPHA_A)
         pressure = head_pressure(F_V=F_V, d_w=d_w, d_h=d_h)
-        sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=root_diameter(D=D, p=p)))
+        d_3 = root_diameter(D=D, p=p)
+        sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=d_3))
+        M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
+        tightened = tightening_stress(sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3)))
         z_f, z_r = bearing_positions[0], bearing_positions[-1]
         l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
         C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
@@ -209,7 +235,8 @@ def solve(
     return BoltsResult(
         bolt_preload=F_V, bolt_preload_vdi=F_vdi, bolt_preload_vdi_short=F_short, bolt_preload_source=F_source, bolt_preload_min=F_min,
         bolt_head_pressure=pressure, bolt_tensile_stress=sigma, bolt_end_force=Q, bolt_separation_safety=separation,
-        bolt_slip_across_safety=across, bolt_slip_safety=slip, support=support,
+        bolt_slip_across_safety=across, bolt_slip_safety=slip, bolt_tightening_stress=tightened, support=support,
+        property_class=bolts.property_class,
     )  # fmt: skip
 
 
@@ -237,6 +264,14 @@ def checks(found: BoltsResult) -> tuple[Check, ...]:
                     "More or larger bolts, a larger torque, or rows of bolts further apart.",
                 )
             )  # fmt: skip
+    made.append(
+        check(
+            "countershaft.bolts.strength", f"Stress of a bolt of class {found.property_class} while it is tightened",
+            found.bolt_tightening_stress, "<=", STRENGTH[found.property_class] * 1e6, "MPa",
+            "VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)",
+            "A smaller torque, a larger thread, or a higher property class.",
+        )
+    )  # fmt: skip
     if (known := _strength(found.support)) is not None and found.support is not None:
         made.append(
             check(
@@ -255,7 +290,7 @@ def notes(bolts: "Bolts", found: BoltsResult) -> tuple[str, ...]:
         f"Bolts: slip and separation are judged at the least preload, F_V/{ALPHA_A:g}: a torque wrench with an estimated coefficient of "
         "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the largest preload.",
         "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the joint, its weight, "
-        "the gear force and locating pins are left out.",
+        "the gear force, locating pins and the thread's engagement in the block are left out.",
     ]
     if bolts.row_span is None:
         made.append("Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do not.")

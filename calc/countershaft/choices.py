@@ -14,14 +14,13 @@ from ..sheet.trace import untraced
 from ..sheet.units import Euro, Metre, PhasorKilogramMetre, PhasorKilogramMetre2, RadPerSecond
 from .cost_formulas import first_year
 from .formulas import asked_product, asked_unbalance, shaft_speed
-from .inputs import CountershaftInputs
+from .inputs import THREADED, CountershaftInputs
 from .sizing import Sized, TooSmall, size
 from .sizing_formulas import radius_needed
 from .task import task
 
 RADII = 9  # of each material; rule of this program
 STEP = 1e-4  # m, to which the radii between the two ends are rounded up: a tenth of a millimetre
-CLEARANCE = 0.2e-3  # m, for threading in, where the design gives none; rule of this program
 
 
 @record
@@ -67,9 +66,10 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
         return math.nan
 
     R, z_max, r_0 = shaft.outer_radius, shaft.half_length, shaft.core_radius
-    if R is None and journals:
-        clearance = shaft.radial_clearance if shaft.radial_clearance is not None else CLEARANCE
-        R = max(d for d, _ in journals) / 2 - clearance
+    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED
+    seat = round(max(d for d, _ in journals) / 2 - clearance, 9) if journals else None
+    if seat is not None and (R is None or R > seat):
+        R = seat
         derived.append(f"outer radius {R * 1e3:g} mm: the largest journal's, less {clearance * 1e3:g} mm for threading in")
     elif R is None:
         R = missing("outer_radius", "the envelope's radius; without journals to thread the shaft through it can not be derived")

@@ -181,7 +181,7 @@ def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str) -
         "In the sections the crank turns clockwise.",
     ]
     if outline.derived:
-        lines.append("Outline put together from masses, core, journals and gear; fillets, holes and further elements are not drawn.")
+        lines.append("Put together from masses, core, journals and gear (reference circle); fillets, holes and extras are left out.")
     top = largest + (8 + 1.8 * len(lines)) * h
     small = [Words("TEXT", (outline.start, top - 1.8 * (i + 1) * h), line, h) for i, line in enumerate(lines)]
     return [Words("TEXT", (outline.start, top), title, 1.6 * h), *small]

@@ -145,6 +145,16 @@ def mirrored_force(F_S: PhasorNewton) -> PhasorNewton:
     return conj(F_S)
 
 
+@formula("ΔF_O", "length of the difference of both forces", names={"F_O": "F_O", "F_S": "F_S"})
+def force_deviation(F_O: PhasorNewton, F_S: PhasorNewton) -> Newton:
+    return modulus(F_O - F_S)
+
+
+@formula("ΔC_O", "length of the difference of both couples")
+def couple_deviation(C_O: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(C_O - C_S)
+
+
 @formula("ΔC_S", "part of the shaft's couple along the required one, beyond it", names={"C_req": "C_req"})
 def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMetre:
     """Above zero: the shaft is too heavy by so much, which drilling can take away."""

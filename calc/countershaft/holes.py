@@ -115,3 +115,11 @@ def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
         "countershaft.holes.depth", "Depth of the calibration holes", holes.depth, "<=", R_outer - core_radius, "mm",
         "height of the sectors over the core", "Shorter holes, and more of them or wider ones.",
     )  # fmt: skip
+
+
+def row_check(holes: Holes, masses: int, length: Metre) -> Check:
+    """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
+    return check(
+        "countershaft.holes.row", "Length of the holes of a mass, side by side", holes.count / masses * holes.diameter, "<=", length, "mm",
+        "rule of this program: holes stand in one row along the sector", "Fewer or narrower holes.",
+    )  # fmt: skip

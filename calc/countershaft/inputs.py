@@ -8,6 +8,7 @@ from ..sheet.quantity import choice, inputs, integer, quantity, series, table, t
 from .mounting_inputs import Bolts, Cost, OilDrain, Support
 
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
+THREADED = 0.2e-3  # m: clearance for threading in, where none is given in mode size; rule of this program
 ANGLE = "With cylinder 1 at TDC, from up, in the sense of crank rotation."
 FROM_MID_SHAFT = "From mid-shaft, + towards the flywheel."
 
@@ -176,9 +177,6 @@ class CountershaftInputs:
             yield "journals", f"give one for each of the {len(self.bearing_positions)} bearing_positions_mm"
         if self.holes is not None and self.outer_radius is not None and self.holes.depth >= self.outer_radius:
             yield "holes.depth_mm", f"must stay below outer_radius_mm, {self.outer_radius * 1e3:g} mm: a hole ends before the axis"
-        sectors = 2 if self.mode == "size" else len(self.masses)
-        if self.holes is not None and sectors and self.holes.count % sectors:
-            yield "holes.count", f"must be a multiple of {sectors}: every eccentric mass gets as many holes"
         yield from self._envelope()
         yield from self._sections()
         yield from self._places()
@@ -186,6 +184,8 @@ class CountershaftInputs:
     def _envelope(self) -> Iterable[tuple[str, str]]:
         if self.mode == "given" and not self.masses:
             yield "masses", "needs at least one [[countershaft.masses]]"
+        if self.mode == "size" and len(self.bearing_positions) > 2:
+            yield "bearing_positions_mm", 'give two with mode = "size": sectors that span a third bearing are not sized'
         if self.mode == "size":
             for name in ("outer_radius", "core_radius", "half_length"):
                 if getattr(self, name) is None:
@@ -203,7 +203,7 @@ class CountershaftInputs:
 
     def _places(self) -> Iterable[tuple[str, str]]:
         """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
-        if not self.bearing_positions:
+        if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)):
             return
         start, end = self.bearing_positions[0], self.bearing_positions[-1]
         where = "the span of the bearings"

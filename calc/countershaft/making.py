@@ -15,9 +15,7 @@ from . import holes, tolerance
 from .inputs import CountershaftInputs, EccentricMass
 from .mounting_inputs import Support
 from .result import CountershaftResult
-from .task import Task
-
-LEFT_OVER = 0.05  # share of the required couple that a good shaft may leave
+from .task import LEFT_OVER, Task
 
 
 class Gathered:
@@ -94,8 +92,15 @@ def _holes(
         return
     z: Any = np.array([m.z for m in masses])
     to.values["holes"] = drilled = holes.calibration(shaft.holes, rho, R, z, found.omega, todo.couple)
+    if masses and shaft.holes.count % len(masses):
+        to.notes.append(f"Calibration holes: {shaft.holes.count} holes on {len(masses)} masses are counted as an equal share for each.")
     if shaft.core_radius is not None:
         to.checks.append(holes.depth_check(shaft.holes, R, shaft.core_radius))
+    else:
+        to.notes.append("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm.")
+    sectors = [p.length for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
+    if sectors and masses:
+        to.checks.append(holes.row_check(shaft.holes, len(masses), min(sectors)))
     if todo.couple:
         over = f.couple_beyond(C_S=found.couple_vector, C_req=-todo.C)
         to.checks.append(
@@ -121,7 +126,7 @@ def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
         z_r=shaft.bearing_positions[-1], permitted_front=permitted.residual_unbalance_permitted_front,
         permitted_rear=permitted.residual_unbalance_permitted_rear,
     )  # fmt: skip
-    limit = LEFT_OVER * (todo.couple or todo.one_couple)
+    limit = todo.may_leave
     to.values["scatter"] = spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, to.values.get("holes"))
     to.checks += scatter.checks(spread, limit)
     to.tables += scatter.tables(spread)

@@ -6,6 +6,9 @@ from collections.abc import Iterable
 from ..sheet.quantity import choice, inputs, integer, quantity, tables, text
 from .thread import thread, thread_problem
 
+# Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
+STRENGTH = {"4.6": 240.0, "5.6": 300.0, "5.8": 420.0, "6.8": 480.0, "8.8": 640.0, "10.9": 940.0, "12.9": 1100.0}
+
 
 @inputs
 class Bolts:
@@ -23,6 +26,9 @@ class Bolts:
         "Torque to preload", "vdi", "source", default="vdi",
         help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are shown.",
     )  # fmt: skip
+    property_class: str = choice(
+        "Property class", *STRENGTH, default="8.8", help="ISO 898-1; its proof strength judges the stress by tightening."
+    )
     joint_friction: float = quantity(
         "Coefficient of friction, support on block", default=0.12, low=0.02, high=0.8, symbol="mu_T", step=0.01
     )

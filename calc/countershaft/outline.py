@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 
 from ..sheet.arrays import Array, ComplexArray
+from ..sheet.check import Check, check
 from ..sheet.formula import formula
-from ..sheet.functions import cis, modulus, resultant
+from ..sheet.functions import cis, resultant
 from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import (
@@ -19,9 +20,9 @@ from ..sheet.units import (
     Kilogram,
     KilogramPerMetre3,
     Metre,
-    NewtonMetre,
     Number,
     PhasorCubicMetre,
+    PhasorNewton,
     PhasorNewtonMetre,
     Radian,
     RadPerSecond,
@@ -65,6 +66,11 @@ class Outline:
     moment: ComplexArray
 
     @property
+    def plain(self) -> bool:
+        """Whether nothing of it is eccentric: the masses then stand on it as points."""
+        return all(piece.half_angle is None for piece in self.pieces)
+
+    @property
     def start(self) -> Metre:
         return self.pieces[0].start
 
@@ -78,7 +84,11 @@ class Outline:
 
 
 class NoOutline(Exception):
-    """Why the shaft can not be drawn from what is known."""
+    """Why the shaft can not be drawn from what is known; `broken`: the check that fails where it is no shaft at all."""
+
+    def __init__(self, reason: str, broken: Check | None = None) -> None:
+        super().__init__(reason)
+        self.broken = broken
 
 
 @formula("m_S", "sum over the pieces of the shaft and its further elements", unit="kg")
@@ -201,11 +211,20 @@ def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Met
             if not 1e-6 < t < 1:
                 within = f" (it stays below {mass.radius / t * 1e3:.4g} mm)" if t else ""
                 place = f"from {r_0 * 1e3:g} to {R * 1e3:.4g} mm"
-                raise NoOutline(f"mass {mass.name}: no sector {place} has its centre of gravity at {mass.radius * 1e3:g} mm{within}")
+                reason = f"mass {mass.name}: no sector {place} has its centre of gravity at {mass.radius * 1e3:g} mm{within}"
+                raise NoOutline(reason, _no_such_sector(mass, mass.radius / t if t else 0.0))
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0))
         found.append(Piece(*around(mass.z, b, f"sector of mass {mass.name}"), R, r_0, gamma, mass.angle, "sector"))
     return found
+
+
+def _no_such_sector(mass: EccentricMass, most: Metre) -> Check:
+    return check(
+        "countershaft.mass_shape", f"Radius of the centre of gravity of mass {mass.name}, as a sector", mass.radius, "<", most, "mm",
+        s.SECTOR,
+        "Give the true shape as [[countershaft.sections]], or a larger outer_radius_mm: nothing of its bending is judged.", kind="advice",
+    )  # fmt: skip
 
 
 def assembled(
@@ -256,7 +275,7 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     here = start
     for piece in solid:
         if piece.start < here - TOUCH:
-            raise NoOutline(f"{_said(piece)} crosses {_said(pieces[-1])}")
+            raise NoOutline(f"{_said(piece)} crosses {_said(pieces[-1])}", _crossing(pieces[-1], piece))
         if piece.start > here + TOUCH:
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
         pieces.append(piece)
@@ -264,6 +283,14 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     if end > here + TOUCH:
         pieces.append(Piece(here, end, r_0, 0.0, None, 0.0, "core"))
     return outline(tuple(pieces), derived=True)
+
+
+def _crossing(first: Piece, second: Piece) -> Check:
+    return check(
+        "countershaft.crossing", f"Overlap of the {first.what} and the {second.what} behind it", first.end - second.start, "<=", 0.0, "mm",
+        "two pieces of one shaft stand side by side; each eccentric mass as a sector out to outer_radius_mm",
+        "Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].",
+    )  # fmt: skip
 
 
 def _said(piece: Piece) -> str:
@@ -275,7 +302,7 @@ def _extent(found: Outline) -> tuple[Any, Any]:
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
 
 
-def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra, ...]) -> tuple[Kilogram, Metre]:
+def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
     A: Any = found.area
     l, z = _extent(found)
@@ -285,15 +312,20 @@ def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra, ...]) -
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
 
 
+@formula("F_O", "force of the pieces of the outline and the further elements")
+def outline_force(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton) -> PhasorNewton:
+    return omega**2 * rho * resultant(S * l) + F_x
+
+
 @formula("C_O", "couple of the pieces of the outline and the further elements, their unbalance times position")
 def outline_couple(
     omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre, C_x: PhasorNewtonMetre
-) -> NewtonMetre:
-    return modulus(omega**2 * rho * resultant(S * l * z) + C_x)
+) -> PhasorNewtonMetre:
+    return omega**2 * rho * resultant(S * l * z) + C_x
 
 
-def couple_of(found: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, C_x: complex) -> NewtonMetre:
-    """The couple of the outline about mid-shaft, with that of the further elements."""
+def vectors_of(found: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex) -> tuple[complex, complex]:
+    """Force and couple of the outline about mid-shaft, with those of the further elements."""
     S: Any = found.moment
     l, z = _extent(found)
-    return outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)
+    return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)

@@ -11,9 +11,7 @@ from ..sheet.units import Metre, RadPerSecond
 from .bending import Bending
 from .drawing import outline_curve
 from .result import CountershaftResult
-from .task import Task
-
-WORDS = {1: "First", 2: "Second"}
+from .task import WORDS, Task
 
 
 def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, ComplexArray
+from ..sheet.arrays import Array, BoolArray, ComplexArray, column
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, rss, sqrt
@@ -129,7 +129,7 @@ class Target:
 
     def influence(self, masses: tuple[EccentricMass, ...]) -> ComplexArray:
         """What a unit of unbalance at each mass (second axis) is in the two planes, over what is permitted there."""
-        z, gamma = (_column(masses, name) for name in ("z", "angle"))
+        z, gamma = (column(masses, name) for name in ("z", "angle"))
         span = self.z_r - self.z_f
         return np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear]) * np.exp(1j * gamma)
 
@@ -144,10 +144,10 @@ def sample(
     """
     luck = random.standard_normal((4, count, len(masses)))
     delta: Any = scatter.timing * random.standard_normal(count)
-    m, e, gamma, z = (_column(masses, name) + getattr(scatter, name) * chance for name, chance in zip(NAMES, luck))
+    m, e, gamma, z = (column(masses, name) + getattr(scatter, name) * chance for name, chance in zip(NAMES, luck))
     impossible = int((m < 0).any(1).sum())
     if extras:
-        fixed = [np.broadcast_to(_column(extras, name), (count, len(extras))) for name in NAMES]
+        fixed = [np.broadcast_to(column(extras, name), (count, len(extras))) for name in NAMES]
         m, e, gamma, z = (np.hstack(pair) for pair in zip((m, e, gamma, z), fixed))
     force: Any = f.shaft_force(omega=omega, m=m, e=e, gamma=gamma)
     couple: Any = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
@@ -196,7 +196,7 @@ def scattered(
     with about("scatter of production"):
         parts = _parts(scatter, masses, extras, target.omega)
     random, influence = default_rng(scatter.seed), target.influence(masses)
-    arms: Any = _column(masses, "z") * np.exp(1j * _column(masses, "angle"))
+    arms: Any = column(masses, "z") * np.exp(1j * column(masses, "angle"))
     before, after, counts, impossible = [], [], np.zeros(4, int), 0  # counts: in the order of SHARES
     for start in range(0, scatter.shafts, BLOCK):
         with untraced():
@@ -231,15 +231,10 @@ def _joint(influence: ComplexArray, taken: Array) -> Any:
     return np.einsum("...i,is->...s", influence, taken)
 
 
-def _column(parts: tuple[Any, ...], name: str) -> Any:
-    """One number of every part, as an array."""
-    return np.array([getattr(part, name) for part in parts])
-
-
 def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> dict[str, Any]:
     """The error of the couple to first order, in all and by what it comes of."""
-    m, e, _, z = (_column(masses, name) for name in NAMES)
-    whole = {symbol: _column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
+    m, e, _, z = (column(masses, name) for name in NAMES)
+    whole = {symbol: column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
     parts = dict(
         mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
         radius=couple_error_by_radius(omega=omega, m=m, z=z, s=scatter.radius),

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from ..root import root
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, column
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import group, result, value
 from ..sheet.trace import about, untraced
@@ -164,14 +164,10 @@ def remainder(
     """What is left for the sectors once the further elements have done their part."""
     if not extras:
         return U, P
-    m, e, gamma, z = (_column(extras, name) for name in ("mass", "radius", "angle", "z"))
+    m, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
     U_x = f.extra_unbalance(m=m, e=e, gamma=gamma)
     P_x = f.extra_product(m=m, e=e, z=z, gamma=gamma)
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
-
-
-def _column(parts: tuple[Any, ...], name: str) -> Any:
-    return np.array([getattr(part, name) for part in parts])
 
 
 def _of_pair(

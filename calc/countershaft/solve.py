@@ -5,21 +5,20 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from ..catalogue import Material
 from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
+from ..sheet.arrays import column
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
 from . import formulas as f
-from .bending import bending
+from .bending import Bending, bending
 from .bending import checks as bending_checks
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .judgement import checks, notes
 from .making import Gathered, making
-from .outline import NoOutline, Outline, assembled, couple_of, given, known, sectors_of, weighed
+from .outline import NoOutline, Outline, assembled, given, known, sectors_of, vectors_of, weighed
 from .pictures import pictures
 from .result import CountershaftResult, SupportResult
 from .standing import Gear
@@ -54,26 +53,30 @@ def solve(
         R = shaft.outer_radius if shaft.outer_radius is not None else _widest(shaft, journals)
         F_S, C_S = _supplied(masses, shaft.extras, omega_S)
         found = _balance(shaft, todo, masses, F_S, C_S, omega_S)
-        found = replace(found, support=_supports(shaft, masses, journals, found))
         drawn = _drawn(shaft, masses, sized, R, steel, journals, gear, to)
+        bent = None
         if drawn is not None:
-            m_S, z_S = weighed(drawn, steel.density, shaft.extras)
+            points: tuple[Any, ...] = (*shaft.extras, *(masses if drawn.plain else ()))  # what the outline itself does not hold
+            m_S, z_S = weighed(drawn, steel.density, points)
             found = replace(found, outline=drawn, mass=m_S, centre_of_gravity=z_S)
             if not drawn.derived:
-                to.values["outline_couple"] = _outline_couple(shaft, drawn, steel, omega_S)
-            found = _bent(shaft, found, drawn, steel, to)
+                to.values |= _beside(points, drawn, steel, omega_S, F_S, C_S)
+            bent = bending(drawn, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
+            found = _with_bending(found, bent, steel, to)
         elif slopes:
             found = replace(found, slope_front=slopes[0], slope_rear=slopes[-1])
+            to.notes.append("The slopes of the journals are those given in [bearings] (slope_mrad), not computed.")
+        found = _with_supports(shaft, masses, journals, found, bent, to)
         making(shaft, todo, masses, found, R, materials, to)
     found = replace(found, **to.values)
     return Outcome(
         "countershaft",
         result=found,
-        checks=(*checks(shaft, todo, found, journals), *to.checks),
+        checks=(*checks(shaft, todo, found, journals, gear), *to.checks),
         lines=tuple(lines),
         curves=(*pictures(todo, found, omega, shaft.bearing_positions), *to.curves),
         tables=tuple(to.tables),
-        notes=(*notes(shaft, found), *to.notes),
+        notes=(*notes(shaft, journals), *to.notes),
     )
 
 
@@ -126,6 +129,7 @@ def _drawn(
             sectors = sectors_of(masses, steel.density, outer, core)
         found = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
+        to.checks += [none.broken] if none.broken is not None else []
         to.notes.append(f"Mass, balance tolerance, bending and critical speed are not computed: {none}.")
         return None
     to.notes.append(
@@ -137,77 +141,85 @@ def _drawn(
     return found
 
 
-def _outline_couple(shaft: CountershaftInputs, drawn: Outline, steel: Material, omega: RadPerSecond) -> NewtonMetre:
-    """The couple of given sections: beside that of the masses it shows whether both are one shaft."""
+def _beside(
+    points: tuple[Any, ...], drawn: Outline, steel: Material, omega: RadPerSecond, F_S: complex, C_S: complex
+) -> dict[str, NewtonMetre]:
+    """How far the given sections are from the given masses: both must be one shaft."""
     with about("given sections"):
-        m, e, gamma, z = (_column(shaft.extras, name) for name in ("mass", "radius", "angle", "z"))
-        C_x = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma) if shaft.extras else 0j
-        return couple_of(drawn, steel.density, omega, C_x)
+        F_x, C_x = _of(points, omega) if points else (0j, 0j)
+        F_O, C_O = vectors_of(drawn, steel.density, omega, F_x, C_x)
+        return {
+            "outline_force_deviation": f.force_deviation(F_O=F_O, F_S=F_S),
+            "outline_couple_deviation": f.couple_deviation(C_O=C_O, C_S=C_S),
+        }
 
 
-def _bent(shaft: CountershaftInputs, found: CountershaftResult, drawn: Outline, steel: Material, to: Gathered) -> CountershaftResult:
-    """The same result with the slopes of its journals, its first critical speed and its stresses."""
-    bent = bending(drawn, steel, found.omega, shaft.bearing_positions, shaft.extras, shaft.sector_effectiveness, shaft.fillet_radius)
+def _with_bending(found: CountershaftResult, bent: Bending, steel: Material, to: Gathered) -> CountershaftResult:
+    """The same result with the slopes of its outer journals and its first critical speed."""
     to.checks += bending_checks(bent, steel)
     to.notes += bent.notes
-    slopes, stiff = bent.slopes, bent.slopes_stiff
-    support = {name: replace(one, slope=slope.item()) for (name, one), slope in zip(found.support.items(), slopes)}
+    to.notes.append("Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they stood in it.")
+    if steel.proof_stress is None:
+        to.notes.append(f"No proof stress of {steel.name} is known: its bending stresses are not judged.")
     return replace(
         found,
         bending=bent,
-        support=support,
-        slope_front=slopes[0].item(),
-        slope_rear=slopes[-1].item(),
-        slope_front_stiff=stiff[0].item(),
-        slope_rear_stiff=stiff[-1].item(),
+        slope_front=bent.slopes[0].item(),
+        slope_rear=bent.slopes[-1].item(),
+        slope_front_stiff=bent.slopes_stiff[0].item(),
+        slope_rear_stiff=bent.slopes_stiff[-1].item(),
         first_critical_speed=bent.natural_frequency,
         first_critical_speed_stiff=bent.natural_frequency_stiff,
     )
 
 
-def _supports(
-    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, found: CountershaftResult
-) -> dict[str, SupportResult]:
-    """Support by support, where there are more than two, or the journals are the shaft's own; else [bearings] has them."""
+def _with_supports(
+    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, found: CountershaftResult, bent: Bending | None,
+    to: Gathered,
+) -> CountershaftResult:  # fmt: skip
+    """The same result support by support, where there are more than two or the journals are the shaft's own; else [bearings] has them."""
     positions = shaft.bearing_positions
     if len(positions) == 2 and not shaft.journals:
-        return {}
-    parts = (*masses, *shaft.extras)
-    m, e, gamma, z = (_column(parts, name) for name in ("mass", "radius", "angle", "z"))
-    forces = f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma)
+        return found
+    if bent is not None:
+        vectors = bent.reactions
+    else:
+        parts = (*masses, *shaft.extras)
+        m, e, gamma, z = (column(parts, name) for name in ("mass", "radius", "angle", "z"))
+        vectors = reactions(f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma), z, positions)
+    if len(positions) > 2:
+        how = "the stepped shaft, with the stiffness share of its sectors" if bent is not None else "a shaft of one stiffness throughout"
+        to.notes.append(f"Supports: the reactions are those of {how}, on rigid supports in line; weight and gear force are left out.")
     made = {}
-    for n, R in enumerate(reactions(forces, z, positions)):
+    n_S = f.revolutions(omega=found.omega)
+    for n, R in enumerate(vectors):
         with about(f"support {n + 1}"):
             load = f.reaction(R=R.item())
-            p = W = None
-            if journals:
-                d, l = journals[n]
-                p = specific_load(F=load, d=d, l=l)
-                W = heat_index(F=load, n=f.revolutions(omega=found.omega), l=l)
-            made[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W)
-    return made
+            p = specific_load(F=load, d=journals[n][0], l=journals[n][1]) if journals else None
+            W = heat_index(F=load, n=n_S, l=journals[n][1]) if journals else None
+            slope = bent.slopes[n].item() if bent is not None else None
+            made[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W, slope=slope)
+    outer = list(made.values())
+    return replace(found, support=made, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
 
 
 def _supplied(masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> tuple[complex, complex]:
     """The force and the couple of the shaft, cylinder 1 at TDC."""
 
-    def of(parts: tuple[Any, ...]) -> tuple[complex, complex]:
-        m, e, gamma, z = (_column(parts, name) for name in ("mass", "radius", "angle", "z"))
-        C = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
-        return f.shaft_force(omega=omega, m=m, e=e, gamma=gamma), C
-
     if not extras:
-        return of(masses)
+        return _of(masses, omega)
     with about("main masses"):
-        F_m, C_m = of(masses)
+        F_m, C_m = _of(masses, omega)
     with about("further elements"):
-        F_x, C_x = of(extras)
+        F_x, C_x = _of(extras, omega)
     return f.whole_force(F_m=F_m, F_x=F_x), f.whole_couple(C_m=C_m, C_x=C_x)
 
 
-def _column(parts: tuple[Any, ...], name: str) -> Any:
-    """One number of every element, as an array."""
-    return np.array([getattr(part, name) for part in parts])
+def _of(parts: tuple[Any, ...], omega: RadPerSecond) -> tuple[complex, complex]:
+    """Force and couple of some elements."""
+    m, e, gamma, z = (column(parts, name) for name in ("mass", "radius", "angle", "z"))
+    C = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
+    return f.shaft_force(omega=omega, m=m, e=e, gamma=gamma), C
 
 
 def _balance(
@@ -239,7 +251,7 @@ def _balance(
         reaction_rear=f.reaction(R=R_r),
         support={},
         couple_against=abs(C_against),
-        eccentric_mass=f.eccentric_mass(m=_column(masses, "mass")),
+        eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
         roll_torque=roll_torque(p=complex(*shaft.axis), F=F_S) if shaft.axis is not None and shaft.pair == "no" else None,
         force_vector=F_S,
         couple_vector=C_S,

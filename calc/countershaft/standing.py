@@ -17,6 +17,7 @@ class Gear(NamedTuple):
     """The wheel on the shaft, by its reference circle; `z`: its middle from mid-shaft."""
 
     diameter: Metre
+    tip_diameter: Metre
     face_width: Metre
     normal_pressure_angle: Radian
     helix_angle: Radian

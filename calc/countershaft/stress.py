@@ -4,6 +4,7 @@
 The bending moment turns with the shaft, so that these stresses stand still in it.
 """
 
+from collections import Counter
 from itertools import pairwise
 from typing import Any
 
@@ -73,6 +74,9 @@ def _notch(found: Outline, bent: Bent, c: Any, r: Metre) -> dict[str, Any]:
     if not shoulders:
         return dict(notes=notes)
 
+    carried = Counter(weak for _, weak, *_ in shoulders)
+    room = min(found.pieces[weak].length / times for weak, times in carried.items())
+
     def stressed(shoulder: tuple[Metre, int, Metre, Metre]) -> dict[str, Any]:
         z, weak, D, d = shoulder
         sigma = f.bending_stress(M=f.shoulder_moment(z=z, u=bent), c=float(c[weak]), I=float(found.inertia[weak]))
@@ -82,4 +86,4 @@ def _notch(found: Outline, bent: Bent, c: Any, r: Metre) -> dict[str, Any]:
     with untraced():
         governs = max(shoulders, key=lambda shoulder: float(stressed(shoulder)["notch_stress"]))
     with about(f"shoulder at {short(governs[0] * 1e3)} mm"):
-        return {**stressed(governs), "notes": notes}
+        return {**stressed(governs), "fillet": r, "fillet_room": room, "notes": notes}

@@ -6,6 +6,9 @@ from ..sheet.record import record
 from ..sheet.units import Newton, NewtonMetre
 from .inputs import CountershaftInputs
 
+LEFT_OVER = 0.05  # share of the couple to be balanced that a good shaft may leave
+WORDS = {1: "First", 2: "Second"}
+
 
 @record
 class Task:
@@ -21,6 +24,11 @@ class Task:
     C_against: complex
     one_force: Newton
     one_couple: NewtonMetre
+
+    @property
+    def may_leave(self) -> NewtonMetre:
+        """The couple that a good shaft may leave: a share of the one to be balanced, or of m·r·ω²·a where there is none."""
+        return LEFT_OVER * (self.couple or self.one_couple)
 
     @property
     def couple(self) -> NewtonMetre:

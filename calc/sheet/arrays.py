@@ -13,3 +13,10 @@ if TYPE_CHECKING:
     IndexArray = NDArray[np.intp]
 else:
     Array = ComplexArray = BoolArray = IndexArray = Any
+
+
+def column(parts: "tuple[Any, ...]", name: str) -> Any:
+    """One number of every part, as an array."""
+    import numpy as np
+
+    return np.array([getattr(part, name) for part in parts], dtype=float)

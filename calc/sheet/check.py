@@ -30,16 +30,18 @@ class Check:
     kind: str = "limit"
 
     @property
-    def margin(self) -> float:
-        """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance itself."""
-
+    def nearest(self) -> tuple[float, float]:
+        """Distance to the nearest limit, negative when passed over, and that limit."""
         if isinstance(self.limit, tuple):
             low, high = self.limit
             to_low, to_high = self.value - low, high - self.value
-            gap, limit = (to_low, low) if to_low <= to_high else (to_high, high)
-        else:
-            limit = self.limit
-            gap = self.value - limit if self.sense in (">=", ">") else limit - self.value
+            return (to_low, low) if to_low <= to_high else (to_high, high)
+        return (self.value - self.limit if self.sense in (">=", ">") else self.limit - self.value), self.limit
+
+    @property
+    def margin(self) -> float:
+        """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance itself."""
+        gap, limit = self.nearest
         return gap / abs(limit) if limit else gap
 
     @property
@@ -63,7 +65,7 @@ class Check:
     def margin_text(self) -> str:
         if math.isnan(self.margin):
             return "no number"
-        if self.limit == 0:
+        if self.nearest[1] == 0:
             return f"{self.margin:+.3g} {self.unit}".rstrip().replace("-", "−")
         return f"{self.margin * 100:+.0f} %".replace("-", "−")
 
