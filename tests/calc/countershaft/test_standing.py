@@ -11,7 +11,7 @@ from calc.solve import solve
 from .shafts import JOURNALS, result
 
 FRONT, REAR = -0.1675, 0.1675
-GEAR = Gear(diameter=0.054, face_width=0.015, normal_pressure_angle=math.radians(20), helix_angle=math.radians(21.916))
+GEAR = Gear(diameter=0.054, tip_diameter=0.0587, face_width=0.015, normal_pressure_angle=math.radians(20), helix_angle=math.radians(21.916))
 DRIVE = Drive(power=1400.0, speed=2600 / 60)
 
 
