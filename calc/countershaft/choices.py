@@ -66,10 +66,9 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
         return math.nan
 
     R, z_max, r_0 = shaft.outer_radius, shaft.half_length, shaft.core_radius
-    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED
-    seat = round(max(d for d, _ in journals) / 2 - clearance, 9) if journals else None
-    if seat is not None and (R is None or R > seat):
-        R = seat
+    if R is None and journals:
+        clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED
+        R = round(max(d for d, _ in journals) / 2 - clearance, 9)
         derived.append(f"outer radius {R * 1e3:g} mm: the largest journal's, less {clearance * 1e3:g} mm for threading in")
     elif R is None:
         R = missing("outer_radius", "the envelope's radius; without journals to thread the shaft through it can not be derived")

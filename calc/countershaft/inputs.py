@@ -8,7 +8,7 @@ from ..sheet.quantity import choice, inputs, integer, quantity, series, table, t
 from .mounting_inputs import Bolts, Cost, OilDrain, Support
 
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
-THREADED = 0.2e-3  # m: clearance for threading in, where none is given in mode size; rule of this program
+THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = "With cylinder 1 at TDC, from up, in the sense of crank rotation."
 FROM_MID_SHAFT = "From mid-shaft, + towards the flywheel."
 
@@ -138,7 +138,7 @@ class CountershaftInputs:
     )  # fmt: skip
     radial_clearance: float | None = quantity(
         "Clearance for threading in", "mm", optional=True, low=0, high=50, symbol="c_R",
-        help="Between sectors and largest seat. Left out: 0.2 mm in mode size; in mode given it is not threaded through a seat.",
+        help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through a seat.",
     )  # fmt: skip
     sections: tuple[Section, ...] = tables("Outline for bending", Section, optional=True)
     fillet_radius: float | None = quantity(

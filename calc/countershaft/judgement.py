@@ -7,7 +7,7 @@ from ..sheet.check import Check, check
 from ..sheet.functions import argument
 from ..sheet.units import Metre
 from .bending import SLOPE_LIMIT
-from .inputs import THREADED, CountershaftInputs
+from .inputs import CountershaftInputs
 from .result import CountershaftResult
 from .standing import Gear
 from .task import LEFT_OVER, WORDS, Task
@@ -75,7 +75,7 @@ def _envelope(
     radii = [p.outer_radius for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
     R = max(radii, default=shaft.outer_radius)
     made = []
-    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else THREADED if shaft.mode == "size" else None
+    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
     if clearance is not None and R is not None:
         room = max(d for d, _ in journals) / 2 - R
         made.append(

@@ -233,7 +233,7 @@ def test_a_shaft_without_force_is_not_judged():
     r = solved(C_S=0j)
     assert r.bolt_end_force == 0
     assert r.bolt_separation_safety is r.bolt_slip_safety is r.bolt_slip_across_safety is None
-    assert bolts.checks(r) == ()
+    assert [c.id for c in bolts.checks(r)] == ["countershaft.bolts.strength"]
     assert any("no force on its support" in note for note in bolts.notes(Bolts(**SOURCE), r))
     assert not any(p.id.endswith("_safety") for p in published(r, "countershaft"))
 
@@ -245,6 +245,7 @@ def test_checks_of_the_source_design():
     assert {id: c.verdict for id, c in found.items()} == {
         "countershaft.bolts.slip": "pass",
         "countershaft.bolts.separation": "pass",
+        "countershaft.bolts.strength": "pass",
         "countershaft.bolts.pressure": "warn",
     }
     pressure = found["countershaft.bolts.pressure"]
@@ -256,7 +257,20 @@ def test_checks_of_the_source_design():
 )
 def test_a_joint_slips_before_it_opens(torque, slip, separation):
     verdicts = {c.id: c.verdict for c in bolts.checks(solved(torque=torque))}
-    assert verdicts == {"countershaft.bolts.slip": slip, "countershaft.bolts.separation": separation}
+    assert verdicts == {
+        "countershaft.bolts.slip": slip, "countershaft.bolts.separation": separation, "countershaft.bolts.strength": "pass",
+    }  # fmt: skip
+
+
+def test_the_stress_while_it_is_tightened():
+    """By hand: σ_z = F/A_s, τ = 16·M_G/(π·d_0³) with M_G = F·d_2/2·tan(α + ρ′), M10 of class 8.8 at 45 N·m; at 60 N·m it yields."""
+    r = solved()
+    d_2, d_3 = 10 - 0.649519 * 1.5, 10 - 1.226869 * 1.5
+    d_0, lead = (d_2 + d_3) / 2, math.atan(1.5 / (math.pi * d_2)) + math.atan(0.12 / math.cos(math.radians(30)))
+    sigma, tau = r.bolt_preload / (math.pi / 4 * d_0**2), 16 * r.bolt_preload * d_2 / 2 * math.tan(lead) / (math.pi * d_0**3)
+    assert r.bolt_tightening_stress / 1e6 == pytest.approx(math.hypot(sigma, math.sqrt(3) * tau), rel=1e-9)
+    verdicts = {k: [c.verdict for c in bolts.checks(solved(torque=60.0, property_class=k)) if "strength" in c.id] for k in ("8.8", "10.9")}
+    assert verdicts == {"8.8": ["fail"], "10.9": ["pass"]}
 
 
 @pytest.mark.parametrize(

@@ -9,8 +9,8 @@ import pytest
 from calc.catalogue import Material
 from calc.countershaft import cost_formulas as f
 from calc.countershaft.alternatives import compared, compared_table, key
-from calc.countershaft.front import front_curve
 from calc.countershaft.choices import Envelope, asked, candidates, changes, choices, choices_table, envelope
+from calc.countershaft.front import front_curve
 from calc.countershaft.inputs import Journal
 from calc.countershaft.mounting_inputs import Alternative, Cost, Support
 from calc.countershaft.sizing import TooSmall, pair, size
