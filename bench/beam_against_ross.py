@@ -3,8 +3,8 @@
 
 ROSS is no dependency of this program.  Into an environment of its own, then run from the root of the repository:
 
-    python3 -m venv /tmp/ross && /tmp/ross/bin/pip install ross-rotordynamics 'plotly<6'
-    /tmp/ross/bin/python -m bench.beam_against_ross
+    python3 -m venv ROSS && ROSS/bin/pip install ross-rotordynamics 'plotly<6'
+    ROSS/bin/python -m bench.beam_against_ross
 
 ROSS knows round sections only.  From it come the matrices of each shaft element (shear after Cowper, no rotary inertia), with the sector's
 second moment, area and shear factor put in place of the round ones; stiff springs stand for the bearings, and the loads are put on the
@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from calc.catalogue import Material
-from calc.countershaft import bending as b
+from calc.countershaft.bending import shaft as b
 from calc.countershaft.inputs import Extra
 from calc.countershaft.outline import Outline, Piece, outline
 

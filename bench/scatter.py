@@ -11,10 +11,10 @@ import time
 
 import numpy as np
 
-from calc.countershaft import scatter as sc
-from calc.countershaft.holes import calibration
 from calc.countershaft.inputs import EccentricMass, Holes, Scatter
-from calc.countershaft.tolerance import permitted
+from calc.countershaft.making import scatter as sc
+from calc.countershaft.making.holes import calibration
+from calc.countershaft.making.tolerance import permitted
 
 COUNT, LOOPED = 10_000, 1_000
 OMEGA = 2 * math.pi * 2600 / 60

@@ -10,9 +10,9 @@ import math
 import numpy as np
 
 from bench.film import best
-from calc.countershaft import lengths
-from calc.countershaft.front import front_curve
-from calc.countershaft.sizing import TooSmall, pair, pair_masses, size
+from calc.countershaft.sizing import lengths
+from calc.countershaft.sizing.front import front_curve
+from calc.countershaft.sizing.sectors import TooSmall, pair, pair_masses, size
 
 OMEGA, STEEL = 2 * math.pi * 2600 / 60, 7860.0
 P = 572.932 / OMEGA**2 + 0j

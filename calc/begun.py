@@ -12,10 +12,10 @@ from itertools import pairwise
 from typing import Any
 
 from .countershaft import formulas as f
-from .countershaft import sizing_formulas as sizes
-from .countershaft.holes import calibration
 from .countershaft.inputs import Holes, Journal
-from .countershaft.sizing import Sized, size
+from .countershaft.making.holes import calibration
+from .countershaft.sizing import formulas as sizes
+from .countershaft.sizing.sectors import Sized, size
 from .design import Design
 from .gears import formulas as g
 from .sheet.errors import NoSolution

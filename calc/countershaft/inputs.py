@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from itertools import pairwise
 
 from ..sheet.quantity import choice, inputs, integer, quantity, series, table, tables, text
-from .mounting_inputs import Bolts, Cost, OilDrain, Support
+from .making.inputs import Bolts, Cost, OilDrain, Support
 
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program

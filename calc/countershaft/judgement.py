@@ -6,7 +6,7 @@ import math
 from ..sheet.check import Check, check
 from ..sheet.functions import argument
 from ..sheet.units import Metre
-from .bending import SLOPE_LIMIT
+from .bending.shaft import SLOPE_LIMIT
 from .inputs import CountershaftInputs
 from .result import CountershaftResult
 from .standing import Gear

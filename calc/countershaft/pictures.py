@@ -8,7 +8,7 @@ import numpy as np
 from ..imbalance.pictures import DRAWN
 from ..sheet.step import Curve, Series
 from ..sheet.units import Metre, RadPerSecond
-from .bending import Bending
+from .bending.shaft import Bending
 from .drawing import outline_curve
 from .result import CountershaftResult
 from .task import WORDS, Task

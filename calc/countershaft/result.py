@@ -16,18 +16,18 @@ from ..sheet.units import (
     Radian,
     RevPerSecond,
 )  # fmt: skip
-from .bending import Bending
-from .holes import HolesResult
+from .bending.shaft import Bending
+from .making.holes import HolesResult
+from .making.tolerance import ToleranceResult
 from .outline import Outline
 from .standing import Standing
-from .tolerance import ToleranceResult
 
 if TYPE_CHECKING:  # loaded only where they are asked for
-    from .alternatives import MaterialResult
-    from .bolts import BoltsResult
-    from .drain import DrainResult
-    from .scatter import ScatterResult
-    from .sizing import SizedSector
+    from .making.bolts import BoltsResult
+    from .making.drain import DrainResult
+    from .making.scatter import ScatterResult
+    from .sizing.alternatives import MaterialResult
+    from .sizing.sectors import SizedSector
 
 
 @result

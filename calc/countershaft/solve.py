@@ -13,11 +13,11 @@ from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
 from . import formulas as f
-from .bending import Bending, bending
-from .bending import checks as bending_checks
+from .bending.shaft import Bending, bending
+from .bending.shaft import checks as bending_checks
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .judgement import checks, notes
-from .making import Gathered, making
+from .making.parts import Gathered, making
 from .outline import NoOutline, Outline, assembled, given, known, sectors_of, vectors_of, weighed
 from .pictures import pictures
 from .result import CountershaftResult, SupportResult
@@ -26,7 +26,7 @@ from .supports import heat_index, reactions, specific_load
 from .task import Task, task
 
 if TYPE_CHECKING:
-    from .sizing import Sized
+    from .sizing.sectors import Sized
 
 Journals = tuple[tuple[Metre, Metre], ...]  # (diameter, length), front to rear
 
@@ -47,7 +47,7 @@ def solve(
         omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
         masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, to)
         if sized is not None:
-            from .sizing import eccentric_masses
+            from .sizing.sectors import eccentric_masses
 
             masses = eccentric_masses(sized)
         R = shaft.outer_radius if shaft.outer_radius is not None else _widest(shaft, journals)
@@ -86,8 +86,8 @@ def _sized(
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
-    from .front import front_curve
-    from .sizing import size
+    from .sizing.front import front_curve
+    from .sizing.sectors import size
 
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
@@ -122,7 +122,7 @@ def _drawn(
             return given(shaft)
         outer, core = known(shaft, R, journals)
         if sized is not None:
-            from .sizing import pieces
+            from .sizing.sectors import pieces
 
             sectors = pieces(sized)
         else:

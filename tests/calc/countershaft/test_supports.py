@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from calc.countershaft.beam import beam, bend
+from calc.countershaft.bending.beam import beam, bend
 from calc.countershaft.supports import heat_index, reactions, specific_load, support_moments
 from calc.sheet.errors import NoSolution
 

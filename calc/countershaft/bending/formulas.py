@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the bending of the shaft is computed from, and what comes out: stiffness, load, slope, frequency, stress.
+
+All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section, that of the journal.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...sheet.arrays import BoolArray
+from ...sheet.formula import formula
+from ...sheet.functions import cis, cos, largest, pi, sin, smallest
+from ...sheet.units import (
+    Kilogram,
+    KilogramPerMetre,
+    KilogramPerMetre3,
+    Metre,
+    Metre4,
+    Newton,
+    NewtonMetre,
+    NewtonMetre2,
+    Number,
+    Pascal,
+    PhasorCubicMetre,
+    PhasorNewton,
+    PhasorNewtonPerMetre,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    SquareMetre,
+)  # fmt: skip
+from . import beam as b
+from .beam import Beam, Bent
+
+FINITE = "stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles"
+TURNING = "(K − ω²·M)·u = f, f from q and F, w = 0 at the journals"
+
+
+# --- the section --------------------------------------------------------------------------------------------------------------
+@formula("G", "isotropic elasticity", unit="GPa")
+def shear_modulus(E: Pascal, nu: Number) -> Pascal:
+    return E / (2 * (1 + nu))
+
+
+@formula("κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: circular section")
+def shear_coefficient(nu: Number) -> Number:
+    """Used for the sectors too: shear gives a small part of the deflection there."""
+    return 6 * (1 + nu) / (7 + 6 * nu)
+
+
+@formula("S_s", "Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
+def shear_stiffness(kappa: Number, G: Pascal, A: SquareMetre) -> Newton:
+    return kappa * G * A
+
+
+@formula("B", "bending stiffness of the section")
+def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
+    return E * I
+
+
+@formula("I_0", "second moment of the core alone, which a sector of no effect leaves; of a full section all of it", unit="mm⁴",
+         shows="π·r_0⁴/4 of a sector, I of a full section")  # fmt: skip
+def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
+    found: Any = np.where(sector, pi * r_0**4 / 4, I)
+    return found
+
+
+@formula("I_η", "rule of this program: the core bends whole, and the sector lends a share of what it adds to the core", unit="mm⁴")
+def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
+    """Mass and shear stiffness stay those of the whole section."""
+    return I_0 + eta * (I - I_0)
+
+
+@formula("I_side", "second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
+def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
+    return (R**4 - r_0**4) / 4 * (gamma - sin(gamma) * cos(gamma)) + pi * r_0**4 / 4
+
+
+@formula("I_min", "the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry", unit="mm⁴")
+def weaker_inertia(I: Metre4, I_side: Metre4) -> Metre4:
+    return smallest(I, I_side)
+
+
+@formula("c", "distance of the farthest fibre from the centre of sector and core, in the plane of symmetry", unit="mm", names={"y": "ȳ"})
+def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
+    """Outer edge, the core's back, or the edge of a sector of more than half a turn."""
+    return largest(R - y, y + largest(r_0, -R * cos(gamma)))
+
+
+# --- mass and load --------------------------------------------------------------------------------------------------------------
+@formula("ρ·A", "mass per length of the whole section")
+def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
+    return rho * A
+
+
+@formula("q", "centrifugal load per length of what is eccentric")
+def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
+    return omega**2 * rho * S
+
+
+@formula("F_x", "centrifugal load of a further element; below zero for what is removed")
+def point_load(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
+    return omega**2 * m * e * cis(gamma)
+
+
+# --- what comes out -------------------------------------------------------------------------------------------------------------
+@formula("θ", FINITE, shows=f"|θ| at each journal from {TURNING}", unit="mrad")
+def slopes(
+    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
+    z: Metre, z_B: Metre, u: Bent,
+) -> Radian:  # fmt: skip
+    """`u` is the solution for the other arguments, from which the moments are taken too."""
+    found: Any = np.abs(u.slopes)
+    return found
+
+
+@formula("f_1", f"{FINITE}; without rotary inertia and gyroscopic effect", shows="lowest root of |K − (2π·f)²·M| = 0, subspace iteration")
+def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam) -> RevPerSecond:
+    """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
+    return b.natural_frequency(model) / (2 * pi)
+
+
+@formula("M_max", FINITE, shows=f"largest |M| along the shaft, M = −E·I·θ' from {TURNING}")
+def largest_moment(
+    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
+    z: Metre, z_B: Metre, u: Bent,
+) -> NewtonMetre:  # fmt: skip
+    return float(np.abs(u.moment).max())
+
+
+@formula("z_M", FINITE, shows="where |M| is largest", unit="mm")
+def moment_place(u: Bent) -> Metre:
+    return float(u.moment_z[np.abs(u.moment).argmax()])
+
+
+@formula("M", FINITE, shows=f"largest |M| on each piece, from {TURNING}")
+def piece_moments(z_1: Metre, z_2: Metre, u: Bent) -> NewtonMetre:
+    """The pieces reach from z_1 to z_2: arrays."""
+    ends: Any = np.stack([z_1, z_2], 1)
+    at_ends: Any = np.abs(u.moment_at(ends)).max(1)
+    size = np.abs(u.moment)
+    within = (u.moment_z[None, :] >= ends[:, :1]) & (u.moment_z[None, :] <= ends[:, 1:])
+    return np.maximum(at_ends, np.where(within, size[None, :], 0.0).max(1))
+
+
+@formula("M_h", FINITE, shows="|M| at the shoulder")
+def shoulder_moment(z: Metre, u: Bent) -> NewtonMetre:
+    return float(abs(u.moment_at(z)))
+
+
+@formula("σ", "elementary bending, nominal: farthest fibre of the whole section", unit="MPa")
+def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
+    return M * c / I
+
+
+@formula("η_lim", "where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ")
+def limiting_share(
+    theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton,
+    m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number,
+) -> Number:  # fmt: skip
+    """`eta` is the root itself, found from the other arguments."""
+    return eta
+
+
+@formula("a", "way of the journal's edge by its slope", unit="µm")
+def edge_displacement(theta: Radian, l: Metre) -> Metre:
+    return theta * l / 2

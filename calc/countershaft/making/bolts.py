@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The bolts that hold the shaft's support to the block: preload by torque, pressure under the head, slip and separation.
+
+The load turns with the shaft.  At each end of the support a force Q of constant size sweeps through all directions: it pulls the joint
+apart, presses it together and pushes it to either side within one turn.  The joint holds by friction alone; locating pins, where there
+are any, are left out.
+"""
+
+from typing import TYPE_CHECKING
+
+from ...sheet.check import Check, check
+from ...sheet.formula import formula
+from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
+from ...sheet.quantity import result, value
+from ...sheet.trace import about
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewton, PhasorNewtonMetre, Radian, SquareMetre
+from .inputs import STRENGTH
+from .thread import nominal_diameter, pitch, pitch_diameter, root_diameter, stress_area
+
+if TYPE_CHECKING:
+    from ...catalogue import Material
+    from .inputs import Bolts
+
+# VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the wrench, so the
+# unfavourable end is taken.
+ALPHA_A = 2.0
+
+VDI = "VDI 2230-1"
+SOURCE = "Finotti 2013, Table 6.1"
+TURNING = "statics of a joint whose load turns through all directions"
+LEAST = {"F_min": "F_V,min"}
+
+
+# --- preload ----------------------------------------------------------------------------------------------------------------
+@formula("α_h", f"{VDI}: helix angle at the pitch diameter")
+def helix_angle(p: Metre, d_2: Metre) -> Radian:
+    return atan(p / (pi * d_2))
+
+
+@formula("ρ′", f"{VDI}: angle of friction on flanks at 30°")
+def friction_angle(mu: Number) -> Radian:
+    return atan(mu / cos(pi / 6))
+
+
+@formula("D_Km", f"{VDI}: mean diameter of the bearing face of the head", unit="mm")
+def mean_bearing_diameter(d_w: Metre, d_h: Metre) -> Metre:
+    return (d_w + d_h) / 2
+
+
+@formula("r_h", f"{VDI}: radius of the friction under the head", unit="mm")
+def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
+    return (d_w + d_h) / 4
+
+
+@formula("F_V", "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)")
+def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
+    """`rho` is the angle of friction on the flanks."""
+    return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
+
+
+@formula("F_V", f"{VDI}: short form, for small angles")
+def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, D_Km: Metre) -> Newton:
+    return T / (0.159 * p + 0.578 * mu * d_2 + mu * D_Km / 2)
+
+
+@formula("d_2", f"{SOURCE}: pitch diameter", unit="mm")
+def pitch_diameter_source(D: Metre, p: Metre) -> Metre:
+    return D - 0.64953 * p
+
+
+@formula("α_h", f"{SOURCE}: helix angle at the nominal diameter, where no flank is")
+def helix_angle_source(p: Metre, D: Metre) -> Radian:
+    return atan(p / (pi * D))
+
+
+@formula("ρ", f"{SOURCE}: angle of friction without the flanks' inclination")
+def friction_angle_source(mu: Number) -> Radian:
+    return atan(mu)
+
+
+@formula("r_h", f"{SOURCE}: friction at the outer edge of the head", unit="mm")
+def friction_radius_source(d_w: Metre) -> Metre:
+    return d_w / 2
+
+
+@formula("F_V,min", f"{VDI}: least preload; tightening factor of a torque wrench with an estimated coefficient of friction, 1.6 to 2.0")
+def least_preload(F_V: Newton, alpha_A: Number) -> Newton:
+    """F_V is taken as the largest preload, as it is with the smallest friction to be expected."""
+    return F_V / alpha_A
+
+
+@formula("p_h", f"{VDI}: pressure under the head, hole not chamfered", unit="MPa")
+def head_pressure(F_V: Newton, d_w: Metre, d_h: Metre) -> Pascal:
+    return F_V / (pi / 4 * (d_w**2 - d_h**2))
+
+
+@formula("σ_z", "preload over the stress area of the thread (ISO 898-1); torsion of tightening left out", unit="MPa")
+def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
+    return F_V / A_s
+
+
+# --- the joint under the turning load -----------------------------------------------------------------------------------------
+@formula("z_m", "middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm")
+def middle(z_f: Metre, z_r: Metre) -> Metre:
+    return (z_f + z_r) / 2
+
+
+@formula("l_b", "distance of the outer bearings", unit="mm")
+def bearing_span(z_f: Metre, z_r: Metre) -> Metre:
+    return z_r - z_f
+
+
+@formula("C_m", "couple moved to the middle of the bolts (statics)")
+def couple_about_middle(C_S: PhasorNewtonMetre, z_m: Metre, F_S: PhasorNewton) -> PhasorNewtonMetre:
+    return C_S - z_m * F_S
+
+
+@formula("Q_f", "force and couple of the shaft shared by the front and rear bolts (statics of a rigid support)")
+def force_front(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
+    return modulus(F_S / 2 - C_m / l_b)
+
+
+@formula("Q_r", "force and couple of the shaft shared by the front and rear bolts (statics of a rigid support)")
+def force_rear(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
+    return modulus(F_S / 2 + C_m / l_b)
+
+
+@formula("Q", "the end that carries more")
+def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
+    return largest(Q_f, Q_r)
+
+
+@formula("n", "half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2")
+def bolts_at_an_end(N_b: Number) -> Number:
+    return float(N_b // 2)
+
+
+@formula("S_sep", f"{TURNING}: it pulls the joint apart; resilience of bolt and parts left out, which is on the safe side", names=LEAST)
+def safety_separation(n: Number, F_min: Newton, Q: Newton) -> Number:
+    return n * F_min / Q
+
+
+@formula("S_across", f"{TURNING}: it stands across the bolts; friction by Coulomb", names=LEAST)
+def safety_across(mu_T: Number, n: Number, F_min: Newton, Q: Newton) -> Number:
+    return mu_T * n * F_min / Q
+
+
+@formula(
+    "S_slip", f"{TURNING}: its worst direction, that which pulls apart and pushes aside, Q·(cos θ + sin θ/μ_T) at its largest", names=LEAST
+)
+def safety_slip(n: Number, F_min: Newton, Q: Newton, mu_T: Number) -> Number:
+    return n * F_min / (Q * sqrt(1 + 1 / mu_T**2))
+
+
+@formula("M_G", f"{VDI}: torque in the shank, the share of the thread", unit="N·m", names={"rho": "ρ′"})
+def thread_torque(F_V: Newton, d_2: Metre, alpha_h: Radian, rho: Radian) -> NewtonMetre:
+    return F_V * d_2 / 2 * tan(alpha_h + rho)
+
+
+@formula("d_0", f"{VDI}: diameter of the stress area", unit="mm")
+def stress_diameter(d_2: Metre, d_3: Metre) -> Metre:
+    return (d_2 + d_3) / 2
+
+
+@formula("τ_M", f"{VDI}: torsion of the shank while it is tightened", unit="MPa")
+def torsion_stress(M_G: NewtonMetre, d_0: Metre) -> Pascal:
+    return 16 * M_G / (pi * d_0**3)
+
+
+@formula("σ_red", f"{VDI}: equivalent stress while it is tightened, von Mises", unit="MPa")
+def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
+    return sqrt(sigma_z**2 + 3 * tau_M**2)
+
+
+# --- results ------------------------------------------------------------------------------------------------------------------
+@result
+class BoltsResult:
+    """One bolt, and the joint.  The safeties are None where the shaft puts no force on its support."""
+
+    bolt_preload: Newton = value("Preload of a bolt", "N", "F_V")
+    bolt_preload_vdi: Newton = value("Preload by VDI 2230", "N", "F_V")
+    bolt_preload_vdi_short: Newton = value("Preload by the short form of VDI 2230", "N", "F_V")
+    bolt_preload_source: Newton = value("Preload by the source's formula", "N", "F_V")
+    bolt_preload_min: Newton = value("Least preload, by the scatter of torque tightening", "N", "F_V,min")
+    bolt_head_pressure: Pascal = value("Pressure under a bolt's head", "MPa", "p_h")
+    bolt_tensile_stress: Pascal = value("Tensile stress of a bolt by its preload", "MPa", "σ_z")
+    bolt_tightening_stress: Pascal = value("Equivalent stress of a bolt while it is tightened", "MPa", "σ_red")
+    bolt_end_force: Newton = value("Turning force on the bolts of one end", "N", "Q")
+    bolt_separation_safety: Number | None = value("Safety against separation", "", "S_sep", default=None)
+    bolt_slip_across_safety: Number | None = value("Safety against slip, load across the bolts", "", "S_across", default=None)
+    bolt_slip_safety: Number | None = value("Safety against slip while the load turns", "", "S_slip", default=None)
+    support: "Material | None"
+    property_class: str
+
+
+def solve(
+    bolts: "Bolts",
+    F_S: PhasorNewton,
+    C_S: PhasorNewtonMetre,
+    bearing_positions: tuple[Metre, ...],
+    support: "Material | None" = None,
+) -> BoltsResult:
+    """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as `shaft_force` and
+    `shaft_couple` give them; `support` is the material under the heads, where it is known.
+    """
+    T, mu, d_w, d_h = bolts.torque, bolts.friction, bolts.head_diameter, bolts.hole_diameter
+    with about("bolts"):
+        D, p = nominal_diameter(designation=bolts.thread), pitch(designation=bolts.thread)
+    with about("bolts, VDI 2230"):
+        d_2 = pitch_diameter(D=D, p=p)
+        alpha_h, rho = helix_angle(p=p, d_2=d_2), friction_angle(mu=mu)
+        F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu=mu, r_h=friction_radius(d_w=d_w, d_h=d_h))
+        F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, D_Km=mean_bearing_diameter(d_w=d_w, d_h=d_h))
+    with about("bolts, source"):
+        d_2s, alpha_s, rho_s = pitch_diameter_source(D=D, p=p), helix_angle_source(p=p, D=D), friction_angle_source(mu=mu)
+        F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu=mu, r_h=friction_radius_source(d_w=d_w))
+    F_V = F_source if bolts.method == "source" else F_vdi
+    with about("bolts"):
+        F_min = least_preload(F_V=F_V, alpha_A=ALPHA_A)
+        pressure = head_pressure(F_V=F_V, d_w=d_w, d_h=d_h)
+        d_3 = root_diameter(D=D, p=p)
+        sigma = tensile_stress(F_V=F_V, A_s=stress_area(d_2=d_2, d_3=d_3))
+        M_G = thread_torque(F_V=F_V, d_2=d_2, alpha_h=alpha_h, rho=rho)
+        tightened = tightening_stress(sigma_z=sigma, tau_M=torsion_stress(M_G=M_G, d_0=stress_diameter(d_2=d_2, d_3=d_3)))
+        z_f, z_r = bearing_positions[0], bearing_positions[-1]
+        l_b = bearing_span(z_f=z_f, z_r=z_r) if bolts.row_span is None else bolts.row_span
+        C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
+        Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
+        separation = across = slip = None
+        if Q > 0:
+            n = bolts_at_an_end(N_b=bolts.count)
+            separation = safety_separation(n=n, F_min=F_min, Q=Q)
+            across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
+            slip = safety_slip(n=n, F_min=F_min, Q=Q, mu_T=bolts.joint_friction)
+    return BoltsResult(
+        bolt_preload=F_V, bolt_preload_vdi=F_vdi, bolt_preload_vdi_short=F_short, bolt_preload_source=F_source, bolt_preload_min=F_min,
+        bolt_head_pressure=pressure, bolt_tensile_stress=sigma, bolt_end_force=Q, bolt_separation_safety=separation,
+        bolt_slip_across_safety=across, bolt_slip_safety=slip, bolt_tightening_stress=tightened, support=support,
+        property_class=bolts.property_class,
+    )  # fmt: skip
+
+
+def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
+    """The strength of the support and its name; None where none is known."""
+    if support is None:
+        return None
+    if support.tensile_strength is not None:
+        return support.tensile_strength, "tensile strength"
+    return (support.proof_stress, "proof stress") if support.proof_stress is not None else None
+
+
+def checks(found: BoltsResult) -> tuple[Check, ...]:
+    """Slip and separation at the least preload, pressure at the largest."""
+    made = []
+    for key, name, safety in (
+        ("slip", "Safety against slip of the support while the load turns", found.bolt_slip_safety),
+        ("separation", "Safety against separation of the support", found.bolt_separation_safety),
+    ):
+        if safety is not None:
+            made.append(
+                check(
+                    f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "",
+                    "rule of this program: the least preload must still hold the joint",
+                    "More or larger bolts, a larger torque, or rows of bolts further apart.",
+                )
+            )  # fmt: skip
+    made.append(
+        check(
+            "countershaft.bolts.strength", f"Stress of a bolt of class {found.property_class} while it is tightened",
+            found.bolt_tightening_stress, "<=", STRENGTH[found.property_class] * 1e6, "MPa",
+            "VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)",
+            "A smaller torque, a larger thread, or a higher property class.",
+        )
+    )  # fmt: skip
+    if (known := _strength(found.support)) is not None and found.support is not None:
+        made.append(
+            check(
+                "countershaft.bolts.pressure", "Pressure under a bolt's head", found.bolt_head_pressure, "<=", known[0], "MPa",
+                f"rule of this program: {known[1]} of {found.support.name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
+                "the tensile strength of an aluminium, and more for cast iron",
+                "A hardened washer or a flanged head: the seat yields and the preload falls with it.", kind="advice",
+            )
+        )  # fmt: skip
+    return tuple(made)
+
+
+def notes(bolts: "Bolts", found: BoltsResult) -> tuple[str, ...]:
+    """What was assumed."""
+    made = [
+        f"Bolts: slip and separation are judged at the least preload, F_V/{ALPHA_A:g}: a torque wrench with an estimated coefficient of "
+        "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the largest preload.",
+        "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the joint, its weight, "
+        "the gear force, locating pins and the thread's engagement in the block are left out.",
+    ]
+    if bolts.row_span is None:
+        made.append("Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do not.")
+    if bolts.count % 2:
+        made.append(f"Bolts: of {bolts.count} bolts, the end with {bolts.count // 2} is judged.")
+    if found.bolt_slip_safety is None:
+        made.append("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
+    if _strength(found.support) is None:
+        made.append("Bolts: no strength of the support is known, so the pressure under the head is not judged.")
+    return tuple(made)

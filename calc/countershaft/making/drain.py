@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The oil drain of the support: a spring band clamp that grips both ends of the hose, and a union that fits the block.
+
+A clamp must be closed when it sits on the smaller end, so its nominal diameter must not exceed that end, and it must open far enough to
+go over the larger one.  A clamp of the next size up would open far enough where this one does not, but it would not grip.
+"""
+
+import tomllib
+from functools import cache
+from typing import Any
+
+from ...catalogue import TABLES
+from ...sheet.check import Check, check
+from ...sheet.formula import formula
+from ...sheet.quantity import result, value
+from ...sheet.trace import about
+from ...sheet.units import Metre
+from .inputs import Clamp, OilDrain, Union
+from .thread import thread
+
+RULE = "Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)"
+
+
+@cache
+def _file(name: str) -> dict[str, Any]:
+    return tomllib.loads((TABLES / name).read_text(encoding="utf-8"))
+
+
+@cache
+def clamps(series: str = "company") -> tuple[Clamp, ...]:
+    """The clamps that come with the program: those of the source ("company") or of the standard ("din3021")."""
+    rows = _file("clamps.toml")[series]["clamps"]
+    return tuple(Clamp(nominal=row["nominal_mm"] / 1000, opening=row["opening_mm"] / 1000) for row in rows)
+
+
+@cache
+def unions() -> tuple[Union, ...]:
+    """The unions that come with the program."""
+    return tuple(Union(thread=row["thread"], bore=row["bore_mm"] / 1000) for row in _file("unions.toml")["row"])
+
+
+# --- formulas ---------------------------------------------------------------------------------------------------------------
+@formula(
+    "D_n", f"{RULE}: the largest that still grips the smaller end of the hose", shows="largest nominal diameter at hand ≤ D_min", unit="mm"
+)
+def nominal(D_n: Metre, D_min: Metre) -> Metre:
+    """`D_n`: the nominal diameters at hand.  Meaningful where at least one of them fits."""
+    sizes: Any = D_n
+    return max(size for size in sizes if size <= D_min)
+
+
+@formula("D_o", f"{RULE}: opening of this clamp", shows="opening beside D_n in the table of clamps", unit="mm")
+def opening(D_n: Metre, nominals: Metre, openings: Metre) -> Metre:
+    sizes: Any = nominals
+    opens: Any = openings
+    return max(o for size, o in zip(sizes, opens) if size == D_n)
+
+
+@formula("Δ", f"{RULE}: what the opening exceeds the larger end of the hose by", unit="mm")
+def margin(D_o: Metre, D_max: Metre) -> Metre:
+    return D_o - D_max
+
+
+@formula(
+    "d_u", "Finotti 2013, 4.4: the union with the widest bore among those whose thread fits the block", shows="largest bore", unit="mm"
+)
+def widest_bore(bores: Metre, designation: str) -> Metre:
+    """`bores`: of the unions at hand with the thread `designation`."""
+    sizes: Any = bores
+    return max(sizes)
+
+
+# --- results ----------------------------------------------------------------------------------------------------------------
+@result
+class DrainResult:
+    """Clamp and union; None where none fits.  `tried` and `tried_din3021` are the margins of the one clamp that could grip, taken or
+    not (None: each is too large); `reason` says why it was not taken.
+    """
+
+    clamp_nominal: Metre | None = value("Nominal diameter of the hose clamp", "mm", "D_n", default=None)
+    clamp_opening: Metre | None = value("its largest opening", "mm", "D_o", default=None)
+    clamp_margin: Metre | None = value("its opening beyond the hose", "mm", "Δ", default=None)
+    clamp_opening_din3021: Metre | None = value("its largest opening by DIN 3021", "mm", "D_o", default=None)
+    union_bore: Metre | None = value("Bore of the widest pipe union that fits", "mm", "d_u", default=None)
+    drain: OilDrain
+    smallest: Metre  # nominal diameter of the smallest clamp at hand
+    tried: Metre | None
+    tried_din3021: Metre | None
+    unions: tuple[Union, ...]  # those that fit
+    reason: str
+
+
+def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | None:
+    """Nominal diameter and opening of the one clamp that grips and comes closest to the hose; None where each is too large."""
+    sizes: Any = tuple(clamp.nominal for clamp in at_hand)
+    opens: Any = tuple(clamp.opening for clamp in at_hand)
+    if min(sizes) > drain.hose_min:
+        return None
+    D_n = nominal(D_n=sizes, D_min=drain.hose_min)
+    return D_n, opening(D_n=D_n, nominals=sizes, openings=opens)
+
+
+def _mm(x: Metre) -> str:
+    return f"{x * 1e3:g} mm"
+
+
+def solve(drain: OilDrain) -> DrainResult:
+    """Choose clamp and union from the design's own lists, or else from those that come with the program."""
+    at_hand = drain.clamps or clamps()
+    hole = thread(drain.thread)
+    with about("oil drain"):
+        picked = _pick(drain, at_hand)
+        fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
+        bores: Any = tuple(union.bore for union in fits)
+        bore = widest_bore(bores=bores, designation=drain.thread) if fits else None
+        taken = picked if picked is not None and picked[1] >= drain.hose_max else None
+        gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
+        with about("oil drain, DIN 3021"):
+            standard = None if drain.clamps else _pick(drain, clamps("din3021"))
+            gap_din = margin(D_o=standard[1], D_max=drain.hose_max) if standard else None
+    same = standard is not None and taken is not None and standard[0] == taken[0]
+    return DrainResult(
+        clamp_nominal=taken[0] if taken else None,
+        clamp_opening=taken[1] if taken else None,
+        clamp_margin=gap if taken else None,
+        clamp_opening_din3021=standard[1] if standard and same else None,
+        union_bore=bore,
+        drain=drain,
+        smallest=min(clamp.nominal for clamp in at_hand),
+        tried=gap,
+        tried_din3021=gap_din if same else None,
+        unions=fits,
+        reason="" if taken else _reason(drain, picked, standard),
+    )
+
+
+def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple[Metre, Metre] | None) -> str:
+    """Why no clamp is taken, and whether the standard has one."""
+    if picked is None:
+        why = f"no clamp at hand is as small as the hose end of {_mm(drain.hose_min)}, so none grips it"
+    else:
+        why = (
+            f"the largest clamp that grips the hose end of {_mm(drain.hose_min)} is {_mm(picked[0])} and opens to {_mm(picked[1])}, "
+            f"not over the end of {_mm(drain.hose_max)}; a larger one would not grip"
+        )
+    if standard is not None and standard[1] >= drain.hose_max:
+        why += f". DIN 3021 has one of {_mm(standard[0])} that opens to {_mm(standard[1])}: give it in countershaft.oil_drain.clamps"
+    return why
+
+
+def checks(found: DrainResult) -> tuple[Check, ...]:
+    """Whether a clamp goes over both ends, and whether a union fits."""
+    advice = f"Hose ends closer to each other in diameter, or a clamp for each end: {found.reason}." if found.reason else ""
+    if found.tried is None:
+        first = check(
+            "countershaft.drain.clamp", "Smallest clamp at hand on the smaller hose end", found.smallest, "<=", found.drain.hose_min, "mm",
+            RULE, advice,
+        )  # fmt: skip
+    else:
+        first = check(
+            "countershaft.drain.clamp", "Opening of the clamp beyond the larger hose end", found.tried, ">=", 0.0, "mm", RULE, advice
+        )
+    made = [first]
+    if found.tried_din3021 is not None:
+        made.append(
+            check(
+                "countershaft.drain.clamp_din3021", "Opening of the clamp by DIN 3021 beyond the larger hose end",
+                found.tried_din3021, ">=", 0.0, "mm", _file("clamps.toml")["din3021"]["source"],
+                "The clamp of the source opens further than the standard asks for: make sure that the one bought does too.", kind="advice",
+            )
+        )  # fmt: skip
+    made.append(
+        check(
+            "countershaft.drain.union", f"Pipe unions at hand with thread {found.drain.thread}", float(len(found.unions)), ">", 0.0, "",
+            "Finotti 2013, 4.4: the union's thread must be that of the hole in the block",
+            "Another thread in the block, or give the union in countershaft.oil_drain.unions.",
+        )
+    )  # fmt: skip
+    return tuple(made)
+
+
+def notes(found: DrainResult) -> tuple[str, ...]:
+    """Where the choice comes from, what seals the union, and why there is no clamp."""
+    drain, made = found.drain, []
+    if not drain.clamps:
+        made.append(f"Oil drain: clamps by {_file('clamps.toml')['company']['source']}.")
+    if found.reason:
+        made.append(f"Oil drain: no clamp is taken: {found.reason}.")
+    for row in _file("unions.toml")["seal"]:
+        if found.unions and thread(row["thread"]) == thread(drain.thread):
+            made.append(f"Oil drain: the union {row['thread']} is sealed by {row['parts']} ({row['source']}).")
+    return tuple(made)

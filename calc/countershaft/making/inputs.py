@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the shaft is mounted with and what it costs: support, bolts, oil drain, alternatives of material."""
+
+from collections.abc import Iterable
+
+from ...sheet.quantity import choice, inputs, integer, quantity, tables, text
+from .thread import thread, thread_problem
+
+# Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
+STRENGTH = {"4.6": 240.0, "5.6": 300.0, "5.8": 420.0, "6.8": 480.0, "8.8": 640.0, "10.9": 940.0, "12.9": 1100.0}
+
+
+@inputs
+class Bolts:
+    """The bolts that hold the support to the block."""
+
+    thread: str = text("Thread", help="Metric, like M10x1.5; the coarse pitch may be left out: M10.")
+    torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="T", step=1)
+    friction: float = quantity("Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01)
+    head_diameter: float = quantity(
+        "Bearing diameter of the head", "mm", above=0, high=200, symbol="d_w", help="Across flats, or of the flange."
+    )
+    hole_diameter: float = quantity("Clearance hole", "mm", above=0, high=200, symbol="d_h")
+    count: int = integer("Number of bolts", low=2, high=64, symbol="N_b")
+    method: str = choice(
+        "Torque to preload", "vdi", "source", default="vdi",
+        help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are shown.",
+    )  # fmt: skip
+    property_class: str = choice(
+        "Property class", *STRENGTH, default="8.8", help="ISO 898-1; its proof strength judges the stress by tightening."
+    )
+    joint_friction: float = quantity(
+        "Coefficient of friction, support on block", default=0.12, low=0.02, high=0.8, symbol="mu_T", step=0.01
+    )
+    row_span: float | None = quantity(
+        "Distance of the bolt rows along the shaft", "mm", optional=True, above=0, high=5000, symbol="l_b",
+        help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
+    )  # fmt: skip
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.hole_diameter >= self.head_diameter:
+            yield "hole_diameter_mm", "must be smaller than head_diameter_mm, or the head bears on nothing"
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
+        elif self.hole_diameter <= (D := thread(self.thread)[0]):
+            yield "hole_diameter_mm", f"must be larger than the thread, {D * 1e3:g} mm"
+
+
+@inputs
+class Clamp:
+    """One spring band clamp."""
+
+    nominal: float = quantity("Nominal diameter", "mm", above=0, high=500)
+    opening: float = quantity("Largest opening", "mm", above=0, high=500)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.opening <= self.nominal:
+            yield "opening_mm", "must be larger than nominal_mm"
+
+
+@inputs
+class Union:
+    """One pipe union."""
+
+    thread: str = text("Thread", help="Like M18x1.5.")
+    bore: float = quantity("Bore", "mm", above=0, high=200)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
+
+
+@inputs
+class OilDrain:
+    """The hose and the union through which the support's oil runs back."""
+
+    hose_min: float = quantity("Hose end, smallest outer diameter", "mm", above=0, high=500, symbol="D_min")
+    hose_max: float = quantity("Hose end, largest outer diameter", "mm", above=0, high=500, symbol="D_max")
+    thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
+    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, optional=True)
+    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, optional=True)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.hose_max < self.hose_min:
+            yield "hose_max_mm", "must not be below hose_min_mm"
+        if (wrong := thread_problem(self.thread)) is not None:
+            yield "thread", wrong
+
+
+@inputs
+class Support:
+    """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite elements)."""
+
+    material: str = text("Material", help="A name from the table of materials or from [[material]].")
+    wall: float | None = quantity(
+        "Wall beside the largest seat", "mm", optional=True, above=0, high=200, symbol="w", help="With the shaft of this design."
+    )
+    least_wall: float = quantity("Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", help="5 mm: sand-cast aluminium.")
+    bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", optional=True, low=0, high=10000)
+    load_stress: float | None = quantity("Stress from the bearing loads alone, von Mises", "MPa", optional=True, low=0, high=10000)
+    load_stress_limit: float = quantity("the latter's limit", "MPa", default=20e6, above=0, high=10000)
+
+
+@inputs
+class Alternative:
+    """What the shaft costs in one material."""
+
+    material: str = text("Material", help="A name from the table of materials or from [[material]].")
+    tooling: float = quantity("Tooling", "€", low=0, high=1e9)
+    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6)
+    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9)
+
+
+@inputs
+class Cost:
+    """Yearly volume, and the alternatives to compare."""
+
+    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N")
+    alternatives: tuple[Alternative, ...] = tables("Alternatives", Alternative)
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        names = [a.material for a in self.alternatives]
+        if len(set(names)) < len(names):
+            yield "alternatives", "name each material once"

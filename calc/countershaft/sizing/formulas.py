@@ -1,0 +1,215 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where they do not fit."""
+
+from typing import Any
+
+import numpy as np
+
+from ...sheet.formula import formula
+from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, resultant, sin, smallest, sqrt
+from ...sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    KilogramMetre2,
+    KilogramPerMetre3,
+    Metre,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorNumber,
+    Radian,
+    RadPerSecond,
+    SquareMetre,
+)  # fmt: skip
+from .lengths import one
+
+LEAST = "least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b"
+MOMENTS = "equilibrium of unbalances and of their moments about mid-shaft"
+SCALE = "the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii"
+FACES = "sector with its outer face at the end of the envelope"
+
+
+# --- what is asked of the sectors --------------------------------------------------------------------------------------------
+@formula("ΣU_x", "unbalance of the further elements", unit="kg·mm")
+def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
+    return resultant(m * e * cis(gamma))
+
+
+@formula("P_x", "unbalance times position of the further elements", unit="kg·mm²")
+def extra_product(m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorKilogramMetre2:
+    return resultant(m * e * z * cis(gamma))
+
+
+@formula("U_s", "what is left for the sectors", unit="kg·mm", names={"U_x": "ΣU_x"})
+def unbalance_left(U: PhasorKilogramMetre, U_x: PhasorKilogramMetre) -> PhasorKilogramMetre:
+    return joined(U, -U_x)
+
+
+@formula("P_s", "what is left for the sectors", unit="kg·mm²")
+def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKilogramMetre2:
+    return joined(P, -P_x)
+
+
+# --- two equal sectors: a pure couple ------------------------------------------------------------------------------------------
+@formula("C", "couple of an unbalance times distance")
+def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
+    return modulus(P) * omega**2
+
+
+@formula("K", f"{LEAST}: b·(z_max − b/2)·sin γ that the couple asks for", unit="mm²")
+def couple_number(C: NewtonMetre, rho: KilogramPerMetre3, omega: RadPerSecond, R: Metre, r_0: Metre) -> SquareMetre:
+    return C / (4 / 3 * rho * omega**2 * (R**3 - r_0**3))
+
+
+@formula("u", f"{LEAST}: K over its limit, at 90° and b = z_max")
+def pair_utilisation(K: SquareMetre, z_max: Metre) -> Number:
+    return 2 * K / z_max**2
+
+
+def _relative(gamma: Any) -> Any:
+    """2·h(γ) = 4·q·sin γ/(1 + q)², which rises from 0 to 1 at 90°."""
+    q = 1 - gamma * np.cos(gamma) / np.sin(gamma)
+    return 4 * q * np.sin(gamma) / (1 + q) ** 2
+
+
+@formula("γ", LEAST, shows="γ from 2·q·sin γ/(1 + q)² = K/z_max² with q = 1 − γ·cot γ, by iteration")
+def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
+    """Between 0 and 90°, for K up to z_max²/2.
+
+    arcsin of the cube root of the left side (doubled) is nearly a straight line in γ, with a slope between 0.86 and 1.11: the
+    difference itself is then a good step, also at the limit, where the left side is level.
+    """
+    u: Any = np.minimum(2 * np.asarray(K, dtype=float) / z_max**2, 1.0)
+    wanted = np.arcsin(np.cbrt(u))
+    gamma = np.maximum(wanted, 1e-300)
+    for _ in range(60):
+        step = wanted - np.arcsin(np.minimum(np.cbrt(_relative(gamma)), 1.0))
+        gamma = np.minimum(gamma + step, np.pi / 2)
+        if not np.any(np.abs(step) > 1e-15):
+            break
+    found: Any = gamma if np.ndim(gamma) else float(gamma)
+    return found
+
+
+@formula("q", LEAST)
+def pair_ratio(gamma: Radian) -> Number:
+    return 1 - gamma * cos(gamma) / sin(gamma)
+
+
+@formula("b", LEAST, unit="mm")
+def pair_length(z_max: Metre, q: Number) -> Metre:
+    return z_max * 2 * q / (1 + q)
+
+
+@formula("z_c", f"{FACES}: its middle", unit="mm")
+def pair_arm(z_max: Metre, b: Metre) -> Metre:
+    return z_max - b / 2
+
+
+@formula("C", "couple of two equal unbalances opposite each other")
+def pair_couple(U: KilogramMetre, z_c: Metre, omega: RadPerSecond) -> NewtonMetre:
+    return 2 * U * z_c * omega**2
+
+
+@formula("∠", "direction of the vector while cylinder 1 stands at TDC: that of the rear sector")
+def couple_direction(P: PhasorKilogramMetre2) -> Radian:
+    return argument(P)
+
+
+@formula("∠", "the other side of the shaft: the front sector")
+def opposite(angle: Radian) -> Radian:
+    return angle + pi
+
+
+# --- any two sectors --------------------------------------------------------------------------------------------------------------
+@formula("k", "largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
+def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> Kilogram:
+    return 2 / 3 * rho * (R**3 - r_0**3)
+
+
+@formula("α", "unbalance asked of the sectors over that of one of full length at 90°", names={"U": "U_s"})
+def force_number(U: PhasorKilogramMetre, k: Kilogram, z_max: Metre) -> PhasorNumber:
+    return U / (k * z_max)
+
+
+@formula("Π", "unbalance times position asked of the sectors, by the same measure", names={"P": "P_s"})
+def product_number(P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> PhasorNumber:
+    return P / (k * z_max**2)
+
+
+SEARCH = "least mass of two sectors together, by search over both their lengths"
+
+
+@formula(
+    "u", "rule of this program: the least sin γ that the more loaded sector needs", shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)"
+)
+def utilisation(alpha: PhasorNumber, product: PhasorNumber) -> Number:
+    return one(alpha, product)[2]
+
+
+@formula("b_f", SEARCH, shows="b_f, with b_r, from the least Σ γ·b that gives U_s and P_s", unit="mm")
+def front_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Metre:
+    return one(alpha, product)[0] * z_max
+
+
+@formula("b_r", SEARCH, shows="b_r, with b_f, from the least Σ γ·b that gives U_s and P_s", unit="mm")
+def rear_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Metre:
+    return one(alpha, product)[1] * z_max
+
+
+@formula("z_f", f"{FACES}: its middle", unit="mm")
+def front_place(b: Metre, z_max: Metre) -> Metre:
+    return b / 2 - z_max
+
+
+@formula("z_r", f"{FACES}: its middle", unit="mm")
+def rear_place(b: Metre, z_max: Metre) -> Metre:
+    return z_max - b / 2
+
+
+@formula("U_r", MOMENTS, unit="kg·mm", names={"P": "P_s", "U": "U_s"})
+def rear_unbalance(P: PhasorKilogramMetre2, z_f: Metre, U: PhasorKilogramMetre, z_r: Metre) -> PhasorKilogramMetre:
+    return (P - z_f * U) / (z_r - z_f)
+
+
+@formula("U_f", MOMENTS, unit="kg·mm", names={"U": "U_s"})
+def front_unbalance(U: PhasorKilogramMetre, U_r: PhasorKilogramMetre) -> PhasorKilogramMetre:
+    return joined(U, -U_r)
+
+
+@formula("γ", "half-angle of a sector of given unbalance and length")
+def sector_half_angle(U: PhasorKilogramMetre, k: Kilogram, b: Metre) -> Radian:
+    return asin(smallest(1.0, modulus(U) / (k * b)))
+
+
+@formula("∠", "direction of the vector while cylinder 1 stands at TDC")
+def direction(U: PhasorKilogramMetre) -> Radian:
+    return argument(U)
+
+
+@formula("Σm", "sum of both sectors")
+def both_masses(m_f: Kilogram, m_r: Kilogram) -> Kilogram:
+    return m_f + m_r
+
+
+# --- what would be needed -----------------------------------------------------------------------------------------------------------
+@formula("C_max", f"{LEAST}: the couple at 90° and b = z_max")
+def possible_couple(C: NewtonMetre, u: Number) -> NewtonMetre:
+    return C / u
+
+
+@formula("R_min", SCALE, unit="mm")
+def radius_needed(R: Metre, r_0: Metre, u: Number) -> Metre:
+    """The outer radius at which the envelope is just used up."""
+    return (r_0**3 + u * (R**3 - r_0**3)) ** (1 / 3)
+
+
+@formula("z_min", "the largest couple goes with the square of the half-length", unit="mm")
+def half_length_needed(z_max: Metre, u: Number) -> Metre:
+    return z_max * sqrt(u)
+
+
+@formula("ΔP", "what the couple of the sectors leaves to further elements", unit="kg·mm²")
+def product_missing(C: NewtonMetre, C_max: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
+    return (C - C_max) / omega**2

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The lightest pair of sectors in an envelope: outer radius, core radius, and the half-length at whose ends their outer faces stand.
+
+The outer radius is always used up, since the static moment of a sector grows with its cube and the mass with its square.  A pure couple
+has a closed form: two equal sectors opposite each other.  A force, or elements beside the sectors, ask for two different ones, and a search
+over their lengths (lengths.py).  Half-angles stay at or below 90°: beyond, the static moment falls while the mass grows.
+Vectors: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at TDC.  z from mid-shaft, + towards the flywheel.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ...root import root
+from ...sheet.arrays import Array, column
+from ...sheet.errors import NoSolution
+from ...sheet.quantity import group, result, value
+from ...sheet.trace import about, untraced
+from ...sheet.units import (
+    Kilogram,
+    KilogramMetre2,
+    KilogramPerMetre3,
+    Metre,
+    NewtonMetre,
+    Number,
+    PhasorKilogramMetre,
+    PhasorKilogramMetre2,
+    PhasorNumber,
+    Radian,
+    RadPerSecond,
+)  # fmt: skip
+from .. import sector as s
+from ..inputs import EccentricMass, Extra
+from ..outline import Piece, around
+from . import formulas as f
+from . import lengths
+
+DUST = 1e-12  # of what the envelope can do: a force or an unbalance below it is none
+
+
+@result
+class SizedSector:
+    """One sector of the shaft.  Its direction is that of its middle; one without mass has no half-angle."""
+
+    length: Metre = value("Length of the sector", "mm", "b")
+    half_angle: Radian = value("its half-angle", "°", "γ")
+    mass: Kilogram = value("its mass", "kg", "m")
+    radius: Metre = value("Radius of its centre of gravity", "mm", "e")
+    angle: Radian = value("its direction, cylinder 1 at TDC", "°")
+    z: Metre = value("its position", "mm", "z")
+
+
+@result
+class Sized:
+    """The lightest pair of sectors in the envelope.  `sector_length` and `sector_half_angle` are the larger of both sectors'."""
+
+    mass: Kilogram = value("Eccentric masses together", "kg", "Σm")
+    utilisation: Number = value("Utilisation of the envelope", "", "u")
+    sector_length: Metre = value("Length of a sector, the longer one", "mm", "b")
+    sector_half_angle: Radian = value("Half-angle of a sector, the wider one", "°", "γ")
+    couple: NewtonMetre | None = value("Couple of the pair", "N·m", "C", default=None)
+    front: SizedSector = group()
+    rear: SizedSector = group()
+    outer_radius: Metre
+    core_radius: Metre
+
+
+class TooSmall(NoSolution):
+    """The envelope can not hold what is asked of it, with what would help (None: that alone would not).
+
+    `possible` is the share of force and couple that the envelope holds, `possible_couple` that of a pure couple [N·m]; `product` the
+    unbalance times distance that further elements would have to bring in the couple's direction, without a force of their own.
+    """
+
+    possible: Number
+    possible_couple: NewtonMetre | None
+    outer_radius: Metre
+    half_length: Metre
+    product: KilogramMetre2 | None
+
+
+@result
+class Pair:
+    """A pure couple's two equal sectors."""
+
+    utilisation: Number
+    half_angle: Radian
+    length: Metre
+    arm: Metre  # of a sector's middle from mid-shaft
+    radius: Metre
+    mass: Kilogram
+    couple: NewtonMetre  # of the pair, from its dimensions
+
+
+def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Pair:
+    """Two equal sectors opposite each other that give the couple C with the least mass.  Raises TooSmall."""
+    K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
+    u = f.pair_utilisation(K=K, z_max=z_max)
+    if u > 1:
+        raise _too_small_pair(C, u, omega, R, r_0, z_max)
+    gamma = f.pair_half_angle(K=K, z_max=z_max)
+    q = f.pair_ratio(gamma=gamma)
+    b = f.pair_length(z_max=z_max, q=q)
+    z_c = f.pair_arm(z_max=z_max, b=b)
+    A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
+    return Pair(
+        utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A), mass=s.sector_mass(rho=rho, A=A, b=b),
+        couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega),
+    )  # fmt: skip
+
+
+def pair_masses(C: Any, omega: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
+    """The mass of both sectors for arrays of any of the arguments; NaN where the envelope is too small."""
+    with untraced(), np.errstate(invalid="ignore", divide="ignore"):
+        rho, R, r_0, z_max = (np.asarray(x, dtype=float) for x in (rho, R, r_0, z_max))
+        K: Any = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
+        fits = f.pair_utilisation(K=K, z_max=z_max) <= 1
+        possible: Any = np.where(fits, K, np.nan)
+        gamma = f.pair_half_angle(K=possible, z_max=z_max)
+        b = f.pair_length(z_max=z_max, q=f.pair_ratio(gamma=gamma))
+        masses: Any = 2 * s.sector_mass(rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0), b=b)
+        return np.where(K == 0, 0.0, masses)
+
+
+def masses(U: Any, P: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
+    """The mass of both sectors for a force as well: unbalance U, product P, of the sectors alone; arrays of one axis, or numbers.
+
+    NaN where the envelope is too small.  U and P are one task, or as many as there are envelopes; a pure couple takes the closed form.
+    """
+    if np.all(np.abs(U) * z_max <= DUST * np.abs(P)):
+        return pair_masses(np.abs(P), 1.0, rho, R, r_0, z_max)
+    with untraced():
+        k: Any = np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0))
+    front, rear, _ = lengths.lengths(U / (k * z_max), P / (k * z_max**2))
+    amount = lengths.amount(lengths.task(U / (k * z_max), P / (k * z_max**2)), front, rear)
+    return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
+
+
+def size(
+    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
+    extras: tuple[Extra, ...] = (),
+) -> Sized:  # fmt: skip
+    """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P.
+
+    U = F/ω² and P = C/ω² of the whole shaft.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked.
+    """
+    U, P = remainder(U, P, extras)
+    with untraced():
+        k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
+    if max(abs(U), abs(P) / z_max) <= DUST * k * z_max:
+        raise NoSolution(
+            "there is nothing for the sectors to balance", "force and couple asked of the shaft, less its further elements",
+            "leave the counter-shaft out, or the further elements that do all its work",
+        )  # fmt: skip
+    if abs(U) * z_max <= DUST * abs(P):
+        return _of_pair(P, omega, rho, R, r_0, z_max)
+    return _of_search(U, P, omega, rho, R, r_0, z_max)
+
+
+def remainder(
+    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]
+) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2]:
+    """What is left for the sectors once the further elements have done their part."""
+    if not extras:
+        return U, P
+    m, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
+    U_x = f.extra_unbalance(m=m, e=e, gamma=gamma)
+    P_x = f.extra_product(m=m, e=e, z=z, gamma=gamma)
+    return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
+
+
+def _of_pair(
+    P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
+) -> Sized:  # fmt: skip
+    with about("sectors"):
+        found = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max)
+        rear = f.couple_direction(P=P)
+        common: dict[str, Any] = dict(length=found.length, half_angle=found.half_angle, mass=found.mass, radius=found.radius)
+        return Sized(
+            mass=f.both_masses(m_f=found.mass, m_r=found.mass), utilisation=found.utilisation, sector_length=found.length,
+            sector_half_angle=found.half_angle, couple=found.couple, outer_radius=R, core_radius=r_0,
+            front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=found.length, z_max=z_max)),
+            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=found.length, z_max=z_max)),
+        )  # fmt: skip
+
+
+def _of_search(
+    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
+) -> Sized:  # fmt: skip
+    with about("sectors"):
+        k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
+        alpha, product = f.force_number(U=U, k=k, z_max=z_max), f.product_number(P=P, k=k, z_max=z_max)
+        u = f.utilisation(alpha=alpha, product=product)
+        if u > 1:
+            raise _too_small(alpha, product, u, omega, k, R, r_0, z_max)
+        b_f, b_r = f.front_length(alpha=alpha, product=product, z_max=z_max), f.rear_length(alpha=alpha, product=product, z_max=z_max)
+        z_f, z_r = f.front_place(b=b_f, z_max=z_max), f.rear_place(b=b_r, z_max=z_max)
+        U_r = f.rear_unbalance(P=P, z_f=z_f, U=U, z_r=z_r)
+        U_f = f.front_unbalance(U=U, U_r=U_r)
+    front = _sector("front", U_f, b_f, z_f, k, rho, R, r_0, z_max)
+    rear = _sector("rear", U_r, b_r, z_r, k, rho, R, r_0, z_max)
+    return Sized(
+        mass=f.both_masses(m_f=front.mass, m_r=rear.mass), utilisation=u, outer_radius=R, core_radius=r_0, front=front, rear=rear,
+        sector_length=max(front.length, rear.length), sector_half_angle=max(front.half_angle, rear.half_angle),
+    )  # fmt: skip
+
+
+def _sector(
+    name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Any, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
+) -> SizedSector:
+    if abs(U) <= DUST * k * z_max:  # the other one does all
+        return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
+    with about(f"{name} sector"):
+        gamma = f.sector_half_angle(U=U, k=k, b=b)
+        A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
+        return SizedSector(
+            length=b, half_angle=gamma, mass=s.sector_mass(rho=rho, A=A, b=b), radius=s.centre_of_gravity(S=S, A=A),
+            angle=f.direction(U=U), z=z,
+        )  # fmt: skip
+
+
+def eccentric_masses(found: Sized) -> tuple[EccentricMass, ...]:
+    """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
+    return tuple(
+        EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z)
+        for name, one in (("front", found.front), ("rear", found.rear))
+    )
+
+
+def pieces(found: Sized) -> list[Piece]:
+    """The sectors as pieces of the outline; one without mass is left out."""
+    return [
+        Piece(*around(one.z, one.length, f"{name} sector"), found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector")
+        for name, one in (("front", found.front), ("rear", found.rear))
+        if one.mass
+    ]
+
+
+# --- where it does not fit -------------------------------------------------------------------------------------------------
+def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_0: Metre, z_max: Metre) -> TooSmall:
+    most = f.possible_couple(C=C, u=u)
+    product = f.product_missing(C=C, C_max=most, omega=omega)
+    needed = f.radius_needed(R=R, r_0=r_0, u=u), f.half_length_needed(z_max=z_max, u=u)
+    return _said(u, f"a couple of {C:.4g} N·m", most, needed, product, (R, r_0, z_max))
+
+
+def _too_small(
+    alpha: PhasorNumber, product: PhasorNumber, u: Number, omega: RadPerSecond, k: float, R: Metre, r_0: Metre, z_max: Metre
+) -> TooSmall:
+    """With a force there is no closed form: each answer is where the utilisation comes to 1."""
+    with untraced():
+        far = 2.0
+        while _load(alpha / far, product / far**2) > 1:
+            far *= 2
+        longer = root(lambda x: _load(alpha / x, product / x**2) - 1, 1.0, far)
+        missing = None
+        if _load(alpha, 0j) < 1:
+            missing = root(lambda x: _load(alpha, product * (1 - x)) - 1, 0.0, 1.0) * abs(product) * k * z_max**2
+    force, couple = abs(alpha) * k * z_max * omega**2, abs(product) * k * z_max**2 * omega**2
+    asked = f"a force of {force:.4g} N with a couple of {couple:.4g} N·m" if couple > DUST * force * z_max else f"a force of {force:.4g} N"
+    needed = f.radius_needed(R=R, r_0=r_0, u=u), longer * z_max
+    return _said(u, asked, None, needed, missing, (R, r_0, z_max))
+
+
+def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
+    return float(lengths.utilisation(alpha, product)[0])
+
+
+def _said(
+    u: Number, asked: str, most: NewtonMetre | None, needed: tuple[Metre, Metre], product: KilogramMetre2 | None,
+    envelope: tuple[Metre, Metre, Metre],
+) -> TooSmall:  # fmt: skip
+    """The numbers of the advice are rounded up: with them it does fit."""
+    (radius, length), (R, r_0, z_max) = needed, envelope
+    reach = f"{most:.1f} N·m" if most is not None else f"{100 / u:.1f} % of that"
+    ways = [
+        f"an outer radius of {_up(radius * 1e3, 2)} mm at this core and length",
+        f"a half-length of {_up(length * 1e3, 1)} mm at this radius",
+    ]
+    if product is not None:
+        ways.append(f"further elements (extras) that bring {_up(product * 1e6, 1)} kg·mm² of unbalance times distance in its direction")
+    error = TooSmall(
+        f"{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u:.3f})",
+        f"two sectors from {r_0 * 1e3:g} to {R * 1e3:g} mm up to ±{z_max * 1e3:g} mm, half-angle up to 90°",
+        f"it takes {', or '.join(ways)}",
+    )
+    error.possible, error.possible_couple = 1 / u, most
+    error.outer_radius, error.half_length, error.product = radius, length, product
+    return error
+
+
+def _up(x: float, digits: int) -> str:
+    return f"{math.ceil(x * 10**digits * (1 - 1e-12)) / 10**digits:.{digits}f}"

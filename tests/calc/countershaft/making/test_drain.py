@@ -1,0 +1,177 @@
+"""The hose clamp and the pipe union of the oil drain."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from calc.countershaft.making import drain
+from calc.countershaft.making.inputs import Clamp, OilDrain, Union
+from calc.countershaft.making.thread import thread, thread_problem
+from calc.sheet.quantity import published
+from calc.sheet.trace import trace
+
+
+def asked(low, high, name="M18x1.5", **own):
+    return OilDrain(hose_min=low / 1e3, hose_max=high / 1e3, thread=name, **own)
+
+
+def clamp(nominal, opening):
+    return Clamp(nominal=nominal / 1e3, opening=opening / 1e3)
+
+
+def verdicts(found):
+    return {c.id.removeprefix("countershaft.drain."): c.verdict for c in drain.checks(found)}
+
+
+def test_the_source_design():
+    """Finotti 2013, 4.4: hose ends 22.5 and 24 mm → clamp 22, opening 24.5 mm; block M18×1.5 → bore 12 mm, washers 18×22×1.5."""
+    r = drain.solve(asked(22.5, 24.0))
+    shown = {p.id: p.shown for p in published(r, "countershaft")}
+    assert shown == pytest.approx(
+        {
+            "countershaft.clamp_nominal": 22.0,
+            "countershaft.clamp_opening": 24.5,
+            "countershaft.clamp_margin": 0.5,
+            "countershaft.clamp_opening_din3021": 24.2,
+            "countershaft.union_bore": 12.0,
+        }
+    )
+    assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "pass", "union": "pass"}
+    margins = {c.id: c.value for c in drain.checks(r)}
+    assert margins["countershaft.drain.clamp"] == pytest.approx(0.5) and margins["countershaft.drain.clamp_din3021"] == pytest.approx(0.2)
+    assert any("18 × 22 × 1.5" in note for note in drain.notes(r))
+
+
+@pytest.mark.parametrize(
+    "nominal, source, standard",
+    [
+        (13, 14.5, 14.2),
+        (14, 15.8, 15.8),
+        (15, 16.8, 16.5),
+        (16, 17.5, 17.5),
+        (17, 18.5, 18.5),
+        (19, 21, 20.2),
+        (20, 21.6, 21.6),
+        (21, 22.5, 22.5),
+        (22, 24.5, 24.2),
+        (23, 24.7, 24.7),
+        (25, 27, 26.8),
+    ],
+)
+def test_the_tables(nominal, source, standard):
+    """Finotti 2013, Table 4.3, beside DIN 3021 as published by Westfield Fasteners."""
+    for series, opening in (("company", source), ("din3021", standard)):
+        found = {round(c.nominal * 1e3, 6): c.opening * 1e3 for c in drain.clamps(series)}
+        assert found[nominal] == pytest.approx(opening)
+
+
+def test_the_tables_rise_and_each_clamp_opens_beyond_its_size():
+    for series, count in (("company", 11), ("din3021", 39)):
+        rows = drain.clamps(series)
+        assert len(rows) == count
+        assert [c.nominal for c in rows] == sorted({c.nominal for c in rows})
+        assert [c.opening for c in rows] == sorted(c.opening for c in rows)
+        assert all(not list(c.problems()) for c in rows)
+
+
+def test_the_next_size_up_is_not_taken():
+    """A clamp of 23 mm would open over 24.6 mm, but it is not closed on 22.5 mm."""
+    r = drain.solve(asked(22.5, 24.6))
+    assert r.clamp_nominal is r.clamp_opening is r.clamp_margin is r.clamp_opening_din3021 is None
+    assert verdicts(r) == {"clamp": "fail", "union": "pass"}
+    assert "would not grip" in r.reason and any("would not grip" in note for note in drain.notes(r))
+    assert drain.checks(r)[0].value == pytest.approx(-0.1)
+
+
+def test_bounds_belong_to_the_clamp():
+    r = drain.solve(asked(22.0, 24.5))
+    assert (r.clamp_nominal, r.clamp_margin) == (0.022, 0.0)
+    assert verdicts(r)["clamp"] == "warn", "it fits without any spare"
+    assert drain.solve(asked(21.99, 22.6)).clamp_nominal is None
+
+
+def test_the_opening_of_the_standard_may_be_too_small():
+    r = drain.solve(asked(22.5, 24.4))
+    assert r.clamp_opening == pytest.approx(0.0245)
+    assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "warn", "union": "pass"}
+
+
+def test_a_hose_smaller_than_every_clamp():
+    r = drain.solve(asked(12.0, 12.5))
+    assert r.clamp_nominal is None and "none grips" in r.reason
+    assert verdicts(r)["clamp"] == "fail"
+
+
+def test_the_standard_is_named_where_the_source_has_no_clamp():
+    r = drain.solve(asked(30.0, 32.0))
+    assert r.clamp_nominal is None
+    assert "DIN 3021 has one of 30 mm that opens to 32.5 mm" in r.reason
+
+
+def test_the_designs_own_clamps_replace_those_of_the_program():
+    r = drain.solve(asked(22.5, 24.0, clamps=(clamp(10, 12), clamp(18, 25), clamp(22.4, 23), clamp(22.4, 24.1))))
+    assert (r.clamp_nominal, r.clamp_opening) == pytest.approx((0.0224, 0.0241))
+    assert r.clamp_opening_din3021 is None and verdicts(r) == {"clamp": "pass", "union": "pass"}
+    assert not any("Table 4.3" in note for note in drain.notes(r))
+
+
+@given(st.floats(8, 60), st.floats(0, 6), st.lists(st.tuples(st.floats(5, 60), st.floats(0.1, 5)), min_size=1, max_size=8))
+def test_a_clamp_that_is_taken_fits_both_ends_and_none_at_hand_grips_closer(low, more, sizes):
+    at_hand = tuple(clamp(n, n + o) for n, o in sizes)
+    hose = asked(low, low + more, clamps=at_hand)
+    r = drain.solve(hose)
+    closest = max((c.nominal for c in at_hand if c.nominal <= hose.hose_min), default=None)
+    if r.clamp_nominal is None:
+        assert r.reason and verdicts(r)["clamp"] == "fail"
+        assert closest is None or all(c.opening < hose.hose_max for c in at_hand if c.nominal == closest)
+    else:
+        assert r.clamp_nominal == closest and r.clamp_opening >= hose.hose_max and not r.reason
+        assert verdicts(r)["clamp"] in ("pass", "warn")
+
+
+# --- unions -------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "name, bore",
+    [
+        ("M8x1", 4),
+        ("M10x1", 5.5),
+        ("M10", 5),
+        ("M10×1.5", 5),
+        ("M12x1", 5.5),
+        ("M12x1.5", 7),
+        ("M14x1.5", 9),
+        ("M16x1", 11),
+        ("M16x1.5", 11),
+        ("M18x1.5", 12),
+        ("M22x1.5", 12),
+    ],
+)
+def test_unions_of_the_source(name, bore):
+    """Finotti 2013, 4.4: thread → bore; of two the wider."""
+    assert drain.solve(asked(22.5, 24.0, name)).union_bore * 1e3 == pytest.approx(bore)
+
+
+@pytest.mark.parametrize("name", ["M18", "M20x1.5", "M12"])
+def test_no_union_fits(name):
+    r = drain.solve(asked(22.5, 24.0, name))
+    assert r.union_bore is None and verdicts(r)["union"] == "fail"
+    assert not any("sealed" in note for note in drain.notes(r))
+
+
+def test_the_designs_own_unions_replace_those_of_the_program():
+    own = (Union(thread="M20x1.5", bore=13e-3), Union(thread="M20×1.50", bore=14e-3), Union(thread="M18x1.5", bore=20e-3))
+    assert drain.solve(asked(22.5, 24.0, "M20x1.5", unions=own)).union_bore == 14e-3
+    assert drain.solve(asked(22.5, 24.0, "M8x1", unions=own)).union_bore is None
+
+
+def test_threads_of_the_table_can_be_read():
+    assert len(drain.unions()) == 11
+    assert all(thread_problem(union.thread) is None for union in drain.unions())
+    assert len({thread(union.thread) for union in drain.unions()}) == 10
+
+
+def test_every_value_leads_back_to_a_line():
+    with trace() as lines:
+        r = drain.solve(asked(22.5, 24.0))
+    made = {id(line.value) for line in lines}
+    assert all(id(p.inside) in made for p in published(r, "countershaft"))

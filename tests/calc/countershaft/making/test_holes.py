@@ -1,0 +1,65 @@
+"""Calibration holes: 14 mm × 20 mm into steel of 7860 kg/m³ from a radius of 40 mm, as in Finotti 2013, 3.2."""
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from calc.countershaft.inputs import Holes
+from calc.countershaft.making.holes import calibration, depth_check
+
+OMEGA = 2 * math.pi * 2600 / 60
+HOLES = Holes(diameter=0.014, depth=0.020, count=4)
+
+
+def found(holes=HOLES, rho=7860.0, R=0.040, z=(-0.077, 0.077), C=572.932):
+    return calibration(holes, rho, R, np.array(z), OMEGA, C)
+
+
+def test_one_hole_of_the_source():
+    """Worked by hand: π/4·1.4²·2·7.86 = 24.20 g at 40 − 10 = 30 mm, 726.0 g·mm, 4.14 N·m at 77 mm and 2600 rpm."""
+    r = found()
+    assert r.hole_mass * 1e3 == pytest.approx(24.20, abs=5e-3)
+    assert r.hole_centroid_radius * 1e3 == pytest.approx(30)
+    assert r.hole_unbalance * 1e6 == pytest.approx(726.0, abs=0.05)
+    assert r.hole_couple == pytest.approx(4.14, abs=5e-3)
+
+
+def test_four_holes_and_the_overdesign_they_need():
+    r = found()
+    assert r.hole_range == pytest.approx(16.6, abs=0.05)
+    assert r.hole_range_share * 100 == pytest.approx(2.9, abs=0.05)
+    assert r.hole_overdesign * 100 == pytest.approx(1.5, abs=0.06)
+    assert r.hole_unbalance_of_mass == pytest.approx(2 * r.hole_unbalance)
+
+
+def test_a_shaft_without_a_required_couple_has_no_share_of_it():
+    r = found(C=0.0)
+    assert r.hole_range_share is None and r.hole_overdesign is None
+    assert r.hole_range > 0
+
+
+def test_a_hole_to_the_far_side_takes_no_unbalance():
+    """Right through the shaft, as much is taken on one side of the axis as on the other."""
+    assert found(replace(HOLES, depth=0.080)).hole_unbalance == pytest.approx(0, abs=1e-15)
+
+
+@given(st.integers(1, 20), st.floats(0.001, 0.05), st.floats(0.03, 0.2))
+def test_the_range_is_that_of_the_masses_drilled_at_once(per_mass, depth, arm):
+    """All holes together take, off each mass, its own unbalance times its own arm."""
+    z = np.array([-0.4 * arm, 1.6 * arm])
+    r = found(replace(HOLES, depth=depth, count=2 * per_mass), R=0.06, z=z)
+    assert r.hole_range == pytest.approx(OMEGA**2 * np.sum(r.hole_unbalance_of_mass * np.abs(z)))
+
+
+@given(st.floats(0.001, 0.039))
+def test_deeper_takes_more_up_to_the_axis(depth):
+    assert found(replace(HOLES, depth=depth + 1e-4)).hole_unbalance > found(replace(HOLES, depth=depth)).hole_unbalance
+
+
+def test_a_hole_into_the_core_fails():
+    assert depth_check(HOLES, 0.040, 0.015).verdict == "pass"
+    assert depth_check(replace(HOLES, depth=0.026), 0.040, 0.015).verdict == "fail"
