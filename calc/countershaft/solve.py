@@ -86,13 +86,13 @@ def _sized(
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
+    from .sizing.alternatives import named
     from .sizing.front import front_curve
     from .sizing.sectors import size
 
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
-    costs = shaft.cost.alternatives if shaft.cost is not None else ()
-    densities = {name: materials[name].density for name in (shaft.material, *(a.material for a in costs))}
+    densities = {name: materials[name].density for name in named(shaft, materials)}
     front = front_curve(U, P, omega, shaft.outer_radius, shaft.core_radius, shaft.half_length, densities, shaft.extras)
     to.curves += [front] if front is not None else []
     found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)

@@ -40,7 +40,7 @@ def making(
         _holes(shaft, todo, masses, found, rho, R, to)
     if shaft.scatter is not None:
         _scatter(shaft, todo, masses, found, to)
-    if shaft.cost is not None:
+    if shaft.cost is not None or shaft.mode == "size":
         from ..sizing.alternatives import compared, compared_table
 
         to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, found.eccentric_mass)

@@ -39,18 +39,27 @@ class MaterialResult:
 def compared(
     shaft: CountershaftInputs, materials: Mapping[str, Material], R: Metre | None, r_0: Metre | None, eccentric_mass: Kilogram
 ) -> dict[str, MaterialResult]:
-    """The design's own material first, then those of [countershaft.cost]; keys are fit for the names of values.
+    """The design's own material first, then the others to compare; keys are fit for the names of values.
 
     `R` and `r_0`: of the design's sectors, None where they are not known; `eccentric_mass`: both together.
     """
     costs = {a.material: a for a in shaft.cost.alternatives} if shaft.cost is not None else {}
     own = costs.get(shaft.material)
     found = {}
-    for name in (shaft.material, *(n for n in costs if n != shaft.material)):
+    for name in named(shaft, materials):
         with about(f"material {name}"):
             sized = _size(shaft, materials[shaft.material], materials.get(name), R, r_0, eccentric_mass)
             found[key(name)] = MaterialResult(name=name, **sized, **_cost(shaft, costs.get(name), own))
     return found
+
+
+def named(shaft: CountershaftInputs, materials: Mapping[str, Material]) -> tuple[str, ...]:
+    """The materials to compare: the design's own, and those of [countershaft.cost]; where it is sized without one, the ADI grades."""
+    if shaft.cost is not None:
+        others = [a.material for a in shaft.cost.alternatives]
+    else:
+        others = [name for name in materials if name.startswith("ADI")] if shaft.mode == "size" else []
+    return (shaft.material, *(name for name in others if name != shaft.material))
 
 
 def key(name: str) -> str:

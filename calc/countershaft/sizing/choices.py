@@ -15,6 +15,7 @@ from ...sheet.units import Euro, Metre, PhasorKilogramMetre, PhasorKilogramMetre
 from ..formulas import asked_product, asked_unbalance, shaft_speed
 from ..inputs import THREADED, CountershaftInputs
 from ..task import task
+from .alternatives import named
 from .cost_formulas import first_year
 from .formulas import radius_needed
 from .sectors import Sized, TooSmall, size
@@ -94,13 +95,13 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
 
 
 def candidates(shaft: CountershaftInputs, materials: Mapping[str, Material], place: str) -> dict[str, tuple[Material, Euro | None]]:
-    """The design's material and those of its cost table, each with the cost of its first year."""
+    """The design's material and those to compare it with, each with the cost of its first year where it is known."""
     costs: dict[str, Euro] = {}
     if shaft.cost is not None:
         N = float(shaft.cost.pieces_per_year)
         with untraced():
             costs = {a.material: first_year(K_T=a.tooling, K_D=a.development, N=N, c=a.piece) for a in shaft.cost.alternatives}
-    names = (shaft.material, *(name for name in costs if name != shaft.material))
+    names = named(shaft, materials)
     unknown = [name for name in names if name not in materials]
     if unknown:
         errors = [
