@@ -89,7 +89,7 @@ def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
 
 
 # --- mass and load --------------------------------------------------------------------------------------------------------------
-@formula("ρ·A", "mass per length of the whole section")
+@formula("μ", "mass per length of the whole section")
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
