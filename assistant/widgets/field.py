@@ -84,11 +84,9 @@ class Field(Widget):
 
     # --- the user
     def on_input_changed(self, event: Input.Changed) -> None:
+        """What is typed is passed on even where it is what the design has: an edit before it may still be on its way."""
         event.stop()
-        if event.value != self.session.text(self.place):
-            self.post_message(self.Edited(self, event.value))
-        else:
-            self.redraw()
+        self.post_message(self.Edited(self, event.value))
 
     def on_choice_changed(self, event: Choice.Changed) -> None:
         event.stop()

@@ -3,6 +3,8 @@
 
 from typing import Any
 
+from textual import events
+
 from assistant.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
@@ -29,6 +31,19 @@ async def test_typing_flips_a_check(screen: Screen) -> None:
         assert work(pilot).session.value("countershaft.masses.rear.mass_kg") == 1.5
         assert shown(pilot, "countershaft.residual").startswith("FAIL")
         assert "left over" in message(pilot)
+
+
+async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
+    """Also where the text comes back to what the design has, while the edits before it are still on their way."""
+    async with screen() as pilot:
+        box = await go_to(pilot, "countershaft.masses.front.mass_kg")
+        for key in "2.691":
+            pilot.app.post_message(events.Key({".": "full_stop"}.get(key, key), key))
+        pilot.app.post_message(events.Key("down", None))
+        await settled(pilot)
+        await solved(pilot)
+        assert work(pilot).session.value("countershaft.masses.front.mass_kg") == 2.691
+        assert not box.has_focus and box.value == "2.691"
 
 
 async def test_a_comma_is_a_decimal_sign_and_the_field_is_rewritten(screen: Screen) -> None:
@@ -205,7 +220,7 @@ async def test_a_step_that_is_not_asked_can_be_added(session: Session, screen: S
 async def test_values_of_earlier_steps_lead_to_their_owner(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "3")
-        await pilot.pause()
+        await settled(pilot)
         work(pilot).form.stops()[-1].focus()
         await pilot.pause()
         assert "← 1" in rows(pilot)

@@ -278,7 +278,7 @@ def tables(found: ScatterResult) -> tuple[Table, ...]:
     whole = found.couple_error
     rows = tuple((word, error, 100 * (error / whole) ** 2 if whole else None) for word, error in parts.items())
     columns = ("of", ""), ("error", "N·m"), ("share", "%")
-    return (Table("scatter", "What the error of the couple comes of", columns, rows, "Root mean squares; their squares add up."),)
+    return (Table("couple_error", "What the error of the couple comes of", columns, rows, "Root mean squares; their squares add up."),)
 
 
 def notes(scatter: Scatter, found: ScatterResult) -> tuple[str, ...]:
