@@ -15,7 +15,7 @@ from calc.sheet.units import UNITS
 
 from .context import Context
 from .flow import Block, paragraph
-from .prose import CELL, NOTE
+from .prose import CELL, KEY, NOTE
 from .tables import Cell, Column, Row, named_table, table
 from .typeset import symbol
 
@@ -96,7 +96,7 @@ class _Tables:
                 self.left_out.append(_left_out(key))
                 continue
             rows.append((
-                key.about.label, _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", NOTE),
+                key.about.label, _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
             ))  # fmt: skip
         if rows:
             w = self.words

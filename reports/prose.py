@@ -18,6 +18,7 @@ class Style:
     leading: float
     face: str = UPRIGHT
     colour: Colour = BLACK
+    plain: bool = False  # names of keys and values: an underscore in them makes no index
 
 
 TITLE = Style(17.0, 21.0, BOLD)
@@ -29,17 +30,18 @@ CELL = Style(7.4, 9.8)
 STRONG = Style(7.4, 9.8, BOLD)
 HEADER = Style(6.6, 8.6, BOLD, (0.25, 0.25, 0.25))
 NOTE = Style(6.6, 8.8, UPRIGHT, GREY)
+KEY = Style(6.6, 8.8, UPRIGHT, GREY, plain=True)
 SOURCE = Style(6.2, 8.0, UPRIGHT, GREY)
 
 # A symbol in running text: one or two letters, an index of at most five; `bore_mm` and `z_mm` are keys, not symbols.
-INLINE = re.compile(r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?![\w.]\w)")
+INLINE = re.compile(r"(?<![^\W⁰¹²³⁴-⁹])(?<!\.)([^\W\d_]{1,2}_(?!(?:mm|um|deg|kg|bar|rpm|GPa)\b)[^\W_]{1,5}(?:,[^\W_]{1,5})?)(?!\w|\.\w)")
 SOFT = re.compile(r"(?<=[/\-–·;,_.])")
 
 
 @lru_cache(maxsize=5000)
 def run(words: str, style: Style) -> Box:
     """A piece of text on one line."""
-    if "_" not in words:
+    if style.plain or "_" not in words:
         return text(words, style.size, style.face, style.colour)
     parts = [p for p in INLINE.split(words) if p]
     if len(parts) == 1 and not INLINE.fullmatch(parts[0]):

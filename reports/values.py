@@ -15,7 +15,7 @@ from calc.sheet.step import Outcome, Table
 
 from .context import Context
 from .flow import WIDTH, Block, paragraph
-from .prose import CELL, HEADER, NOTE, run
+from .prose import CELL, HEADER, KEY, NOTE, run
 from .tables import GAP, Cell, Column, Row, named_table, natural, table
 from .typeset import symbol
 
@@ -87,7 +87,7 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [(v.label, _symbol(v), short(v.shown), v.unit, Cell(v.id, NOTE)) for v in part.values.values()]
+    rows: list[Row] = [(v.label, _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
     return named_table(_title(part), columns, rows)
 
 

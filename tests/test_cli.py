@@ -450,3 +450,13 @@ def test_where_nothing_can_be_listed_the_exit_code_is_three(tmp_path):
     assert run("set", path, "engine.bank_angle_deg=65").returncode == 0
     done = run("choose", path, "engine")
     assert done.returncode == 3 and "not listed" in done.stderr
+
+
+def test_explain_says_what_is_a_check_and_what_has_no_solution():
+    done = run("explain", GAMMA, "countershaft.slope_limit")
+    assert done.returncode == 2 and "did you mean countershaft.slope" in done.stderr
+    done = run("explain", GAMMA, "countershaft.holes.range")
+    assert done.returncode == 2 and "is a check" in done.stderr
+    small = DESIGNS / "r753ie4_sized.toml"
+    done = run("check", small, "--set", "countershaft.outer_radius_mm=38", "--step", "countershaft")
+    assert done.returncode == 3 and "the journals as they are leave an outer radius of 43 mm" in done.stdout

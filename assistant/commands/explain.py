@@ -21,6 +21,14 @@ def run(asked: Namespace) -> int:
     if asked.value not in values:
         from difflib import get_close_matches
 
+        for check in results.checks():
+            if check.id == asked.value:
+                said = f"{check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()}. Source: {check.source}"
+                raise BadInput(document.place, [InputError(0, asked.value, "", f"is a check, not a value ({said})")])
+        step = results.outcomes.get(asked.value.partition(".")[0])
+        if step is not None and step.state != "solved":
+            why = f"{step.state.replace('_', ' ')}: {step.reason or 'the design does not ask for it'}"
+            raise BadInput(document.place, [InputError(0, asked.value, "", f"its step has no values: {why}")])
         near = get_close_matches(asked.value, list(values), 3, 0.4)
         hint = "did you mean " + ", ".join(near) + "?" if near else "`contralbero check` lists the values"
         raise BadInput(document.place, [InputError(0, asked.value, "", f"is not a value of this design; {hint}")])

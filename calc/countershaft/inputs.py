@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The counter-rotating shaft: its eccentric masses or the envelope to size it in, its outline, its supports, its making."""
 
+import math
 from collections.abc import Iterable
 from itertools import pairwise
 
@@ -189,11 +190,21 @@ class CountershaftInputs:
         if self.mode == "size":
             for name in ("outer_radius", "core_radius", "half_length"):
                 if getattr(self, name) is None:
-                    yield f"{name}_mm", 'needed with mode = "size": the envelope is outer_radius_mm, core_radius_mm and half_length_mm'
+                    yield (
+                        f"{name}_mm",
+                        'needed with mode = "size"; `choose FILE countershaft` finds the envelope',
+                    )
         if self.outer_radius is not None and self.core_radius is not None and self.core_radius >= self.outer_radius:
             yield "core_radius_mm", "must be smaller than outer_radius_mm"
 
+    @property
+    def _known(self) -> bool:
+        """Whether every section has its place: one that is missing is said as such, and nothing follows from it."""
+        return all(math.isfinite(s.from_) and math.isfinite(s.to) for s in self.sections)
+
     def _sections(self) -> Iterable[tuple[str, str]]:
+        if not self._known:
+            return
         ordered = sorted(range(len(self.sections)), key=lambda i: self.sections[i].from_)
         for i, k in pairwise(ordered):
             gap = self.sections[k].from_ - self.sections[i].to
@@ -203,7 +214,7 @@ class CountershaftInputs:
 
     def _places(self) -> Iterable[tuple[str, str]]:
         """Journals and masses must lie on the shaft: its sections, or else between its outer bearings."""
-        if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)):
+        if not self.bearing_positions or any(not a < b for a, b in pairwise(self.bearing_positions)) or not self._known:
             return
         start, end = self.bearing_positions[0], self.bearing_positions[-1]
         where = "the span of the bearings"

@@ -91,6 +91,16 @@ class NoOutline(Exception):
         self.broken = broken
 
 
+@formula("m_S", "sum over the pieces of the shaft", unit="kg")
+def pieces_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre) -> Kilogram:
+    return rho * resultant(A * l)
+
+
+@formula("z_S", "centre of gravity of the pieces", unit="mm")
+def pieces_centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m_S: Kilogram) -> Metre:
+    return rho * resultant(A * l * z) / m_S
+
+
 @formula("m_S", "sum over the pieces of the shaft and its further elements", unit="kg")
 def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) -> Kilogram:
     return rho * resultant(A * l) + resultant(m)
@@ -287,7 +297,7 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
 
 def _crossing(first: Piece, second: Piece) -> Check:
     return check(
-        "countershaft.crossing", f"Overlap of the {first.what} and the {second.what} behind it", first.end - second.start, "<=", 0.0, "mm",
+        "countershaft.crossing", f"Overlap of {_said(first)} and {_said(second)}", first.end - second.start, "<=", 0.0, "mm",
         "two pieces of one shaft stand side by side; each eccentric mass as a sector out to outer_radius_mm",
         "Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].",
     )  # fmt: skip
@@ -308,6 +318,9 @@ def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | Eccent
     l, z = _extent(found)
     m: Any = np.array([x.mass for x in extras])
     z_m: Any = np.array([x.z for x in extras])
+    if not extras:
+        m_S = pieces_mass(rho=rho, A=A, l=l)
+        return m_S, pieces_centre(rho=rho, A=A, l=l, z=z, m_S=m_S)
     m_S = shaft_mass(rho=rho, A=A, l=l, m=m)
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
 

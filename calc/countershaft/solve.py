@@ -9,6 +9,7 @@ from ..catalogue import Material
 from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.arrays import column
+from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
@@ -45,7 +46,7 @@ def solve(
     to = Gathered()
     with trace() as lines:
         omega_S = f.shaft_speed(i=shaft.speed_ratio, omega=omega)
-        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, to)
+        masses, sized = shaft.masses, _sized(shaft, todo, omega_S, steel, materials, journals, to)
         if sized is not None:
             from .sizing.sectors import eccentric_masses
 
@@ -62,7 +63,7 @@ def solve(
             if not drawn.derived:
                 to.values |= _beside(points, drawn, steel, omega_S, F_S, C_S)
             bent = bending(drawn, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
-            found = _with_bending(found, bent, steel, to)
+            found = _with_bending(found, bent, steel, to, certain=sized is not None or not drawn.derived)
         elif slopes:
             found = replace(found, slope_front=slopes[0], slope_rear=slopes[-1])
             to.notes.append("The slopes of the journals are those given in [bearings] (slope_mrad), not computed.")
@@ -81,21 +82,25 @@ def solve(
 
 
 def _sized(
-    shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material], to: Gathered
-) -> "Sized | None":
+    shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material], journals: Journals,
+    to: Gathered,
+) -> "Sized | None":  # fmt: skip
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
     from .sizing.alternatives import named
     from .sizing.front import front_curve
-    from .sizing.sectors import size
+    from .sizing.sectors import TooSmall, size
 
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
     densities = {name: materials[name].density for name in named(shaft, materials)}
     front = front_curve(U, P, omega, shaft.outer_radius, shaft.core_radius, shaft.half_length, densities, shaft.extras)
     to.curves += [front] if front is not None else []
-    found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
+    try:
+        found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
+    except TooSmall as small:
+        raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
     heavier = max(found.front.mass, found.rear.mass)
     to.values |= dict(
         sector_half_angle=found.sector_half_angle, sector_length=found.sector_length, sector_mass=heavier, utilisation=found.utilisation,
@@ -105,6 +110,15 @@ def _sized(
         if there:
             to.notes.append(f"Mode size: [[countershaft.{word}]] are left aside; the sectors are found.")
     return found
+
+
+def _room(shaft: CountershaftInputs, journals: Journals) -> str:
+    """What the journals leave for the envelope, in words."""
+    if not journals:
+        return ""
+    seat = max(d for d, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
+    face = min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals))
+    return f" (the journals as they are leave an outer radius of {seat * 1e3:.4g} mm and a half-length of {face * 1e3:.4g} mm)"
 
 
 def _widest(shaft: CountershaftInputs, journals: Journals) -> Metre | None:
@@ -154,9 +168,12 @@ def _beside(
         }
 
 
-def _with_bending(found: CountershaftResult, bent: Bending, steel: Material, to: Gathered) -> CountershaftResult:
-    """The same result with the slopes of its outer journals and its first critical speed."""
-    to.checks += bending_checks(bent, steel)
+def _with_bending(found: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool) -> CountershaftResult:
+    """The same result with the slopes of its outer journals and its first critical speed.
+
+    `certain`: the outline is the designer's or this program's own; else the gaps between its pieces are no more than assumed.
+    """
+    to.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
     to.notes += bent.notes
     to.notes.append("Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they stood in it.")
     if steel.proof_stress is None:

@@ -15,7 +15,7 @@ import pytest
 
 from assistant.cli import main
 from assistant.saving import edited_text, fresh_text
-from calc.design_file import design, parse
+from calc.design_file import design, parse, read
 from calc.shipped import DESIGNS, engine_design, engines
 from calc.solve import solve
 
@@ -332,3 +332,11 @@ assert not {heavy} & set(sys.modules), {heavy} & set(sys.modules)
 """
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
+    """They are turned over by their ids."""
+    for outcome in solve(design(read(path))).outcomes.values():
+        ids = [leaf.id for leaf in (*outcome.curves, *outcome.tables)]
+        assert len(ids) == len(set(ids)), ids

@@ -105,7 +105,7 @@ def _holes(
         over = f.couple_beyond(C_S=found.couple_vector, C_req=-todo.C)
         to.checks.append(
             check(
-                "countershaft.holes.range", "Couple beyond the required one, for drilling to take away", over, "in",
+                "countershaft.holes.range", "Couple beyond the required one, for drilling to take away", round(over, 9), "in",
                 (0.0, drilled.hole_range), "N·m",
                 "drilling only takes away: the shaft as drawn lies above the couple to be balanced, by no more than the holes take",
                 f"Aim at {drilled.hole_range / 2:.1f} N·m beyond, half of the range (overdesign_percent in mode size).", kind="advice",

@@ -74,11 +74,15 @@ def envelope(shaft: CountershaftInputs, bearings: BearingsInputs | None, place: 
     elif R is None:
         R = missing("outer_radius", "the envelope's radius; without journals to thread the shaft through it can not be derived")
     if z_max is None and journals:
-        z_max = min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals))
+        fillets = 2 * (shaft.fillet_radius or 0.0)  # one at the journal, one at the sector
+        z_max = round(min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals)) - fillets, 9)
         if z_max <= 0:
             z_max = missing("half_length", "a journal stands at mid-shaft, so that it can not be derived; give that of the outer faces")
         else:
-            derived.append(f"half-length {z_max * 1e3:g} mm: up to the inner face of the journal nearest to mid-shaft")
+            derived.append(
+                f"half-length {z_max * 1e3:g} mm: up to the inner face of the journal nearest to mid-shaft"
+                + (f", less two fillets of {fillets / 2 * 1e3:g} mm" if fillets else "")
+            )
     elif z_max is None:
         z_max = missing("half_length", "where the outer faces of the sectors stand; without journals it can not be derived")
     if r_0 is None:

@@ -249,3 +249,8 @@ def test_any_table_is_solved_or_refused_in_words(shaft):
     assert "arithmetic breaks down" not in outcome.reason
     for value in results.values().values():
         assert math.isfinite(value.shown), value
+
+
+def test_a_section_without_a_place_says_only_that():
+    said = errors(HEAD + "sections = [{ outer_radius_mm = 20 }]\n")
+    assert len(said) == 2 and all("is missing" in line for line in said) and not any("nan" in line for line in said)

@@ -132,6 +132,7 @@ def test_front(force):
 # --- the envelope --------------------------------------------------------------------------------------------------------------
 def test_the_envelope_is_derived_from_the_journals(case):
     shaft, _, _, bearings = case
+    shaft = replace(shaft, fillet_radius=None)
     room = envelope(shaft, bearings, "here")
     assert room.outer_radius == pytest.approx(40.3e-3)  # half of 81, less 0.2 mm
     assert room.half_length == pytest.approx(0.1675 - 0.02750 / 2)  # the front journal's inner face is the nearer one
@@ -142,6 +143,8 @@ def test_the_envelope_is_derived_from_the_journals(case):
     own = replace(shaft, journals=(Journal(diameter=0.06, length=0.03), Journal(diameter=0.09, length=0.04)))
     assert envelope(own, bearings, "here").outer_radius == pytest.approx(44.8e-3)
     assert envelope(own, bearings, "here").half_length == pytest.approx(0.1475)
+    filleted = envelope(replace(own, fillet_radius=0.002), bearings, "here")
+    assert filleted.half_length == pytest.approx(0.1435) and "two fillets of 2 mm" in filleted.derived[1]
 
 
 def test_what_the_envelope_lacks_is_named(case):
