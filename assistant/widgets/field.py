@@ -141,7 +141,7 @@ class Field(Widget):
         return LABEL_NARROW if self.size.width >= NARROW else LABEL
 
     def _rows(self, width: int) -> tuple[list[str], list[str]]:
-        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 1)
+        label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)  # a blank before it and one behind
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {key_at(self.place)}: {self.reason}", width - 3, 2) if self.reason else []
 

@@ -95,10 +95,10 @@ def _cost(shaft: CountershaftInputs, one: Alternative | None, own: Alternative |
         return found
     theirs = f.first_year(K_T=own.tooling, K_D=own.development, N=N, c=own.piece)
     found["bearable_development"] = f.bearable_development(K_1=theirs, K_1a=year, K_Da=one.development)
-    if own.piece != one.piece:
-        first, other = (f.before_first_piece(K_T=x.tooling, K_D=x.development) for x in (own, one))
-        pieces = f.break_even(K=first, K_a=other, c=own.piece, c_a=one.piece)
-        found["break_even"] = pieces if pieces > 0 else None  # else the same one is the cheaper at any volume
+    first, other = own.tooling + own.development, one.tooling + one.development
+    if (own.piece - one.piece) * (other - first) > 0:  # else the same one is the cheaper at any volume
+        K, K_a = (f.before_first_piece(K_T=x.tooling, K_D=x.development) for x in (own, one))
+        found["break_even"] = f.break_even(K=K, K_a=K_a, c=own.piece, c_a=one.piece)
     return found
 
 
