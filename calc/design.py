@@ -98,6 +98,10 @@ class Design:
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
             yield "countershaft.speed_ratio", "must be -1 where [bearings] or [gears] carry the shaft"
         lengths = [j.length for j in shaft.journals] or ([self.bearings.front.length, self.bearings.rear.length] if self.bearings else [])
+        places = shaft.bearing_positions
+        for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:])):
+            if b - a < (l_a + l_b) / 2 - 1e-9:
+                yield f"countershaft.bearing_positions_mm.{i + 1}", f"its journal overlaps the one before it, {(b - a) * 1e3:g} mm away"
         if shaft.sections and len(lengths) == len(shaft.bearing_positions):
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             for i, (z, l) in enumerate(zip(shaft.bearing_positions, lengths)):

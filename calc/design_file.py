@@ -181,6 +181,8 @@ class _Reader:
             case "series" | "integers":
                 return self.series(about, value, key)
             case "text" | "choice":
+                if about.kind == "choice" and not isinstance(value, (str, bool)) and str(value) in about.choices:
+                    return str(value)  # a choice that looks like a number, like the property class 8.8
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
                     return self.error(key, value, f"must be {about.allowed()}", about.kind)
                 return value

@@ -224,6 +224,8 @@ class CountershaftInputs:
             for i, z in enumerate(self.bearing_positions):
                 if not start <= z <= end:
                     yield f"bearing_positions_mm.{i}", f"lies outside the shaft's sections, from {start * 1e3:g} to {end * 1e3:g} mm"
+            if self.gear_z is not None and not start <= self.gear_z <= end:
+                yield "gear_z_mm", f"lies outside {where}, from {start * 1e3:g} to {end * 1e3:g} mm"
             for i, extra in enumerate(self.extras):
                 if not start <= extra.z <= end:
                     yield f"extras.{i}.z_mm", f"lies outside {where}, from {start * 1e3:g} to {end * 1e3:g} mm"

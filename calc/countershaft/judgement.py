@@ -72,7 +72,9 @@ def _envelope(
     """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can not be drawn."""
     if not journals:
         return ()
-    radii = [p.outer_radius for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
+    seats = shaft.bearing_positions
+    parts = [p for p in found.outline.pieces if p.what in ("sector", "full")] if found.outline is not None else []
+    radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]  # those at a bearing are journals
     R = max(radii, default=shaft.outer_radius)
     made = []
     clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
@@ -135,11 +137,11 @@ def _outline(todo: Task, found: CountershaftResult) -> tuple[Check, ...]:
     return (
         check(
             "countershaft.outline", "Couple of the given sections, off that of the masses", found.outline_couple_deviation, "<=", couple,
-            "N·m", source, advice, kind="advice",
+            "N·m", source, advice,
         ),
         check(
             "countershaft.outline_force", "Force of the given sections, off that of the masses", found.outline_force_deviation, "<=", force,
-            "N", source, advice, kind="advice",
+            "N", source, advice,
         ),
     )  # fmt: skip
 

@@ -13,6 +13,7 @@ from ..sheet.arrays import Array, ComplexArray
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, resultant
+from ..sheet.number import short
 from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import (
@@ -31,6 +32,7 @@ from ..sheet.units import (
 from . import sector as s
 from .inputs import CountershaftInputs, EccentricMass, Extra
 
+PLAIN = 1e-9  # of the cubed radius: a static moment below it is none
 TOUCH = 1e-6  # m: pieces that meet within this are taken to touch
 THIN = 2e-3  # of the largest radius: a thinner piece joins nothing, and bending stiffnesses so far apart can not be reckoned with
 
@@ -68,7 +70,8 @@ class Outline:
     @property
     def plain(self) -> bool:
         """Whether nothing of it is eccentric: the masses then stand on it as points."""
-        return all(piece.half_angle is None for piece in self.pieces)
+        largest = max(piece.outer_radius for piece in self.pieces)
+        return bool(np.all(np.abs(self.moment) < PLAIN * largest**3))
 
     @property
     def start(self) -> Metre:
@@ -178,7 +181,8 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     """Pieces with the properties of their sections.  Raises NoOutline where one is too thin to join its neighbours."""
     thinnest, largest = (pick(pieces, key=lambda piece: piece.outer_radius) for pick in (min, max))
     if thinnest.outer_radius < THIN * largest.outer_radius:
-        raise NoOutline(f"{_said(thinnest)} has a radius of {thinnest.outer_radius * 1e3:.3g} mm, too thin to join the shaft's parts")
+        reason = f"{_said(thinnest)} has a radius of {thinnest.outer_radius * 1e3:.3g} mm, too thin to join the shaft's parts"
+        raise NoOutline(reason, _too_thin(thinnest, largest))
     R, r_0, full = (np.array([getattr(p, n) for p in pieces]) for n in ("outer_radius", "core_radius", "half_angle"))
     sectors = np.array([g is not None for g in full])
     area, inertia = np.empty(len(pieces)), np.empty(len(pieces))
@@ -198,6 +202,13 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
             middle: Any = np.array([p.angle for p in pieces])[sectors]
             moment[sectors] = directed_moment(S=S, gamma=middle)
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
+
+
+def _too_thin(thinnest: Piece, largest: Piece) -> Check:
+    return check(
+        "countershaft.core", f"Radius of {_said(thinnest)}", thinnest.outer_radius, ">=", THIN * largest.outer_radius, "mm",
+        "rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts", "A larger core_radius_mm.",
+    )  # fmt: skip
 
 
 def given(shaft: CountershaftInputs) -> Outline:
@@ -297,14 +308,15 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
 
 def _crossing(first: Piece, second: Piece) -> Check:
     return check(
-        "countershaft.crossing", f"Overlap of {_said(first)} and {_said(second)}", first.end - second.start, "<=", 0.0, "mm",
+        "countershaft.crossing", f"Overlap of {_said(first)} and {_said(second)}",
+        min(first.end, second.end) - second.start, "<=", 0.0, "mm",
         "two pieces of one shaft stand side by side; each eccentric mass as a sector out to outer_radius_mm",
         "Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].",
     )  # fmt: skip
 
 
 def _said(piece: Piece) -> str:
-    return f"the {piece.what} from {piece.start * 1e3:.4g} to {piece.end * 1e3:.4g} mm"
+    return f"the {piece.what} from {short(piece.start * 1e3)} to {short(piece.end * 1e3)} mm"
 
 
 def _extent(found: Outline) -> tuple[Any, Any]:

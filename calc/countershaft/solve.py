@@ -198,20 +198,22 @@ def _with_supports(
     positions = shaft.bearing_positions
     if len(positions) == 2 and not shaft.journals:
         return found
-    if bent is not None:
-        vectors = bent.reactions
+    if len(positions) == 2:
+        loads = [found.reaction_front, found.reaction_rear]
+    elif bent is not None:
+        loads = [f.reaction(R=R.item()) for R in bent.reactions]
     else:
         parts = (*masses, *shaft.extras)
         m, e, gamma, z = (column(parts, name) for name in ("mass", "radius", "angle", "z"))
-        vectors = reactions(f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma), z, positions)
+        forces = f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma)
+        loads = [f.reaction(R=R.item()) for R in reactions(forces, z, positions)]
     if len(positions) > 2:
         how = "the stepped shaft, with the stiffness share of its sectors" if bent is not None else "a shaft of one stiffness throughout"
         to.notes.append(f"Supports: the reactions are those of {how}, on rigid supports in line; weight and gear force are left out.")
     made = {}
     n_S = f.revolutions(omega=found.omega)
-    for n, R in enumerate(vectors):
+    for n, load in enumerate(loads):
         with about(f"support {n + 1}"):
-            load = f.reaction(R=R.item())
             p = specific_load(F=load, d=journals[n][0], l=journals[n][1]) if journals else None
             W = heat_index(F=load, n=n_S, l=journals[n][1]) if journals else None
             slope = bent.slopes[n].item() if bent is not None else None

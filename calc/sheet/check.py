@@ -67,7 +67,9 @@ class Check:
             return "no number"
         if self.nearest[1] == 0:
             return f"{self.margin:+.3g} {self.unit}".rstrip().replace("-", "−")
-        return f"{self.margin * 100:+.0f} %".replace("-", "−")
+        percent = self.margin * 100
+        digits = 1 if 0 < abs(percent) < 0.5 else 0
+        return f"{percent:+.{digits}f} %".replace("-", "−")
 
 
 def check(

@@ -6,6 +6,7 @@ The hole is a cylinder from the outer radius inwards: the drill's cone, and the 
 in the mean), are left out.
 """
 
+import math
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import modulus, pi, total
 from ...sheet.quantity import result, value
 from ...sheet.trace import about
-from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, NewtonMetre, Number, RadPerSecond
+from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, NewtonMetre, Number, Radian, RadPerSecond
 from ..inputs import Holes
 
 HOLES = "Finotti 2013, 3.2: calibration holes in the eccentric masses"
@@ -120,6 +121,16 @@ def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
 def row_check(holes: Holes, masses: int, length: Metre) -> Check:
     """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
     return check(
-        "countershaft.holes.row", "Length of the holes of a mass, side by side", holes.count / masses * holes.diameter, "<=", length, "mm",
+        "countershaft.holes.row", "Length of the holes of a mass, side by side", math.ceil(holes.count / masses) * holes.diameter, "<=",
+        length, "mm",
         "rule of this program: holes stand in one row along the sector", "Fewer or narrower holes.",
+    )  # fmt: skip
+
+
+def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
+    """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
+    chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
+    return check(
+        "countershaft.holes.width", "Diameter of a hole in the width of its sector", holes.diameter, "<=", chord, "mm",
+        "width of the sector at the bottom of the hole", "Narrower or shorter holes.",
     )  # fmt: skip

@@ -2,6 +2,7 @@
 """What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is asked for."""
 
 from collections.abc import Mapping
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,7 @@ from ...sheet.step import Curve, Table
 from ...sheet.units import KilogramPerMetre3, Metre
 from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass
+from ..outline import TOUCH, Piece
 from ..result import CountershaftResult
 from ..task import LEFT_OVER, Task
 from . import holes, tolerance
@@ -98,9 +100,12 @@ def _holes(
         to.checks.append(holes.depth_check(shaft.holes, R, shaft.core_radius))
     else:
         to.notes.append("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm.")
-    sectors = [p.length for p in found.outline.pieces if p.what == "sector"] if found.outline is not None else []
+    sectors = [p for p in found.outline.pieces if p.half_angle is not None] if found.outline is not None else []
     if sectors and masses:
-        to.checks.append(holes.row_check(shaft.holes, len(masses), min(sectors)))
+        to.checks.append(holes.row_check(shaft.holes, len(masses), _shortest(sectors)))
+        to.checks.append(holes.width_check(shaft.holes, R, min(p.half_angle or 0.0 for p in sectors)))
+    else:
+        to.notes.append("Calibration holes: whether they fit into the sectors is not judged: the outline has none.")
     if todo.couple:
         over = f.couple_beyond(C_S=found.couple_vector, C_req=-todo.C)
         to.checks.append(
@@ -111,6 +116,17 @@ def _holes(
                 f"Aim at {drilled.hole_range / 2:.1f} N·m beyond, half of the range (overdesign_percent in mode size).", kind="advice",
             )
         )  # fmt: skip
+
+
+def _shortest(sectors: list[Piece]) -> Metre:
+    """The length of the shortest sector; those that touch and stand at one angle are one."""
+    lengths = [sectors[0].length]
+    for before, piece in pairwise(sectors):
+        if abs(piece.start - before.end) < TOUCH and piece.angle == before.angle:
+            lengths[-1] += piece.length
+        else:
+            lengths.append(piece.length)
+    return min(lengths)
 
 
 def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], found: CountershaftResult, to: Gathered) -> None:

@@ -127,7 +127,7 @@ def test_journals_of_its_own_are_screened():
     assert made["support.1.specific_load"] == made["support.3.heat_index"] == "pass"
 
 
-@pytest.mark.parametrize("half_angle, verdict", [(90.0, "pass"), (73.0, "pass"), (70.0, "warn"), (40.0, "warn")])
+@pytest.mark.parametrize("half_angle, verdict", [(90.0, "pass"), (73.0, "pass"), (70.0, "fail"), (40.0, "fail")])
 def test_sections_and_masses_must_be_one_shaft(half_angle, verdict):
     """The couple of the sections goes with sin γ: 5 % below at 71.8°."""
     sector = {"outer_radius_mm": 40.3, "core_radius_mm": 15.0, "half_angle_deg": half_angle}
@@ -139,7 +139,7 @@ def test_sections_and_masses_must_be_one_shaft(half_angle, verdict):
     masses = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]
     made = outcome(sections=sections, masses=masses)
     check = found(made, "outline")
-    assert check.verdict == verdict and check.kind == "advice"
+    assert check.verdict == verdict and check.kind == "limit"
     assert check.value == pytest.approx(557.091 * (1 - math.sin(math.radians(half_angle))), abs=1e-3)
     assert verdicts(made)["outline_force"] == "pass"
 
@@ -166,3 +166,17 @@ def test_holes_end_above_the_core():
 def test_every_check_names_its_source_and_what_would_help(gamma_results):
     for check in gamma_results.outcomes["countershaft"].checks:
         assert check.source and check.name and (check.advice or check.verdict == "pass"), check.id
+
+
+def test_holes_fit_into_their_sector():
+    """Too wide for its bottom, too many for its length; touching sectors of one angle are one."""
+    holes = {"depth_mm": 20.0, "count": 2}
+    wide = outcome(**SIZE, journals=SEATS, holes={**holes, "diameter_mm": 80.0})
+    assert verdicts(wide)["holes.width"] == "fail" and verdicts(wide)["holes.row"] == "pass"
+    many = outcome(**SIZE, journals=SEATS, holes={**holes, "diameter_mm": 14.0, "count": 40})
+    assert verdicts(many)["holes.row"] == "fail" and verdicts(many)["holes.width"] == "pass"
+
+
+def test_a_core_of_no_thickness_is_no_shaft():
+    made = outcome(**{**SIZE, "core_radius_mm": 0.02}, journals=SEATS)
+    assert verdicts(made)["core"] == "fail" and made.result.mass is None
