@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 # VDI 2230-1: α_A = 1.6 to 2.0 for a torque wrench and an estimated coefficient of friction.  Nothing is known of the wrench, so the
 # unfavourable end is taken.
 ALPHA_A = 2.0
+NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
 
 VDI = "VDI 2230-1"
 SOURCE = "Finotti 2013, Table 6.1"
@@ -227,7 +228,7 @@ def solve(
         C_m = couple_about_middle(C_S=C_S, z_m=middle(z_f=z_f, z_r=z_r), F_S=F_S)
         Q = end_force(Q_f=force_front(F_S=F_S, C_m=C_m, l_b=l_b), Q_r=force_rear(F_S=F_S, C_m=C_m, l_b=l_b))
         separation = across = slip = None
-        if Q > 0:
+        if Q > NO_FORCE:
             n = bolts_at_an_end(N_b=bolts.count)
             separation = safety_separation(n=n, F_min=F_min, Q=Q)
             across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
