@@ -65,7 +65,7 @@ def test_the_search_finds_the_closed_form():
         assert mass[0] == pytest.approx(exact, rel=1e-8)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(derandomize=True, max_examples=60, deadline=None)
 @given(st.complex_numbers(max_magnitude=1.8), st.complex_numbers(max_magnitude=1.0))
 def test_no_neighbour_is_lighter(alpha, product):
     """Least to a millionth, where sectors in two planes make a kink: also against the best of fine steps around the lengths found."""
