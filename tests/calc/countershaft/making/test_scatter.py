@@ -155,7 +155,7 @@ lengths = st.floats(0.0, 30.0)
 angles = st.floats(0.0, 2 * math.pi)
 
 
-@settings(max_examples=60)
+@settings(max_examples=60, deadline=None)
 @given(st.lists(st.tuples(lengths, angles, lengths, angles), min_size=1, max_size=5), st.floats(-0.15, 0.0), st.floats(0.02, 0.15), angles)
 def test_drilling_never_makes_a_shaft_worse(rows, z_1, z_2, gamma):
     deviation = np.array([[a * np.exp(1j * b), c * np.exp(1j * d)] for a, b, c, d in rows]).T
