@@ -4,6 +4,8 @@
 Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P·ψ²/(μ·ω); So·S = 1/(2π) exactly.
 """
 
+from ..countershaft.supports import heat_index as heat_index  # of any journal, written with the shaft's supports
+from ..countershaft.supports import specific_load as specific_load
 from ..sheet.formula import formula
 from ..sheet.functions import largest, modulus, pi, sin, sqrt
 from ..sheet.units import (
@@ -15,7 +17,6 @@ from ..sheet.units import (
     Metre,
     MetrePerSecond,
     Newton,
-    NewtonPerMetreSecond,
     Number,
     Pascal,
     PascalSecond,
@@ -37,16 +38,6 @@ CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / 6894.757
 @formula("u", "definition of the journal's surface speed")
 def surface_speed(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     return pi * d * n
-
-
-@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
-def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
-    return F / (d * l)
-
-
-@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
-def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
-    return F * n / l
 
 
 @formula("l/d", "definition of the length ratio")

@@ -34,7 +34,7 @@ def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Ph
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "centrifugal force of each eccentric mass")
+@formula("F_i", "centrifugal force of each eccentric mass; below zero for what is removed")
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from ...sheet.arrays import BoolArray
 from ...sheet.formula import formula
-from ...sheet.functions import cis, cos, largest, pi, sin, smallest
+from ...sheet.functions import cos, largest, pi, sin, smallest
 from ...sheet.units import (
     Kilogram,
     KilogramPerMetre,
@@ -99,12 +99,6 @@ def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) 
     return omega**2 * rho * S
 
 
-@formula("F_x", "centrifugal load of a further element; below zero for what is removed")
-def point_load(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
-    return omega**2 * m * e * cis(gamma)
-
-
-# --- what comes out -------------------------------------------------------------------------------------------------------------
 @formula("θ", FINITE, shows=f"|θ| at each journal from {TURNING}", unit="mrad")
 def slopes(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,

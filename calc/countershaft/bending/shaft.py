@@ -13,13 +13,14 @@ import numpy as np
 
 from ... import notch
 from ...catalogue import Material
-from ...sheet.arrays import Array, ComplexArray
+from ...sheet.arrays import Array, ComplexArray, column
 from ...sheet.check import Check, check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.trace import about
 from ...sheet.units import Metre, NewtonMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond
+from ..formulas import mass_force
 from ..inputs import Extra
 from ..outline import Outline
 from . import formulas as f
@@ -108,9 +109,10 @@ def bending(
     _places(found, positions, extras)
     with about("bending of the shaft"):
         shaft = _prepared(found, material, omega, positions, extras)
-        EI: Any = f.bending_stiffness(E=material.E, I=found.inertia)  # type: ignore[arg-type]
-        core: Any = f.core_inertia(I=found.inertia, r_0=found.each("core_radius"), sector=shaft.sector)  # type: ignore[arg-type]
-        EI_s = _shared(material, core, effectiveness, found.inertia)
+        I: Any = found.inertia
+        EI: Any = f.bending_stiffness(E=material.E, I=I)
+        core: Any = f.core_inertia(I=I, r_0=found.each("core_radius"), sector=shaft.sector)
+        EI_s = _shared(material, core, effectiveness, I)
     with about("bending of the shaft, full stiffness"):
         stiff = shaft.model(EI)
         bent_stiff = bend(stiff, omega)
@@ -151,11 +153,8 @@ def _prepared(
     kappa = f.shear_coefficient(nu=material.poisson)
     A: Any = found.area
     S: Any = found.moment
-    m, e, gamma, z = (np.array([getattr(x, name) for x in extras], dtype=float) for name in ("mass", "radius", "angle", "z"))
-    forces: Any = np.zeros(0, dtype=complex)
-    masses: Any = m
-    if extras:
-        forces = f.point_load(omega=omega, m=masses, e=e, gamma=gamma)  # type: ignore[arg-type]
+    masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
+    forces: Any = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
     return _Shaft(
         found=found, ends=np.append(found.each("start"), found.end), sector=np.array([p.half_angle is not None for p in found.pieces]),
         shear=f.shear_stiffness(kappa=kappa, G=G, A=A), line_mass=f.line_mass(rho=material.density, A=A),
@@ -172,11 +171,12 @@ def _frequencies(
     shaft: _Shaft, material: Material, core: Any, eta: Number, shared: tuple[Any, Beam], whole: tuple[Any, Beam]
 ) -> tuple[RevPerSecond, RevPerSecond]:  # fmt: skip
     """The lowest natural frequency with the shared and with the whole stiffness, each in the weaker plane of the sections."""
-    found, inertia = shaft.found, np.asarray(shaft.found.inertia)
+    found = shaft.found
+    inertia: Any = found.inertia
     if shaft.sector.any():
         gamma: Any = np.array([math.pi if p.half_angle is None else p.half_angle for p in found.pieces])  # π: the full cylinder
         side = f.sideways_inertia(R=found.each("outer_radius"), r_0=found.each("core_radius"), gamma=gamma)
-        weaker: Any = f.weaker_inertia(I=found.inertia, I_side=side)  # type: ignore[arg-type]
+        weaker: Any = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             shared, whole = ((EI, shaft.model(EI)) for EI in stiffnesses)
@@ -210,7 +210,8 @@ def _share_at_limit(
         a, f_a, b = b, f_b, min(max(b - f_b * (b - a) / (f_b - f_a), LEAST_SHARE), 1.0)
         if abs(b - a) < 1e-5:  # the step after it is far smaller
             rest = {name: x for name, x in shaft.given(None).items() if name != "EI"}
-            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=shaft.found.inertia, **rest, eta=b)  # type: ignore[arg-type]
+            I: Any = shaft.found.inertia
+            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=I, **rest, eta=b)
         f_b = stiffer(b)
     return None
 

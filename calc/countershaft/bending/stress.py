@@ -31,9 +31,10 @@ def stresses(found: Outline, bent: Bent, M_max: NewtonMetre, fillet: Metre | Non
         S: Any = np.abs(found.moment[sector])
         A: Any = found.area[sector]
         c[sector] = f.farthest_fibre(R=R, y=s.whole_centre(S=S, A_tot=A), r_0=r_0, gamma=gamma)
-    start, end, I = found.each("start"), found.each("end"), found.inertia
+    start, end = found.each("start"), found.each("end")
+    I: Any = found.inertia
     M: Any = f.piece_moments(z_1=start, z_2=end, u=bent)
-    stress: Any = f.bending_stress(M=M, c=c, I=I)  # type: ignore[arg-type]
+    stress: Any = f.bending_stress(M=M, c=c, I=I)
     k, size = int(stress.argmax()), np.abs(bent.moment)
     z_M = f.moment_place(u=bent)
     here = [i for i in range(start.size) if start[i] - STEP <= z_M <= end[i] + STEP]
