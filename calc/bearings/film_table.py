@@ -24,6 +24,7 @@ import numpy as np
 
 from ..sheet.arrays import Array, IndexArray
 from ..sheet.record import record
+from . import short_bearing
 from .reynolds import Value, friction_variable
 
 Outside: TypeAlias = Literal["raise", "nan"]
@@ -102,8 +103,8 @@ def sommerfeld_range(length_ratio: Any) -> Any:
 
 def short_bearing_load(eccentricity: Value) -> Value:
     """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk 1952)."""
-    square = eccentricity**2
-    load: Value = 0.5 * eccentricity * (math.pi**2 + (16.0 - math.pi**2) * square) ** 0.5 / (1.0 - square) ** 2
+    one_long: Any = short_bearing.sommerfeld_din.function  # no line of the calculation: the table's spline is taken over it
+    load: Value = one_long(eps=eccentricity, b=1.0)
     return load
 
 
