@@ -28,6 +28,7 @@ NewtonMetre2 = Annotated[float, "N·m²"]
 Pascal = Annotated[float, "Pa"]
 PascalSecond = Annotated[float, "Pa·s"]
 PerPascal = Annotated[float, "1/Pa"]
+PascalMetrePerSecond = Annotated[float, "Pa·m/s"]  # p·v of a bearing
 Watt = Annotated[float, "W"]
 WattPerMetre = Annotated[float, "W/m"]
 Celsius = Annotated[float, "°C"]
