@@ -12,7 +12,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from calc.bearings import film_table
+from calc.bearings import film_nodes
 from calc.bearings.film_table import eccentricity_from, film_at
 from calc.bearings.reynolds import solve_film
 
@@ -31,8 +31,8 @@ def best(task: Callable[[], object], repeats: int, rounds: int = 7) -> float:
 
 
 def load() -> None:
-    film_table._table.cache_clear()
-    film_table._table()
+    film_nodes.film_nodes.cache_clear()
+    film_nodes.film_nodes()
 
 
 def main() -> None:

@@ -11,8 +11,8 @@ from pathlib import Path
 import numpy as np
 
 from ..sheet.arrays import Array
-from .film_table import QUANTITIES, TABLE, short_bearing_load
-from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, solve_film
+from .film_nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
+from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film
 
 ECCENTRICITIES = 30
 LENGTH_RATIOS = 24
@@ -36,11 +36,13 @@ def length_ratio_nodes() -> Array:
 
 
 def node_values(eccentricity: float, length_ratio: float) -> tuple[float, ...]:
-    """The stored quantities of one node, in the order of `film_table.QUANTITIES`."""
+    """The stored quantities of one node, in the order of `film_nodes.QUANTITIES`."""
     film = solve_film(eccentricity, length_ratio, cells=CELLS)
     short = length_ratio**2 * short_bearing_load(eccentricity)
     load = -math.log(2.0 * math.pi * film.sommerfeld * short)
-    return load, film.attitude, film.flow, film.side_flow_ratio, film.pressure_ratio
+    over_load = 2.0 * math.pi * film.sommerfeld * radial_damping(eccentricity, length_ratio, cells=CELLS)
+    damping = math.log(over_load / short_bearing_damping(eccentricity))
+    return load, film.attitude, film.flow, film.side_flow_ratio, film.pressure_ratio, damping
 
 
 def build() -> Array:

@@ -93,17 +93,9 @@ def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, in
     Range: 0.02 <= ε <= 0.98; 0.1 <= l/d <= 2, or l/d infinite.  `cells` are those of the finest grid around and across (half
     the length), both multiples of 4.  Raises ValueError outside the range.
     """
-    _require(eccentricity, length_ratio, cells)
-    if math.isinf(length_ratio):
-        cells = (LONG_BEARING_REFINEMENT * cells[0], 1)
-    pressure: Array | None = None
-    results = []
-    for coarser in REFINEMENTS:
-        grid = _grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
-        pressure = _pressure(grid, None if pressure is None else _refined(pressure, grid.across.size))
-        results.append(_integrals(grid, pressure))
-    assert pressure is not None
-    cosine, sine, flow, side_flow, peak = (float(value) for value in results[-1] + (results[-1] - results[-2]) / 3.0)
+    levels = _levels(eccentricity, length_ratio, cells)
+    grid, pressure = levels[-1]
+    cosine, sine, flow, side_flow, peak = (float(value) for value in _limit(*(_integrals(*level) for level in levels[-2:])))
 
     integral = math.hypot(cosine, sine)
     sommerfeld = 1.0 / (math.pi * integral)
@@ -119,6 +111,38 @@ def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, in
         theta=np.append(grid.theta, 2.0 * math.pi),
         pressure=np.append(pressure[:, 0], 0.0),
     )
+
+
+def radial_damping(eccentricity: float, length_ratio: float, *, cells: tuple[int, int] = (192, 16)) -> float:
+    """C_rr·ψ³/(2·μ·l): what the film holds against a journal that moves along its eccentricity, over its speed; not over the load.
+
+    The squeeze term 12·∂h/∂t beside the wedge, the film's region held as in the static state: the same matrix, solved once more.
+    Over So it is C_rr·c·ω/F.
+    Accuracy 1e-3 on the usual grid and 3e-4 on 384 by 32
+    cells; at l/d 0.1, where few nodes stand in the steep end of the film, 1e-2 and 7e-4.
+    """
+    levels = _levels(eccentricity, length_ratio, cells)
+    return float(_limit(*(np.asarray(_squeezed(eccentricity, *level)) for level in levels[-2:])))
+
+
+def _limit(coarse: Array, fine: Array) -> Array:
+    """Richardson's limit of two grids, the finer one of half the steps."""
+    limit: Array = fine + (fine - coarse) / 3.0
+    return limit
+
+
+def _levels(eccentricity: float, length_ratio: float, cells: tuple[int, int]) -> list[tuple[_Grid, Array]]:
+    """The grids from coarse to fine, and Π on each."""
+    _require(eccentricity, length_ratio, cells)
+    if math.isinf(length_ratio):
+        cells = (LONG_BEARING_REFINEMENT * cells[0], 1)
+    pressure: Array | None = None
+    levels = []
+    for coarser in REFINEMENTS:
+        grid = _grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
+        pressure = _pressure(grid, None if pressure is None else _refined(pressure, grid.across.size))
+        levels.append((grid, pressure))
+    return levels
 
 
 def _require(eccentricity: float, length_ratio: float, cells: tuple[int, int]) -> None:
@@ -172,14 +196,20 @@ def _refined(pressure: Array, nodes_across: int) -> Array:
     return finest
 
 
+def _links(grid: _Grid) -> tuple[Array, Array, Array]:
+    """The matrix A: links around, links across towards the edge, and the diagonal, at the nodes where Π is not given."""
+    along = grid.conductance[:, None] * grid.across[:-1]
+    aside = grid.sideways[1:-1]
+    diagonal = along[1:] + along[:-1] + aside
+    diagonal[:, 1:] += aside[:, :-1]
+    return along, aside, diagonal
+
+
 def _pressure(grid: _Grid, guess: Array | None) -> Array:
     """Π at all nodes: the complementarity problem A·Π >= b, Π >= 0, Π·(A·Π − b) = 0 of one grid."""
     inner = grid.across[:-1]
-    along = grid.conductance[:, None] * inner  # links around
-    aside = grid.sideways[1:-1]  # links across, towards the edge
+    along, aside, diagonal = _links(grid)
     source = -np.diff(grid.drag)[:, None] * inner
-    diagonal = along[1:] + along[:-1] + aside
-    diagonal[:, 1:] += aside[:, :-1]
 
     if guess is None:
         active = np.broadcast_to(grid.theta[1:-1, None] < 1.1 * math.pi, source.shape)
@@ -201,6 +231,30 @@ def _pressure(grid: _Grid, guess: Array | None) -> Array:
             return pressure
         active = corrected
     raise ArithmeticError(f"no film found on {grid.theta.size} by {grid.across.size} nodes in {ITERATION_LIMIT} corrections")
+
+
+def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
+    """−½·∬Π₁·cos θ (half length) with Π₁ for ∂h/∂t = cos θ, the film where it is without.
+
+    The film ends somewhere within half a step of the first empty node.  Where, follows from the flow that the static pressure drives
+    near its end, Π'·h³ = 6·dh/dθ·(s − θ); what a shift of the end changes, from the flow of Π₁ there (Hadamard).
+    """
+    active = pressure[1:-1, :-1] > 0.0
+    inner = grid.across[:-1]
+    along, aside, diagonal = _links(grid)
+    source = -12.0 * (np.cos(grid.theta) * grid.around)[1:-1, None] * inner
+    last = active.shape[0] - 1 - active[::-1].argmax(axis=0)
+    whole = int(last.max()) + 1
+    squeeze = _solved(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
+
+    rows, node = np.arange(inner.size), last + 1
+    before = 0.5 * (grid.theta[node] + grid.theta[node - 1])
+    flow = (pressure[node - 1, rows] - pressure[node, rows]) * grid.conductance[node - 1]
+    end = before - flow / (6.0 * eccentricity * np.sin(before))
+    half = 0.5 * (grid.theta[node + 1] - grid.theta[node])
+    shift = np.clip(end - grid.theta[node + 1], -half, half)
+    at_end = squeeze[last, rows] * grid.conductance[node]
+    return float((squeeze * source[:whole]).sum() + (at_end**2 / grid.film[node + 1] ** 3 * shift) @ inner) / 24.0
 
 
 def _solved(active: Mask, diagonal: Array, along: Array, aside: Array, source: Array) -> Array:

@@ -71,6 +71,12 @@ def side_flow_share(eps: Number) -> Number:
     return 2 * eps / (1 + eps)
 
 
+@formula("c_rr", OCVIRK + "; squeeze term 12·∂h/∂t in the same half film")
+def radial_damping(eps: Number) -> Number:
+    """C_rr·c·ω/F of a journal that moves along its eccentricity; from −∫cos²θ/h³ over the half film, π·(1 + 2ε²)/(2·(1 − ε²)^2.5)."""
+    return 2 * pi * (1 + 2 * eps**2) / (eps * sqrt(1 - eps**2) * sqrt(pi**2 * (1 - eps**2) + 16 * eps**2))
+
+
 @formula("θ_m", f"{OCVIRK}; where sin θ/(1 + ε·cos θ)³ is largest")
 def angle_of_largest_pressure(eps: Number) -> Radian:
     """From the widest film: 90° for a centred journal, towards 180° for one that touches."""

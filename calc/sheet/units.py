@@ -23,6 +23,7 @@ MetrePerSecond = Annotated[float, "m/s"]
 MetrePerSecond2 = Annotated[float, "m/s²"]
 Newton = Annotated[float, "N"]
 NewtonPerMetre = Annotated[float, "N/m"]
+NewtonSecondPerMetre = Annotated[float, "N·s/m"]
 NewtonMetre = Annotated[float, "N·m"]
 NewtonMetre2 = Annotated[float, "N·m²"]
 Pascal = Annotated[float, "Pa"]
@@ -108,6 +109,8 @@ UNITS = _units(
     ("N", "_N", 1.0),
     ("N·m", "_Nm", 1.0),
     ("N/mm", "_N_mm", 1e3),
+    ("N/m", "_N_m", 1.0),
+    ("N·s/m", "_Ns_m", 1.0),
     ("MPa", "_MPa", 1e6),
     ("GPa", "_GPa", 1e9),
     ("bar", "_bar", 1e5),

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.bearings import build_film_table, film_table
+from calc.bearings import build_film_table, film_nodes, film_table
 from calc.bearings.film_table import FilmRangeError, eccentricity_from, film_at, sommerfeld_range
 from calc.bearings.reynolds import solve_film
 
@@ -47,7 +47,7 @@ def test_between_the_nodes(eccentricity, length_ratio):
 
 @pytest.mark.parametrize("i, j", [(0, 0), (-1, -1), (0, -1), (-1, 0), (13, 11), (22, 5)])
 def test_nodes_come_from_the_direct_solution(i, j):
-    table = film_table._table()
+    table = film_nodes.film_nodes()
     eccentricity, length_ratio = float(table.eccentricities[i]), float(table.length_ratios[j])
     assert eccentricity == build_film_table.eccentricity_nodes()[i]
     assert length_ratio == build_film_table.length_ratio_nodes()[j]
@@ -57,7 +57,7 @@ def test_nodes_come_from_the_direct_solution(i, j):
 @pytest.mark.slow
 def test_the_whole_table_can_be_written_again(tmp_path):
     build_film_table.main(tmp_path / "again.npy")
-    stored, again = np.load(film_table.TABLE)[()], np.load(tmp_path / "again.npy")[()]
+    stored, again = np.load(film_nodes.TABLE)[()], np.load(tmp_path / "again.npy")[()]
     for name in stored.dtype.names:
         assert np.allclose(stored[name], again[name], rtol=0.0, atol=1e-7), name
 
