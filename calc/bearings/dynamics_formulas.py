@@ -22,7 +22,7 @@ from ..sheet.units import (
     RadPerSecond,
     RevPerSecond,
 )  # fmt: skip
-from . import film_table
+from . import tabulated
 
 TABLE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
 TURNED = "displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)"
@@ -35,18 +35,18 @@ MOTION = "(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; th
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
-    return film_table.film_slopes(eps, b)[0]
+    return tabulated.film_slopes(eps, b)[0]
 
 
 @formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
 def attitude_slope(eps: Number, b: Number) -> Number:
-    return film_table.film_slopes(eps, b)[1]
+    return tabulated.film_slopes(eps, b)[1]
 
 
 @formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
-    return film_table.film_at(eps, b).radial_damping
+    return tabulated.film_at(eps, b).radial_damping
 
 
 @formula("k_xx", TURNED, names={"q": "(ln So)'"})
@@ -160,14 +160,14 @@ def critical_mass_turning(
     At Ω = 0 this is Lund's.  J turns by 90° from X to Y.  One bearing at a time.
     """
     f = -Omega / omega  # the load's own speed
-    m = np.poly1d([1.0, 0.0])  # over F/(c·ω²)
-    x, y = k_xx - f**2 * m, k_yy - f**2 * m
-    a3 = c_xx + c_yy  # all over m here
-    a2 = m * (x + y) + c_xx * c_yy - c_xy**2 + 4 * f**2 * m**2
-    a1 = c_xx * y + c_yy * x - c_xy * (k_xy + k_yx) - 2 * f * m * (k_xy - k_yx)
-    a0 = x * y - k_xy * k_yx
-    hurwitz = a1 * a2 * a3 - a1**2 * m - a3**2 * m * a0
-    roots = np.concatenate([np.roots(p.coeffs) for p in (hurwitz, a0)])
+    det = k_xx * k_yy - k_xy * k_yx
+    # coefficients of s³ to s⁰, those of s³ and s⁴ without their factors m and m²; polynomials of m over F/(c·ω²), highest power first
+    a3 = c_xx + c_yy
+    a2 = np.array([2 * f**2, k_xx + k_yy, c_xx * c_yy - c_xy**2])
+    a1 = np.array([-(f**2) * a3 - 2 * f * (k_xy - k_yx), c_xx * k_yy + c_yy * k_xx - c_xy * (k_xy + k_yx)])
+    a0 = np.array([f**4, -(f**2) * (k_xx + k_yy), det])
+    hurwitz = a3 * np.convolve(a1, a2) - np.append(np.convolve(a1, a1) + a3**2 * a0, 0.0)
+    roots = np.concatenate([np.roots(hurwitz), np.roots(a0)])
     real = roots.real[(np.abs(roots.imag) < 1e-9 * np.abs(roots)) & (roots.real > 0)]
     return float(real.min(initial=np.inf)) * F / (g / 2 * omega**2)
 

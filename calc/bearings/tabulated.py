@@ -2,14 +2,29 @@
 """The stored solutions of Reynolds' equation as lines of the calculation."""
 
 from functools import lru_cache
+from typing import Any
 
 from ..sheet.formula import formula
 from ..sheet.units import Number, Radian
+from . import film_table
 from .film_table import eccentricity_from
-from .film_table import film_at as _film_at
 
 SOURCE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
-film_at = lru_cache(maxsize=4)(_film_at)  # five lines of a calculation ask for the same point
+_film_at = lru_cache(maxsize=4)(film_table.film_at)  # five lines of a calculation ask for the same point
+_film_slopes = lru_cache(maxsize=4)(film_table.film_slopes)
+
+
+def film_at(eps: Number, b: Number) -> Any:
+    return _film_at(eps, b) if _plain(eps, b) else film_table.film_at(eps, b)
+
+
+def film_slopes(eps: Number, b: Number) -> tuple[Any, Any]:
+    return _film_slopes(eps, b) if _plain(eps, b) else film_table.film_slopes(eps, b)
+
+
+def _plain(*numbers: Any) -> bool:
+    """No arrays, which can not be looked up."""
+    return all(isinstance(number, float | int) for number in numbers)
 
 
 @formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted")
