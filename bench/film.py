@@ -12,9 +12,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from calc.bearings import film_nodes
+from calc.bearings import film_nodes, short_bearing
+from calc.bearings.dynamics import coefficients
 from calc.bearings.film_table import eccentricity_from, film_at
-from calc.bearings.reynolds import solve_film
+from calc.bearings.reynolds import radial_damping, solve_film
 
 POINTS = 20_000
 
@@ -51,11 +52,16 @@ def main() -> None:
         ("direct solution, ε 0.75, l/d 0.4622", best(lambda: solve_film(0.75, 0.4622), 10)),
         ("direct solution, ε 0.98, l/d 2", best(lambda: solve_film(0.98, 2.0), 10)),
         ("direct solution, ε 0.75, infinite length", best(lambda: solve_film(0.75, math.inf), 10)),
+        ("radial damping, direct, ε 0.75, l/d 0.4622", best(lambda: radial_damping(0.75, 0.4622), 10)),
         ("table loaded", best(load, 10)),
         ("film_at, one point, l/d as before", best(lambda: film_at(0.75, 0.4622), 1000)),
         ("film_at, one point, new l/d", best(lambda: film_at(0.75, next(fresh)), 1000)),
         ("eccentricity_from, one point, l/d as before", best(lambda: eccentricity_from(0.1588, 0.4622), 1000)),
         ("eccentricity_from, one point, new l/d", best(lambda: eccentricity_from(0.1588, next(fresh)), 1000)),
+        ("eight coefficients, one point", best(lambda: coefficients(0.75, 0.4622), 200)),
+        ("short bearing: eccentricity, one point", best(lambda: short_bearing.eccentricity(S=0.1588, b=0.4622), 1000)),
+        ("short bearing: blocked arc, one point", best(lambda: short_bearing.blocked_arc(eps=0.74, p_s=4e5, p_max=6e6), 200)),
+        (f"eight coefficients, per point of {POINTS}", best(lambda: coefficients(eccentricities, lengths), 2) / POINTS),
         (f"film_at, per point of {POINTS}", best(lambda: film_at(eccentricities, lengths), 2) / POINTS),
         (f"eccentricity_from, per point of {POINTS}", best(lambda: eccentricity_from(numbers, lengths), 2) / POINTS),
     ):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.build_film_table  (about 15 s).
+"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.build_film_table  (about half a minute).
 
 Needed only after a change of `reynolds` or of the nodes below.  The same code writes the same bytes.
 """

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.bearings.reynolds import FilmSolution, solve_film
+from calc.bearings.reynolds import FilmSolution, radial_damping, solve_film
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 CONVERGED = json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"]
@@ -71,12 +71,12 @@ def test_raimondi_and_boyd(row):
     film = as_row(solve_film(row["eps"], float(row["ld"])))
     thin = row["eps"] > 0.9
     assert film["S"] == pytest.approx(row["S"], rel=0.035 if thin else 0.02)
-    assert film["frc"] == pytest.approx(row["frc"], rel=0.035 if thin else 0.02)
+    assert film["frc"] == pytest.approx(row["frc"], rel=0.035 if thin else 0.01)
     assert film["phi"] == pytest.approx(row["phi"], abs=0.6)
     assert film["QsQ"] == pytest.approx(row["QsQ"], abs=0.004)
     assert film["Pr"] == pytest.approx(row["Pr"], rel=0.065 if thin else 0.026)
     if (row["ld"], row["eps"]) not in WRONG_FLOW:
-        assert film["Q"] == pytest.approx(row["Q"], rel=0.02)
+        assert film["Q"] == pytest.approx(row["Q"], rel=0.01 if row["ld"] == "inf" else 0.005)
 
 
 @pytest.mark.parametrize("eccentricity", [0.02, 0.1, 0.3, 0.5, 0.8, 0.9, 0.98])
@@ -131,6 +131,20 @@ def test_more_load_means_thinner_film():
 def test_finer_grids_change_little(eccentricity, length_ratio):
     usual, fine = (as_row(solve_film(eccentricity, length_ratio, cells=cells)) for cells in ((192, 16), (384, 32)))
     assert usual == pytest.approx(fine, rel=1e-4)
+
+
+@pytest.mark.parametrize("eccentricity, length_ratio", [(0.1, 0.5), (0.6, 0.46), (0.9, 0.3), (0.98, 0.5), (0.3, 1.7)])
+def test_finer_grids_change_the_radial_damping_little(eccentricity, length_ratio):
+    usual, fine, finest = (radial_damping(eccentricity, length_ratio, cells=cells) for cells in ((192, 16), (384, 32), (768, 64)))
+    assert usual == pytest.approx(finest, rel=1e-3)
+    assert fine == pytest.approx(finest, rel=5e-4)
+
+
+def test_a_centred_journal_is_damped_all_round_alike():
+    """Along the eccentricity as across it, 2·sin φ/ε over the load, for the short bearing; the longer it is the less."""
+    film = solve_film(0.02, 0.1)
+    across = 2.0 * math.sin(film.attitude) / 0.02
+    assert 2.0 * math.pi * film.sommerfeld * radial_damping(0.02, 0.1, cells=(384, 32)) == pytest.approx(across, rel=0.05)
 
 
 @pytest.mark.parametrize("length_ratio", [0.3, math.inf])
