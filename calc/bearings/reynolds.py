@@ -117,9 +117,8 @@ def radial_damping(eccentricity: float, length_ratio: float, *, cells: tuple[int
     """C_rr·ψ³/(2·μ·l): what the film holds against a journal that moves along its eccentricity, over its speed; not over the load.
 
     The squeeze term 12·∂h/∂t beside the wedge, the film's region held as in the static state: the same matrix, solved once more.
-    Over So it is C_rr·c·ω/F.
-    Accuracy 1e-3 on the usual grid and 5e-4 on 384 by 32
-    cells; at l/d 0.1, where few nodes stand in the steep end of the film, 1e-2 and 7e-4.
+    Over So it is C_rr·c·ω/F.  Accuracy 1e-3 on the usual grid and 5e-4 on 384 by 32 cells; at l/d 0.1, where few nodes stand in
+    the steep end of the film, 1e-2 and 7e-4.
     """
     levels = _levels(eccentricity, length_ratio, cells)
     return float(_limit(*(np.asarray(_squeezed(eccentricity, *level)) for level in levels[-2:])))
