@@ -7,9 +7,10 @@ ROSS is no dependency of this program.  Into an environment of its own, then run
     ROSS/bin/python -m bench.film_against_ross
 
 Both are given eccentricity and l/d, constant viscosity, and asked for the load.  The true value is this program's solution on 768 by 64
-cells.  ROSS (`FluidFlow`, finite differences, forces by "numerical") cuts negative pressures off, which is another film end than that of
-Swift and Stieber: its load does not tend to the same value with finer grids: the error of a coarse grid may pass through zero by chance.  For each of its
-grids stands the time of the coarsest grid of this program that is at least as near; the time of the stored table is beside it.
+cells.  ROSS (`FluidFlow`, finite differences, forces by "numerical") cuts negative pressures off, which is another film end than that
+of Swift and Stieber: its load does not tend to the same value with finer grids, and the error of a coarse grid may pass through zero by
+chance.  For each of its grids stands the time of the coarsest grid of this program that is at least as near; the time of the stored
+table is beside it.
 """
 
 import math
