@@ -26,7 +26,7 @@ def matrices(k):
 
 
 def friswell(e):
-    """Short bearing: Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), section 5.5.1, equations for a_uu … b_vv.
+    """Short bearing: Friswell, Penny, Garvey and Lees, Dynamics of Rotating Machines (2010), p. 177, a_uu … b_vv.
 
     Their load points along −v, u is 90° further in the sense of rotation: here X along the load and Y stand for −v and u.
     """

@@ -96,6 +96,13 @@ def test_where_the_film_keeps_the_supply_out(bearing, degrees):
     assert by_own == pytest.approx(direct, rel=0.08) and by_peak == pytest.approx(direct, rel=0.23)
 
 
+@pytest.mark.parametrize("b, eps, p", [(0.46, 0.865, 1.05), (0.25, 0.8, 1.5), (0.46, 0.5, 1.0), (1.0, 0.8, 2.0)])
+def test_the_arc_falls_short_by_five_to_nine_per_cent(b, eps, p):
+    direct, _, film = direct_arc(b, eps, p)
+    own = p * 2 * math.pi * film.sommerfeld * largest(eps, b)
+    assert 0.9 < math.degrees(s.blocked_arc(eps=eps, p_s=SUPPLY, p_max=own)) / direct < 0.96
+
+
 def test_the_arc_of_a_short_bearing_is_that_of_the_direct_solution():
     b, eps, p = 0.1, 0.5, 1.0
     direct, peak, _ = direct_arc(b, eps, p)
