@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
+from .bearings.pairing_data import application_problem, bush_problem
 from .catalogue import Material, Oil, materials, oils
 from .countershaft.inputs import CountershaftInputs
 from .engine.inputs import EngineInputs
@@ -68,6 +69,8 @@ class Design:
             yield from self._crank_bodies(self.imbalance, self.engine)
         if self.countershaft is not None:
             yield from self._countershaft(self.countershaft)
+        if self.bearings is not None:
+            yield from self._bearings(self.bearings)
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -112,6 +115,27 @@ class Design:
                         f"its journal, {l * 1e3:g} mm long, reaches beyond the shaft's sections, {reach}",
                     )
 
+    def _bearings(self, own: BearingsInputs) -> Iterable[tuple[str, str]]:
+        """What the tables of bearings do not have, and what bearings need that stand alone."""
+        if own.bush_material is not None and (wrong := bush_problem(own.bush_material)) is not None:
+            yield "bearings.bush_material", wrong
+        if (wrong := application_problem(own.application)) is not None:
+            yield "bearings.application", wrong
+        if self.engine is None and own.speed is None:
+            yield "bearings.speed_rpm", "needed where there is no [engine] table to take it from"
+        if self.countershaft is None:
+            if own.journal_material is None:
+                yield "bearings.journal_material", "needed where there is no [countershaft] table to take it from"
+            for place in ("front", "rear"):
+                if getattr(own, place).load is None:
+                    yield f"bearings.{place}.load_N", "needed where there is no [countershaft] table whose reactions it carries"
+        elif self.engine is not None and own.speed is not None and own.speed != self.engine.rated_speed:
+            for place in ("front", "rear"):
+                if getattr(own, place).load is None:
+                    at = f"{self.engine.rated_speed * 60:g} rpm"
+                    yield "bearings.speed_rpm", f"the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear"
+                    break
+
     def _names(self) -> Iterable[tuple[str, Any, Any]]:
         known_oils, solids = self.oils, self.materials
         if self.engine is not None and self.engine.throw is not None:
@@ -125,6 +149,7 @@ class Design:
         if self.bearings is not None:
             yield "bearings.oil", self.bearings.oil, known_oils
             yield "bearings.housing_material", self.bearings.housing_material, solids
+            yield "bearings.journal_material", self.bearings.journal_material, solids
         if self.gears is not None:
             for i, wheel in enumerate(self.gears.wheels):
                 yield f"gears.wheels.{i}.material", wheel.material, solids

@@ -11,6 +11,7 @@ from math import pi
 from typing import Any
 
 from .bearings import solve as bearings
+from .bearings.standing import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
 from .countershaft.standing import Drive, Gear, with_standing
 from .design import STEPS, Design
@@ -105,7 +106,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
         i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
     b = part(
         "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
-        materials.get(_name(design.countershaft, "material")), materials.get(_name(design.bearings, "housing_material")), after=(e, i, c),
+        materials.get(_name(design.bearings, "journal_material") or _name(design.countershaft, "material")),
+        materials.get(_name(design.bearings, "housing_material")), after=_asked(e, i, c),
     )  # fmt: skip
     oil, law, temperature = _mesh_oil(design)
     f = part(
@@ -114,6 +116,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
     )  # fmt: skip
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, _shaft_drive(design, geometry.result, f))
+        b = bearings_with_standing(b, c.result.standing)
     torque = _torque(design, geometry, f, first_speed)
     if torque is not None:
         rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
@@ -126,6 +129,11 @@ def solve(design: Design, before: Results | None = None) -> Results:
         g = replace(g, curves=curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
+
+
+def _asked(*outcomes: Outcome) -> tuple[Outcome, ...]:
+    """Those that a part may wait for: where a step is not asked, its inputs are given otherwise."""
+    return tuple(outcome for outcome in outcomes if outcome.state != "not_asked")
 
 
 def _first_speed(design: Design) -> float | None:

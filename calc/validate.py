@@ -9,6 +9,7 @@ from typing import Any
 from .bearings.film_table import eccentricity_from, film_at
 from .catalogue import TABLES
 from .design_file import Document, design, read
+from .sheet.units import UNITS
 from .shipped import DESIGNS
 from .solve import Results, solve
 
@@ -42,6 +43,8 @@ def rows() -> Iterator[Row]:
     known = tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
     for case in known["case"]:
         yield from _case(case, known["designs"])
+    for film in known["film"]:
+        yield from _film(film)
     yield from _raimondi_boyd()
 
 
@@ -58,6 +61,17 @@ def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
         found = values.get(expect["value"])
         ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
         yield Row(case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+
+
+def _film(case: dict[str, Any]) -> Iterator[Row]:
+    """A worked example of the film: what stands at its S and l/d."""
+    S, ratio = case["S"], case["length_ratio"]
+    ours = film_at(eccentricity_from(S, ratio), ratio)
+    for expect in case["expect"]:
+        name, published = expect["what"], float(expect["is"])
+        found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
+        what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
+        yield Row(case["source"], what, published, found, abs(published) * expect["rel"], unit)
 
 
 def _solved(document: Document) -> Results:

@@ -5,8 +5,18 @@ Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import ln, pi
-from ..sheet.units import CubicMetrePerSecond, KilogramPerMetre3, Metre, Number, Pascal, PascalSecond, RadPerSecond, RevPerSecond
+from ..sheet.functions import cos, ln, pi, sin
+from ..sheet.units import (
+    CubicMetrePerSecond,
+    KilogramPerMetre3,
+    Metre,
+    Number,
+    Pascal,
+    PascalSecond,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+)  # fmt: skip
 
 TABLE = "Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator"
 
@@ -31,9 +41,19 @@ def swept(eps: Number) -> Number:
     return 1 + 1.5 * eps**2
 
 
-@formula("E", "hole opposite the load, turning with it: (h/c)³ at the widest gap")
+@formula("E", "hole opposite the load: (h/c)³ at the widest gap")
 def opposite(eps: Number) -> Number:
     return (1 + eps) ** 3
+
+
+@formula("E", "hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone (Finotti 2013, Table 5.1)")
+def at_angle(eps: Number, delta: Radian) -> Number:
+    return (1 - eps * cos(delta)) ** 3
+
+
+@formula("x", "width of hole or pocket over the length")
+def share_of_length(b: Metre, l: Metre) -> Number:
+    return b / l
 
 
 @formula("q_H", TABLE, names={"x": "(d_H/l)"})
@@ -55,6 +75,32 @@ def supply_factor(E: Number, l: Metre, b: Metre, q: Number) -> Number:
 @formula("q_2", "full circumferential groove: flow through two lands of length (l − b_G)/2")
 def groove_factor(eps: Number, d: Metre, l: Metre, b_G: Metre) -> Number:
     return pi / 24 * (1 + 1.5 * eps**2) * d / (l - b_G)
+
+
+@formula("φ", "angle from the widest gap, taken opposite the load (DIN 31652-2)", unit="°")
+def from_widest(delta: Radian) -> Radian:
+    return delta - pi
+
+
+@formula("q_2", "groove of part circumference at an angle to the load that stays: Finotti 2013, Table 5.1 (DIN 31652-2)")
+def part_groove_factor(eps: Number, phi_A: Radian, phi_E: Radian, d: Metre, l: Metre, b_G: Metre) -> Number:
+    """The integral of (h/c)³ from the angle phi_A to phi_E, both from the widest gap."""
+    return (
+        (
+            (phi_E - phi_A) * (1 + 1.5 * eps**2)
+            + (3 * eps + eps**3) * (sin(phi_E) - sin(phi_A))
+            + 0.75 * eps**2 * (sin(2 * phi_E) - sin(2 * phi_A))
+            - eps**3 / 3 * (sin(phi_E) ** 3 - sin(phi_A) ** 3)
+        )
+        / 48
+        * d
+        / (l - b_G)
+    )
+
+
+@formula("q_2", "groove of part circumference, swept by the load: its share of the full groove's mean")
+def swept_part_groove_factor(eps: Number, delta_A: Radian, delta_E: Radian, d: Metre, l: Metre, b_G: Metre) -> Number:
+    return (delta_E - delta_A) / 48 * (1 + 1.5 * eps**2) * d / (l - b_G)
 
 
 @formula("Q_2", "DIN 31652-2, flow by supply pressure", unit="L/min")

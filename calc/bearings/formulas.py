@@ -4,6 +4,8 @@
 Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P·ψ²/(μ·ω); So·S = 1/(2π) exactly.
 """
 
+from typing import Any
+
 from ..countershaft.supports import heat_index as heat_index  # of any journal, written with the shaft's supports
 from ..countershaft.supports import specific_load as specific_load
 from ..sheet.formula import formula
@@ -48,6 +50,31 @@ def length_ratio(l: Metre, d: Metre) -> Number:
 @formula("g", "Finotti 2013, 5.5.2: g = K·d·u^¼ with g in mm, d in m, u in m/s", unit="µm")
 def clearance_by_factor(K: Number, d: Metre, u: MetrePerSecond) -> Metre:
     return MILLI * K * d * (u / ONE_METRE_PER_SECOND) ** 0.25
+
+
+@formula("g", "definition: the middle of the seat's tolerance less that of the journal's", unit="µm")
+def clearance_of_fits(EI: Metre, ES: Metre, ei: Metre, es: Metre) -> Metre:
+    return (EI + ES) / 2 - (ei + es) / 2
+
+
+@formula("g_min", "smallest seat on the largest journal; T: width of each tolerance", unit="µm")
+def least_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
+    return g - (T_S + T_J) / 2
+
+
+@formula("g_max", "largest seat on the smallest journal; T: width of each tolerance", unit="µm")
+def most_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
+    return g + (T_S + T_J) / 2
+
+
+@formula("n_B", "speed of the bush by its ratio to the journal's", unit="rpm")
+def bush_speed(i_B: Number, n_J: RevPerSecond) -> RevPerSecond:
+    return i_B * n_J
+
+
+@formula("n_F", "speed of the load vector by its ratio to the journal's", unit="rpm")
+def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
+    return i_F * n_J
 
 
 @formula("g_T", "linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
@@ -117,6 +144,17 @@ def friction_variable(So: Number, eps: Number, phi: Radian) -> Number:
     return pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
 
+@formula("k_s", "sliding speed of journal on bush over the hydrodynamic speed")
+def sliding_ratio(n_J: RevPerSecond, n_B: RevPerSecond, n_h: RevPerSecond) -> Number:
+    """One where the load stands or turns with either surface: then the shear is that of Reynolds' standing load."""
+    return modulus(n_J - n_B) / n_h
+
+
+@formula("f*", "the same, the shear by the sliding speed and the pressure by the hydrodynamic one (balance of power in the load's frame)")
+def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number) -> Number:
+    return k_s**2 * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
+
+
 @formula("f", "Raimondi & Boyd 1958: friction variable f* = f/ψ", names={"f_v": "f*"})
 def friction_coefficient(psi: Number, f_v: Number) -> Number:
     return psi * f_v
@@ -135,6 +173,37 @@ def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKel
 @formula("p_max", "largest film pressure, from the table of Reynolds solutions", unit="MPa", names={"ratio": "(p/p_max)"})
 def largest_pressure(p: Pascal, ratio: Number) -> Pascal:
     return p / ratio
+
+
+@formula("γ̇", "definition: the largest mean shear rate, in the narrowest gap")
+def shear_rate(u: MetrePerSecond, h_0: Metre) -> RevPerSecond:
+    return u / h_0
+
+
+@formula("n_0", "the turning load grows with the square of the speed; the standing one is as large at this", unit="rpm")
+def speed_of_equal_loads(n: RevPerSecond, R_0: Newton, R: Newton) -> RevPerSecond:
+    """Below it the load swings about the standing part instead of turning round."""
+    return n * sqrt(R_0 / R)
+
+
+@formula("p_0", "load at the start: the standing part alone", unit="MPa")
+def load_at_start(R_0: Newton, d: Metre, l: Metre) -> Pascal:
+    return R_0 / (d * l)
+
+
+@formula("p_max", "short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_max/(μ·ω/ψ²))"})
+def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, largest: Number) -> Pascal:
+    return largest * mu * omega / psi**2
+
+
+@formula("R_max", "the standing part at the moment when it points with the turning one")
+def load_peak(F: Newton, R_0: Newton) -> Newton:
+    return F + R_0
+
+
+@formula("h_orb", "smallest film over a turn: less the excursion towards the narrowest film", unit="µm")
+def film_over_turn(h_0: Metre, a_n: Metre) -> Metre:
+    return h_0 - a_n
 
 
 # --- what is judged -----------------------------------------------------------------------------------------------------
@@ -190,3 +259,33 @@ def smallest_over_speeds(film: Metre) -> Metre:
 @formula("ZN/P", "McKee & McKee 1932, in cP·rpm/psi", names={"n_h": "n"})
 def mckee_number(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
     return mu * n_h / p / CENTIPOISE_RPM_PER_PSI
+
+
+@formula(
+    "min",
+    "smallest over the corners of the tolerances",
+    shows="the smallest of eight corners, each in thermal balance",
+    unit="µm",
+    governs="min",
+)
+def smallest_of_corners(x: Metre) -> Metre:
+    return _least(x)
+
+
+@formula("T_max", "hottest over the corners of the tolerances", shows="the hottest of eight corners, each in thermal balance")
+def hottest_of_corners(T: Celsius) -> Celsius:
+    return _most(T)
+
+
+@formula("P_max", "largest over the corners of the tolerances", shows="the largest of eight corners, each in thermal balance")
+def largest_power_of_corners(P: Watt) -> Watt:
+    return _most(P)
+
+
+def _least(x: Any) -> float:
+    """nan where one is: a corner without film is the worst."""
+    return float(x.min())
+
+
+def _most(x: Any) -> float:
+    return float(x.max())

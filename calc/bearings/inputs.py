@@ -2,15 +2,21 @@
 """The two plain bearings, their oil and its supply."""
 
 from collections.abc import Iterable
+from math import pi
 
+from .. import fits
 from ..sheet.quantity import choice, inputs, quantity, series, table, text
+from .pairing_data import DEFAULT_APPLICATION
+
+ASSUMED_FIT = "IT7"
+LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 
 
 @inputs
 class BearingInputs:
     """One journal in its seat."""
 
-    diameter: float = quantity("Journal diameter", "mm", above=0, high=1000, symbol="d", step=0.5)
+    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5)
     length: float = quantity(
         "Length",
         "mm",
@@ -34,11 +40,14 @@ class BearingInputs:
         step=0.05,
         help="g = K·d·u^¼ in mm, m and m/s; 0.4 to 0.8.",
     )
+    load: float = quantity(
+        "Load", "N", optional=True, above=0, high=1e7, symbol="F", step=50, help="Left out: the reaction of the counter-shaft."
+    )
     journal_roughness: float = quantity("Roughness Ra, journal", "µm", low=0, high=50, symbol="Ra_1", step=0.1)
     housing_roughness: float = quantity("Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1)
 
     def problems(self) -> Iterable[tuple[str, str]]:
-        if (self.clearance is None) == (self.clearance_factor is None):
+        if self.clearance is not None and self.clearance_factor is not None:
             yield "clearance_um", "give either clearance_um or clearance_factor, one of the two"
         if self.clearance is not None and self.clearance >= 0.1 * self.diameter:
             yield "clearance_um", "must stay below a tenth of the diameter"
@@ -64,6 +73,14 @@ class BearingsInputs:
     hole_diameter: float = quantity("Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H")
     groove_width: float = quantity("Groove width", "mm", optional=True, low=0, high=500, symbol="b_G")
     pocket_width: float = quantity("Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", help="Along the shaft.")
+    groove_arc: tuple[float, ...] | None = series(
+        "Groove from and to", "°", optional=True, count=(2, 2), low=0, high=360, symbol="delta_G",
+        help="Angles from the load, 180 opposite to it. Left out: all round.",
+    )  # fmt: skip
+    supply_angle: float = quantity(
+        "Angle from load to supply", "°", default=pi, low=0, high=180, symbol="delta", step=5,
+        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
+    )  # fmt: skip
     pocket_length: float = quantity(
         "Pocket length", "mm", optional=True, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
     )
@@ -77,6 +94,11 @@ class BearingsInputs:
         help="Share of the housing's thermal expansion that the block holds back.",
     )
     housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
+    bush_material: str | None = text(
+        "Bush material", optional=True, help="A name from the table of bearing materials. Left out: the journal runs on the housing itself."
+    )
+    journal_material: str | None = text("Journal material", optional=True, help="Left out: that of the counter-shaft.")
+    application: str = text("Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against.")
     clearance_reference_temperature: float = quantity("Clearance given at", "°C", default=20.0, low=-60, high=250, symbol="T_ref")
     lowest_temperature: float = quantity(
         "Lowest temperature", "°C", default=-20.0, low=-60, high=60, symbol="T_low", help="Cold start: the clearance must still be there."
@@ -84,6 +106,27 @@ class BearingsInputs:
     outlet_temperature_limit: float = quantity(
         "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", help="Trumpler allows 121 °C."
     )
+    journal_fit: str = text(
+        "Journal fit", default=ASSUMED_FIT, help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance."
+    )
+    seat_fit: str = text("Seat fit", default=ASSUMED_FIT, help="ISO 286: H7 and the like, or a bare field, IT7.")
+    viscosity_tolerance: float = quantity(
+        "Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, help="ISO 3448 allows a grade ±10 % at 40 °C."
+    )
+    speed: float = quantity(
+        "Journal speed", "rpm", optional=True, above=0, high=1e5, symbol="n", step=50, help="Left out: that of the counter-shaft."
+    )
+    load_speed_ratio: float = quantity(
+        "Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
+        help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.",
+    )  # fmt: skip
+    bush_speed_ratio: float = quantity(
+        "Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5, help="0: the seat stands."
+    )
+    speed_range: tuple[float, ...] | None = series(
+        "Speed range", "rpm", optional=True, count=(2, 2), above=0, high=1e5, symbol="n",
+        help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
+    )  # fmt: skip
     roughness_ratio: float = quantity(
         "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", help="Peak-to-valley over mean roughness; 6 to 7.5."
     )
@@ -97,6 +140,11 @@ class BearingsInputs:
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
 
+    @property
+    def fits_given(self) -> bool:
+        """Whether the tolerances are the design's own; else the program assumed them."""
+        return (self.journal_fit, self.seat_fit) != (ASSUMED_FIT, ASSUMED_FIT)
+
     def problems(self) -> Iterable[tuple[str, str]]:
         needs = {
             "hole": ("hole_diameter",),
@@ -107,7 +155,27 @@ class BearingsInputs:
         for name in needs[self.supply]:
             if getattr(self, name) is None:
                 yield f"{name}_mm", f'needed with supply = "{self.supply}"'
+        if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
+            yield (
+                "load_speed_ratio",
+                "the load would turn at half the speed of the surfaces, where no film is built up; anything but "
+                f"{(1 + self.bush_speed_ratio) / 2:g} is allowed",
+            )
+        if self.bush_speed_ratio == 1:
+            yield "bush_speed_ratio", "a bush that turns with the journal does not slide on it; anything but 1 is allowed"
+        if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
+            yield "groove_arc_deg", "must rise: from, to"
+        if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
+            yield "speed_range_rpm", "must rise: from, to"
+        placed = True
+        for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
+            if (wrong := fits.problem(getattr(self, name), of)) is not None:
+                yield name, wrong
+            placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
         for place, bearing in (("front", self.front), ("rear", self.rear)):
+            if bearing.clearance is None and bearing.clearance_factor is None and not placed:
+                letters = "journal_fit and seat_fit with their letters (f7, H7)"
+                yield f"{place}.clearance_um", f"give clearance_um or clearance_factor, or {letters}"
             for name in ("hole_diameter", "groove_width", "pocket_width"):
                 width = getattr(self, name)
                 if width is not None and width >= bearing.length:

@@ -1,63 +1,101 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The film over the engine's speeds: where it is thinnest is found, not assumed."""
+"""The film over the speeds: where it is thinnest is found, not assumed."""
 
-import math
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import BenchPoint
-from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Curve, Series
-from ..sheet.trace import untraced
-from .routes import Duty, Seat, balanced, own_warm
+from .balance import settled
+from .inputs import BearingsInputs
+from .states import Duty, Seat
 
-STEPS_WITHOUT_BENCH = 12
+STEPS_WITHOUT_BENCH = 25
+BETWEEN = 2  # further points between two rows of the bench run, its oil interpolated
 SLOWEST = 0.4  # of the rated speed
+TURNING = 1.0  # a load that turns with the journal is that of eccentric masses
 
 
 @record
 class Sweep:
-    speeds: tuple[float, ...]
-    films: tuple[float, ...]
-    thinnest_speed: float | None  # None where no row has a film in the range of the table
-    thinnest_film: float | None
+    """Rows in order of speed.  The thinnest is None where no row that governs has a film in the range of the table."""
 
-    def curve(self, place: str, limit: float, edge: float) -> Curve:
+    speeds: tuple[float, ...]
+    temperatures: tuple[float, ...]  # of the oil supplied
+    films: tuple[float, ...]
+    friction: tuple[float, ...]
+    thinnest_speed: float | None
+    thinnest_film: float | None
+    rated: float
+
+    def curves(self, place: str, limit: float, edge: float) -> tuple[Curve, ...]:
         """`edge`: what the journal's slope takes from the film at the bearing's edge."""
         rpm, film = np.array(self.speeds) * 60, np.array(self.films) * 1e6
-        return Curve(
-            f"film_{place}", f"Smallest film of the {place} bearing over speed, warm", "speed, rpm", "h_0, µm",
-            (Series("mid-bearing", rpm, film), Series("at the edge", rpm, film - edge * 1e6)), limits=(("Kreisle", limit * 1e6),),
-        )  # fmt: skip
+        series = (Series("mid-bearing", rpm, film), Series("at the edge", rpm, film - edge * 1e6))
+        title = f"Smallest film of the {place} bearing over speed, warm"
+        return (Curve(f"film_{place}", title, "speed, rpm", "h_0, µm", series, limits=(("Kreisle", limit * 1e6),)),)
+
+    def why(self, place: str) -> str:
+        """Why the thinnest film is not that of the highest speed; empty where it is."""
+        if self.thinnest_speed is None or self.thinnest_film is None:
+            return ""
+        last = max(i for i, film in enumerate(self.films) if np.isfinite(film))
+        here = self.speeds.index(self.thinnest_speed)
+        if last == here:
+            return ""
+        fastest = f"{self.speeds[last] * 60:.0f} rpm, whose oil comes at {self.temperatures[last]:.1f} °C"
+        unloaded = " (above the rated speed: run without load, it does not govern)" if self.speeds[last] > self.rated * (1 + 1e-9) else ""
+        return (
+            f"The {place} bearing's film is thinnest at {self.thinnest_speed * 60:.0f} rpm, {self.thinnest_film * 1e6:.2f} µm with oil of "
+            f"{self.temperatures[here]:.1f} °C, and not at {fastest}{unloaded}."
+        )
 
 
-def sweep(seat: Seat, load: float, rated: float, bench: tuple[BenchPoint, ...], duty: Duty) -> Sweep:
-    """The film at each row of the bench run, or over 0.4 to 1 of the rated speed with the design's oil supply.
+def sweep(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: Duty, inputs: BearingsInputs) -> Sweep:
+    """The film at each row of the bench run and between them, or over a range of speed with the design's oil supply.
 
-    The load grows with the square of the speed; the clearance is made once and warm at each speed's temperature.  Rows above the
-    rated speed are run without load on the engine: they are shown, and do not govern.
+    A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once and warm at each
+    speed's temperature.  Rows above the rated speed are run without load on the engine: they are shown, and do not govern.
     """
-    rows = sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench)
-    if not any(row[0] <= rated * (1 + 1e-9) for row in rows):
-        steps = np.linspace(SLOWEST, 1, STEPS_WITHOUT_BENCH).tolist()
-        rows = [(rated * x, duty.supply_temperature, duty.supply_pressure) for x in steps] + rows
-    found = []
-    with untraced():
-        for speed, temperature, pressure in rows:
-            at = replace(
-                duty,
-                load=load * (speed / rated) ** 2,
-                speed=speed,
-                effective_speed=duty.effective_speed * speed / rated,
-                supply_temperature=temperature,
-                supply_pressure=pressure,
-            )
-            try:
-                found.append((speed, balanced(own_warm, seat, at, tolerance=1e-5).film))
-            except NoSolution:
-                found.append((speed, math.nan))  # shown as a gap: overloaded, or hardly loaded
-    governing = [row for row in found if row[0] <= rated * (1 + 1e-9) and math.isfinite(row[1])]
-    thinnest = min(governing, key=lambda row: row[1], default=(None, None))
-    return Sweep(tuple(s for s, _ in found), tuple(h for _, h in found), *thinnest)
+    speeds, temperatures, pressures = _rows(rated, bench, duty, inputs)
+    ratio = speeds / rated
+    at = replace(
+        duty,
+        load=duty.load * ratio**2 if inputs.load_speed_ratio == TURNING else duty.load,
+        speed=speeds,
+        effective_speed=duty.effective_speed * ratio,
+        supply_temperature=temperatures,
+        supply_pressure=pressures,
+    )
+    film = settled(seat, at)
+    h_0: Any = film.film
+    power: Any = film.friction_power
+    governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
+    found = not np.isnan(governing).all()
+    least = int(np.nanargmin(governing)) if found else 0
+    return Sweep(
+        tuple(speeds.tolist()), tuple(temperatures.tolist()), tuple(h_0.tolist()), tuple(power.tolist()),
+        float(speeds[least]) if found else None, float(governing[least]) if found else None, rated,
+    )  # fmt: skip
+
+
+def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: Duty, inputs: BearingsInputs) -> tuple[Any, Any, Any]:
+    """Speeds in order, with the temperature and pressure of the oil supplied."""
+    rows = np.array(sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench)).reshape(-1, 3)
+    if inputs.speed_range is None and (rows[:, 0] <= rated * (1 + 1e-9)).any():
+        place = np.linspace(0, len(rows) - 1, (len(rows) - 1) * (BETWEEN + 1) + 1)
+        loaded = place <= (rows[:, 0] <= rated * (1 + 1e-9)).sum() - 1  # between a loaded and an unloaded row nothing is known
+        place = place[loaded | (place == np.round(place))]
+        return tuple(np.interp(place, np.arange(len(rows)), rows[:, i]) for i in range(3))
+    low, high = inputs.speed_range or (SLOWEST * rated, rated)
+    speeds = np.linspace(low, high, STEPS_WITHOUT_BENCH)
+    if inputs.speed_range is None and len(rows):
+        speeds = np.append(speeds, rows[:, 0])
+    own = np.full(speeds.shape, 1.0)
+    temperatures, pressures = duty.supply_temperature * own, duty.supply_pressure * own
+    if inputs.speed_range is None and len(rows):
+        temperatures[-len(rows) :], pressures[-len(rows) :] = rows[:, 1], rows[:, 2]
+    return speeds, temperatures, pressures

@@ -4,7 +4,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 
-from ..bearings.solve import BearingsResult
+from ..bearings.result import BearingsResult
 from ..catalogue import Material, Oil
 from ..gears.inputs import GearsInputs
 from ..gears.result import TrainResult

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The thermal balance: the temperature rise that a film makes is the rise it was given.
+
+The difference of the two falls with the assumed rise, so that a bracket finds the one answer; a fixed point need not.  `balanced`
+closes one bearing by any route and traces its last state; `settled` closes any number of bearings at once by the own solution.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+from ..root import root
+from ..sheet.arrays import Array
+from ..sheet.errors import NoSolution
+from ..sheet.trace import untraced
+from .film_table import FilmRangeError
+from .routes import Route, own_cold, own_warm
+from .states import Duty, Film, OutsideBalance, Seat, Seized
+
+HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
+ITERATION_LIMIT = 60
+
+
+def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> Film:
+    """The film whose heat leaves with the oil.  Only this state is traced.
+
+    Raises NoSolution where the load can not be carried, with what was tried, or where the rise passes 200 K.
+    """
+
+    @cache  # the ends of the bracket are asked for more than once
+    def excess(rise: float) -> float:
+        return route(seat, duty, rise).temperature_rise - rise
+
+    with untraced():
+        try:
+            high = min(2 * excess(0.0) + 1e-6, HOTTEST)
+            rise = root(excess, 0.0, _reachable(excess, high), tolerance=tolerance)
+        except (FilmRangeError, Seized, OutsideBalance) as error:
+            raise NoSolution(*_reason(duty, error)) from None
+    return route(seat, duty, rise)
+
+
+def _reason(duty: Duty, error: ValueError) -> tuple[str, str, str]:
+    """What was looked for, what came out, and what to do: too much load, too little, or a bearing too short or long."""
+    at = f"{duty.load:.4g} N at {duty.speed * 60:.4g} rpm"
+    if isinstance(error, Seized):
+        return str(error), f"under {at}", "give it more clearance"
+    if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
+        return f"the film of this bearing is not in the table ({error})", f"under {at}", "choose a length between 0.1 and 2 diameters"
+    if isinstance(error, FilmRangeError) and error.value > error.high:
+        return (
+            f"the journal runs nearly centred under {at}",
+            str(error),
+            "the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil",
+        )
+    return f"no film carries {at}", str(error), "lower the load, lengthen the bearing, or take a thicker oil"
+
+
+def _reachable(excess: Callable[[float], float], high: float) -> float:
+    """An upper end of the bracket at which the route still has an answer and the excess is negative."""
+    low = 0.0
+    for _ in range(40):
+        try:
+            if excess(high) <= 0:
+                return high
+            low, high = high, min(2 * high, HOTTEST)
+            if low == HOTTEST:
+                raise OutsideBalance(f"the oil would warm by more than {HOTTEST:g} K")
+        except (FilmRangeError, Seized):
+            high = (low + high) / 2
+    raise OutsideBalance("the film breaks down before its heat is carried away")
+
+
+def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-7) -> Film:
+    """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there is no film.
+
+    Regula falsi after Anderson & Björck 1973 on all points at once; a point without film at the upper end of its bracket is
+    closed in on from below.
+    """
+    route = own_warm if warm else own_cold
+    shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
+    film: Film
+
+    def excess(rise: Array) -> Array:
+        nonlocal film
+        film = route(seat, duty, rise)  # type: ignore[arg-type]
+        made: Any = film.temperature_rise
+        return np.asarray(made - rise)
+
+    with untraced(), np.errstate(all="ignore"):
+        low = np.zeros(shape)
+        f_low = excess(low)
+        high = np.minimum(2 * f_low + 1e-6, HOTTEST)
+        f_high = excess(high)
+        short = f_high > 0
+        if short.any():
+            high = np.where(short, HOTTEST, high)
+            f_high = excess(high)
+        lost = ~np.isfinite(f_low) | (f_high > 0)
+        before = np.full(shape, None)
+        for _ in range(ITERATION_LIMIT):
+            finite = np.isfinite(f_high)
+            secant = high - f_high * (high - low) / (f_high - f_low)
+            x = np.where(finite & (secant > low) & (secant < high), secant, 0.5 * (low + high))
+            f_x = excess(x)
+            done = lost | (np.abs(f_x) <= tolerance * (1 + x)) | (high - low <= tolerance)
+            if done.all():
+                break
+            above = f_x > 0
+            shrink = np.where(above, 1 - f_x / f_low, 1 - f_x / f_high)
+            shrink = np.where(np.isfinite(shrink) & (shrink > 0), shrink, 0.5)
+            shrink = np.where(above == before, shrink, 1.0)  # an end that stays twice has its value scaled down
+            before = above
+            f_low, f_high = np.where(above, f_x, f_low * shrink), np.where(above, f_high * shrink, f_x)
+            low, high = np.where(above, x, low), np.where(above, high, x)
+        return _only(film, ~lost & (np.abs(f_x) <= 1e-3 * (1 + x)))
+
+
+def _numbers(seat: Seat, duty: Duty) -> tuple[Any, ...]:
+    b = seat.bearing
+    factor = 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
+    return b.diameter, b.length, seat.clearance, factor, duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
+
+
+def _only(film: Film, there: Any) -> Film:
+    """The film with nan where it is not there."""
+    names = ("eccentricity", "film", "friction_coefficient", "friction_power", "oil_flow", "temperature_rise", "mean_temperature")
+    numbers: dict[str, Any] = {name: np.where(there, getattr(film, name), np.nan) for name in names}
+    return replace(film, **numbers)

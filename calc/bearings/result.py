@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the bearing step publishes."""
+
+from ..sheet.quantity import group, result, value
+from ..sheet.units import (
+    Celsius,
+    CubicMetrePerSecond,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetreSecond,
+    Number,
+    Pascal,
+    PascalMetrePerSecond,
+    Radian,
+    RevPerSecond,
+    Watt,
+)
+from .corners import Corners
+from .dynamics import Dynamics
+from .side_by_side import Side
+from .states import Duty, Film, Seat
+from .sweep import Sweep
+
+
+@result
+class RouteResult:
+    """What one route finds, in thermal balance."""
+
+    film: Metre = value("Smallest film", "µm", "h_0")
+    eccentricity: Number = value("Eccentricity ratio", "", "ε")
+    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
+    friction_variable: Number = value("Friction variable", "", "f*")
+    friction_coefficient: Number = value("Coefficient of friction", "", "f")
+    friction_power: Watt = value("Friction power", "W", "P_f")
+    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
+    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
+    attitude_angle: Radian | None = value("Attitude angle", "°", "φ", default=None)
+
+
+def route_result(film: Film) -> RouteResult:
+    return RouteResult(
+        film=film.film,
+        eccentricity=film.eccentricity,
+        sommerfeld=film.sommerfeld,
+        friction_variable=film.friction_variable,
+        friction_coefficient=film.friction_coefficient,
+        friction_power=film.friction_power,
+        temperature_rise=film.temperature_rise,
+        oil_flow=film.oil_flow,
+        attitude_angle=film.attitude,
+    )
+
+
+@result
+class StandingResult:
+    """The part of the load that stands still while the rest turns: weight and gear force."""
+
+    standing_load: Newton = value("Standing part of the load, at most", "N", "R_0")
+    load_peak: Newton = value("Largest load over a turn", "N", "R_max")
+    film_load_peak: Metre | None = value("Film under the largest load, as if it stayed", "µm", "h_R", default=None)
+    film_orbit: Metre | None = value("Smallest film over a turn, by the film's stiffness and damping", "µm", "h_orb", default=None)
+    orbit_amplitude: Metre | None = value("Largest excursion of the journal over a turn", "µm", "a", default=None)
+    speed_of_equal_loads: RevPerSecond | None = value("Speed at which the turning load is as large", "rpm", "n_0", default=None)
+    load_at_start: Pascal = value("Specific load at the start", "MPa", "p_0")
+
+
+@result
+class BearingResult:
+    """One bearing as judged, and beside it the routes on the clearance as given."""
+
+    film: Metre = value("Smallest film", "µm", "h_0")
+    film_edge: Metre = value("Film at the bearing's edge", "µm", "h_edge")
+    film_double_load: Metre | None = value("Film at twice the load", "µm", "h_2F", default=None)
+    speed_of_thinnest_film: RevPerSecond | None = value("Speed of the thinnest film over the speeds", "rpm", default=None)
+    thinnest_film: Metre | None = value("Thinnest film over the speeds", "µm", default=None)
+    eccentricity: Number = value("Eccentricity ratio", "", "ε")
+    attitude_angle: Radian = value("Attitude angle", "°", "φ")
+    sommerfeld: Number = value("Sommerfeld number", "", "S")
+    friction_coefficient: Number = value("Coefficient of friction", "", "f")
+    friction_power: Watt = value("Friction power", "W", "P_f")
+    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
+    side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
+    supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
+    feed_blocked_arc: Radian | None = value("Arc where the film's pressure holds the supply back", "°", default=None)
+    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
+    outlet_temperature: Celsius = value("Outlet temperature", "°C", "T_out")
+    film_pressure_max: Pascal = value("Largest film pressure", "MPa", "p_max")
+    clearance: Metre = value("Clearance at its reference temperature", "µm", "g")
+    clearance_hot: Metre = value("Clearance at the film's mean temperature", "µm", "g_hot")
+    clearance_cold: Metre = value("Clearance at the lowest temperature", "µm", "g_cold")
+    relative_clearance: Number = value("Relative clearance, warm", "‰", "ψ")
+    load: Newton = value("Load", "N", "F")
+    specific_load: Pascal = value("Specific load", "MPa", "p")
+    pressure_velocity: PascalMetrePerSecond = value("Specific load times speed", "MPa·m/s", "p·u")
+    heat_index: NewtonPerMetreSecond = value("Heat index", "N·rpm/mm", "W")
+    surface_speed: MetrePerSecond = value("Surface speed", "m/s", "u")
+    shear_rate: RevPerSecond = value("Shear rate in the narrowest gap", "1/s", "γ̇")
+    length_ratio: Number = value("Length ratio", "", "l/d")
+    transition_speed: RevPerSecond = value("Transition to mixed friction", "rpm", "n_T")
+    least_speed: RevPerSecond = value("Least speed for a full film", "rpm", "n_min")
+    least_speed_uncapped: RevPerSecond = value("the same with the rule carried on above 10 m/s", "rpm")
+    mckee_number: Number = value("McKee number, cP·rpm/psi", "", "ZN/P")
+    duty_number: Number = value("Duty number", "", "μ·n/p")
+    kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K")
+    trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T")
+    routes_spread: Number | None = value("Spread of the routes' films", "%", default=None)
+    reynolds: RouteResult | None = group(default=None)
+    raimondi_boyd: RouteResult | None = group(default=None)
+    din31652: RouteResult | None = group(default=None)
+    short_bearing: RouteResult | None = group(default=None)
+    corners: Corners = group()
+    dynamics: Dynamics = group()
+    standing: StandingResult | None = group(spread=True, default=None)
+    hot: Film
+    seat: Seat
+    duty: Duty
+    sweep: Sweep
+    side: Side
+
+
+@result
+class BearingsResult:
+    """Front and rear bearing."""
+
+    bearings: dict[str, BearingResult] = group(spread=True)

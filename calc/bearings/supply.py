@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the oil comes in: through the seat or the shaft, by a hole, a pocket or a groove, at rest beside the load or swept by it."""
+
+from math import pi
+from typing import Any
+
+from ..lubricant import State
+from ..sheet.errors import NoSolution
+from . import flow
+from . import formulas as f
+from .inputs import BearingsInputs
+from .states import Duty, Seat
+
+LOADED_HALF = pi / 2  # on either side of the load; rule of this program
+
+
+def keeps_its_angle(inputs: BearingsInputs) -> bool:
+    """Whether the feed turns with the load, so that the angle between them stays; else the load sweeps over it."""
+    carrier = 1.0 if inputs.supply == "shaft" else inputs.bush_speed_ratio
+    return bool(inputs.load_speed_ratio == carrier)
+
+
+def lands(inputs: BearingsInputs) -> int:
+    """Into how many bearings the oil supply parts the film: two where a groove lies in the loaded half, else one."""
+    if inputs.supply != "groove":
+        return 1
+    if inputs.groove_arc is None or not keeps_its_angle(inputs):
+        return 2
+    start, end = inputs.groove_arc
+    return 1 if start >= LOADED_HALF and end <= 2 * pi - LOADED_HALF else 2
+
+
+def supply_flow(seat: Seat, duty: Duty, psi: float, eps: float, oil: State, *, opposite: bool = False) -> float:
+    """Q₂, what the supply pressure drives through the bearing.
+
+    `opposite`: as the source has it, a hole in the seat that is always opposite the load, even where the load turns.
+    Raises NoSolution where the pressure does not reach the film (numbers; in arrays nan).
+    """
+    b, inputs = seat.bearing, seat.inputs
+    d, l, p_s = b.diameter, b.length, duty.supply_pressure
+    if inputs.supply == "groove":
+        q_2 = _groove_factor(inputs, eps, d, l)
+    else:
+        if opposite:
+            E = flow.opposite(eps=eps)
+        elif keeps_its_angle(inputs):
+            E = flow.at_angle(eps=eps, delta=inputs.supply_angle)
+        else:
+            E = flow.swept(eps=eps)
+        if inputs.supply == "pocket":
+            width: float = inputs.pocket_width or 0.0
+            q = flow.pocket_factor(x=flow.share_of_length(b=width, l=l))
+        else:
+            width = inputs.hole_diameter or 0.0
+            q = flow.hole_factor(x=flow.share_of_length(b=width, l=l))
+        q_2 = flow.supply_factor(E=E, l=l, b=width, q=q)
+        if inputs.supply == "shaft" and not opposite:
+            p_s = _through_shaft(duty, oil, d)
+    return flow.supply_flow(d=d, psi=psi, p_s=p_s, mu=oil.mu, q_2=q_2)
+
+
+def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> float:
+    width = inputs.groove_width or 0.0
+    if inputs.groove_arc is None:
+        return flow.groove_factor(eps=eps, d=d, l=l, b_G=width)
+    start, end = inputs.groove_arc
+    if keeps_its_angle(inputs):
+        return flow.part_groove_factor(eps=eps, phi_A=flow.from_widest(delta=start), phi_E=flow.from_widest(delta=end), d=d, l=l, b_G=width)
+    return flow.swept_part_groove_factor(eps=eps, delta_A=start, delta_E=end, d=d, l=l, b_G=width)
+
+
+def _through_shaft(duty: Duty, oil: State, d: float) -> float:
+    p: Any = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
+    if isinstance(p, float):
+        if p <= 0:
+            raise NoSolution(
+                "no oil reaches the bearing through the shaft", f"centrifugal head {(duty.supply_pressure - p) / 1e5:.2f} bar",
+                "raise the supply pressure or feed through the seat",
+            )  # fmt: skip
+        return p
+    return p * (p > 0) / (p > 0)  # nan where nothing arrives
