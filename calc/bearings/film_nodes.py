@@ -154,7 +154,7 @@ def clipped(quantity: str, values: Array, low: Any, high: Any, outside: Outside,
     if outside == "raise" and wrong.any():
         at = np.unravel_index(int(wrong.argmax()), wrong.shape)
         lowest, highest = (float(np.broadcast_to(limit, wrong.shape)[at]) for limit in (low, high))
-        place = "" if more is None else f" at l/d {more[at]:.6g}"
+        place = "" if more is None else f" at l/d {float(np.broadcast_to(more, wrong.shape)[at]):.6g}"
         count = f" ({int(wrong.sum())} of {wrong.size} values are outside)"
         raise FilmRangeError(quantity, float(values[at]), lowest, highest, place + count)
     return np.where(wrong, np.nan, np.clip(values, low, high))

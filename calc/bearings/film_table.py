@@ -15,13 +15,13 @@ and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk
 
 import math
 from bisect import bisect_right
+from collections.abc import Callable
 from typing import Any, overload
 
 import numpy as np
 
 from ..sheet.arrays import Array, IndexArray
 from .film_nodes import (
-    QUANTITIES,
     SLACK,
     FilmPoint,
     FilmRangeError,
@@ -44,6 +44,7 @@ __all__ = ["FilmPoint", "FilmRangeError", "eccentricity_from", "film_at", "film_
 
 STEP_LIMIT = 1e-9  # Newton's last step, in parts of a table cell; its error is the square of this
 ITERATION_LIMIT = 60
+ALL = slice(None)  # quantities of the table
 
 
 @overload
@@ -59,7 +60,7 @@ def film_at(eccentricity: Any, length_ratio: Any, *, outside: Outside = "raise")
     """
     if _scalar(eccentricity) and _scalar(length_ratio):
         return _film_scalar(float(eccentricity), float(length_ratio), outside)
-    return _film_array(*_broadcast(eccentricity, length_ratio), outside)
+    return _film_array(*_many(eccentricity, length_ratio), outside)
 
 
 @overload
@@ -70,7 +71,7 @@ def film_slopes(eccentricity: Array, length_ratio: Array | float, *, outside: Ou
 def film_slopes(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> tuple[Array, Array]: ...
 def film_slopes(eccentricity: Any, length_ratio: Any, *, outside: Outside = "raise") -> Any:
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced journal."""
-    load, attitude = _slopes_array(*_broadcast(eccentricity, length_ratio), outside)
+    load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
     return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
 
 
@@ -88,7 +89,7 @@ def eccentricity_from(sommerfeld: Any, length_ratio: Any, *, outside: Outside = 
     """
     if _scalar(sommerfeld) and _scalar(length_ratio):
         return _eccentricity_scalar(float(sommerfeld), float(length_ratio), outside)
-    return _eccentricity_array(*_broadcast(sommerfeld, length_ratio), outside)
+    return _eccentricity_array(*_many(sommerfeld, length_ratio), outside)
 
 
 @overload
@@ -168,22 +169,36 @@ def _scalar(value: Any) -> bool:
     return isinstance(value, float | int) or np.ndim(value) == 0
 
 
-def _broadcast(first: float | Array, second: float | Array) -> tuple[Array, Array]:
-    one, two = np.broadcast_arrays(np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64))
-    return one, two
+def _many(first: Any, second: Any) -> tuple[Array, Array]:
+    """The first as an array, the second broadcast to it; one l/d for all stays one."""
+    one, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
+    return (one, two) if two.ndim == 0 else tuple(np.broadcast_arrays(one, two))  # type: ignore[return-value]
+
+
+def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[IndexArray, Any], Array]]:
+    """l/d within the table, and `read(nodes, quantities)`: the table's rows at nodes of x, at the l/d of each point."""
+    table = film_nodes()
+    length_ratio = clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
+    if length_ratio.ndim == 0 and not np.isnan(length_ratio):
+        values = column_at(float(length_ratio)).values
+        return length_ratio, lambda nodes, quantities: values[nodes, quantities]
+    row, along = cells(table.y, np.log(length_ratio))
+
+    def read(nodes: IndexArray, quantities: Any) -> Array:
+        parts = (table.rows[2 * row + i, nodes, quantities] for i in range(4))
+        total: Array = sum((weight if part.ndim == weight.ndim else weight[..., None]) * part for weight, part in zip(along, parts))
+        return total
+
+    return length_ratio, read
 
 
 def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> FilmPoint[Array]:
     table = film_nodes()
     eccentricity = clipped("eccentricity ratio", eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
-    length_ratio = clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
+    length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity))
-    row, along = cells(table.y, np.log(length_ratio))
-    values = np.zeros((*eccentricity.shape, len(QUANTITIES)))
-    for i in range(4):
-        for j in range(4):
-            values += (along[i] * across[j])[..., None] * table.rows[2 * row + i, 2 * cell + j]
+    values: Array = sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))  # type: ignore[assignment]
     load, attitude, flow, side_flow_ratio, pressure_ratio, damping = np.moveaxis(values, -1, 0)
     sommerfeld = np.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eccentricity))
     friction = friction_variable(eccentricity, sommerfeld, np.sin(attitude))
@@ -194,34 +209,31 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
 def _slopes_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> tuple[Array, Array]:
     table = film_nodes()
     eccentricity = clipped("eccentricity ratio", eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
-    length_ratio = clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
+    length_ratio, read = _reader(length_ratio, outside)
+    eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, _ = cells(table.x, np.arctanh(eccentricity))
     step = table.x[cell + 1] - table.x[cell]
     across = hermite_slope((np.arctanh(eccentricity) - table.x[cell]) / step, step)
-    row, along = cells(table.y, np.log(length_ratio))
-    values = np.zeros((*eccentricity.shape, 2))
-    for i in range(4):
-        for j in range(4):
-            values += (along[i] * across[j])[..., None] * table.rows[2 * row + i, 2 * cell + j, :2]
+    values: Array = sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))  # type: ignore[assignment]
     per_eccentricity = 1.0 / (1.0 - eccentricity**2)  # dx/dε
     return (values[..., 0] + short_bearing_slope(eccentricity)) * per_eccentricity, values[..., 1] * per_eccentricity
 
 
 def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside) -> Array:
     table = film_nodes()
-    length_ratio = clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
-    row, along = cells(table.y, np.log(length_ratio))
+    length_ratio, read = _reader(length_ratio, outside)
 
-    def at(pair: IndexArray) -> Array:  # ln(So/So_short), or its slope, at a node of x
-        total: Array = sum(along[i] * table.rows[2 * row + i, pair, 0] for i in range(4))
-        return total
+    def at(nodes: IndexArray) -> Array:  # ln(So/So_short), or its slope, at a node of x
+        return read(nodes, 0)
 
-    ends = (at(np.full_like(row, 2 * node)) + table.short[node] for node in (table.x.size - 1, 0))
+    first = np.zeros(np.shape(length_ratio), dtype=np.intp)
+    ends = (at(first + 2 * node) + table.short[node] for node in (table.x.size - 1, 0))
     low, high = (np.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in ends)
     sommerfeld = clipped("Sommerfeld number S", sommerfeld, low, high, outside, more=length_ratio)
     target = -np.log(2.0 * math.pi * length_ratio**2 * sommerfeld)
 
-    cell, beyond = np.zeros_like(row), np.full_like(row, table.x.size - 1)
+    cell = np.zeros(sommerfeld.shape, dtype=np.intp)
+    beyond = cell + table.x.size - 1
     for _ in range((table.x.size - 1).bit_length()):
         middle = (cell + beyond) // 2
         above = at(2 * middle) + table.short[middle] <= target

@@ -16,7 +16,7 @@ from .units import UNITS, Unit
 T = TypeVar("T")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Quantity:
     """The description of one input.  `kind` is one of number, integer, text, choice, series, integers, table, tables."""
 
@@ -110,7 +110,7 @@ def tables(label: str, cls: type, *, optional: bool = False, **said: Any) -> Any
     return _make("tables", label, "", () if optional else MISSING, table=cls, **said)
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Key:
     """One key of an Inputs class: where it stands in the file and where in the dataclass."""
 
@@ -132,7 +132,7 @@ def keys(inputs: Any) -> dict[str, Key]:
 
 
 # --- results ------------------------------------------------------------------------------------------------------------
-@dataclass(frozen=True, slots=True)
+@record
 class Described:
     """The description of one result: its label, the unit it is shown in, its symbol."""
 
@@ -141,7 +141,7 @@ class Described:
     symbol: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Stated:
     """One result whose name is known only at run time (`span_6`, `root_stress_idler`): its description and its number, in SI."""
 

@@ -3,15 +3,15 @@
 
 import cmath
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import Any
 
 from .check import Check, worst
 from .quantity import Published, published
+from .record import record
 from .trace import Line
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Step:
     """One of the six: its key in the file, its title, the class of its inputs."""
 
@@ -20,7 +20,7 @@ class Step:
     inputs: type
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Series:
     """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all of them."""
 
@@ -30,7 +30,7 @@ class Series:
     variant: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Turning:
     """Vectors set tip to tail, each turning at `orders` times the crank's speed (negative: backward).  Their end runs along a locus.
 
@@ -50,7 +50,7 @@ class Turning:
         return points
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Curve:
     """Data with labels and limit lines; terminal and paper draw the same object.
 
@@ -70,7 +70,7 @@ class Curve:
     turning: tuple[Turning, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Table:
     """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty).
 
@@ -85,7 +85,7 @@ class Table:
     covers: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Erratum:
     """Where a source is wrong: the value that it has, beside the one that is judged, and why."""
 
@@ -97,7 +97,7 @@ class Erratum:
     why: str
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Outcome:
     """What solving one step gave.  `state`: solved, blocked (`reason` names what it waits for), not_asked, no_solution."""
 

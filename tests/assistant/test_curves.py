@@ -4,6 +4,7 @@
 import cmath
 import math
 import re
+from dataclasses import replace
 
 import pytest
 from textual.pilot import Pilot
@@ -145,7 +146,7 @@ async def test_new_results_keep_the_variant(screen: Screen) -> None:
         pane = await show(pilot, LOCUS)
         await strike(pilot, "escape")
         await strike(pilot, "b")
-        again = Curve(**{name: getattr(BARS, name) for name in BARS.__slots__})
+        again = replace(BARS)
         await show(pilot, again)
         assert WITH in legend(pane)
 
