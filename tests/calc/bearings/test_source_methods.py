@@ -120,3 +120,59 @@ def test_full_groove_flow_is_that_of_two_lands():
     mu, eps = 7e-3, 0.7
     q_2 = flow.groove_factor(eps, D, L, 0.003)
     assert flow.supply_flow(D, PSI, P_S, mu, q_2) == pytest.approx(flow.groove_flow_of_finotti(P_S, D, G, eps, mu, (L - 0.003) / 2))
+
+
+# --- the rear bearing: the same functions, Ø81 × 26.5, K = 0.61 ----------------------------------------------------------------
+D_R, L_R = 0.081, 0.0265
+U_R = f.surface_speed(D_R, N)
+G_R = f.clearance_by_factor(0.61, D_R, U_R)
+PSI_R = f.relative_clearance(G_R, D_R)
+P_R = f.specific_load(F, D_R, L_R)
+
+
+def rear_by_charts():
+    """The three passes of the source from its chart readings (h₀/c, f*), ε = 1 − h₀/c; the rise of each is the guess of the next."""
+    rise, passes = 16.0, []
+    for h_rel, f_v in ((0.232, 8.543), (0.247, 8.674), (0.249, 8.682)):
+        oil = OIL.at(f.mean_temperature(120.0, rise))
+        S = f.sommerfeld(oil.mu, N, P_R, PSI_R)
+        power = f.friction_power(f.friction_coefficient(PSI_R, f_v), F, U_R)
+        Q = flow.groove_flow_of_finotti(P_S, D_R, G_R, f.eccentricity_of_relative_film(h_rel), oil.mu, L_R)
+        rise = f.temperature_rise(power, oil.rho, oil.cp, Q)
+        passes.append((S, f.film(G_R, 1 - h_rel), Q, power, rise))
+    return passes
+
+
+def test_the_rear_clearance_wants_k_061():
+    """The text prints 0.6; only 0.61 gives its numbers: 0.0900387 mm, 1.111589 ‰ (So = 0.5671 printed, 0.5487 with 0.6)."""
+    assert (G_R, PSI_R) == pytest.approx((90.0387e-6, 1.111589e-3), rel=1e-6)
+    oil = OIL.at(f.mean_temperature(120.0, 16.0))
+    omega = f.angular_speed(N)
+    assert f.sommerfeld_din(P_R, PSI_R, oil.mu, omega) == pytest.approx(0.5671, abs=5e-5)
+    with_06 = f.relative_clearance(f.clearance_by_factor(0.6, D_R, U_R), D_R)
+    assert f.sommerfeld_din(P_R, with_06, oil.mu, omega) == pytest.approx(0.5487, abs=5e-5)
+
+
+def test_raimondi_boyd_iteration_of_the_rear_bearing():
+    """Flow 1.73e-5 m³/s in the first pass, S = 0.3073 and a film of 11.2 µm in the last."""
+    passes = rear_by_charts()
+    assert passes[0][2] == pytest.approx(1.73e-5, abs=5e-8)
+    assert passes[-1][0] == pytest.approx(0.3073, abs=5e-5)
+    assert passes[-1][1] * 1e6 == pytest.approx(11.2, abs=0.05)
+
+
+def test_din_iteration_of_the_rear_bearing_keeps_the_low_branch():
+    """Every So is below 1: 20.8 µm in the last pass."""
+    rise, film = 16.0, 0.0
+    for _ in range(3):
+        oil = OIL.at(f.mean_temperature(120.0, rise))
+        omega, b = f.angular_speed(N), f.length_ratio(L_R, D_R)
+        So = f.sommerfeld_din(P_R, PSI_R, oil.mu, omega)
+        assert So < 1
+        film = din.film(G_R, So, b)
+        eps = f.eccentricity_of_film(film, G_R)
+        _, friction = din.friction(PSI_R, So, b)
+        q_2 = flow.supply_factor(flow.opposite(eps), L_R, 0.004, flow.hole_factor(0.004 / L_R))
+        Q = flow.supply_flow(D_R, PSI_R, P_S, oil.mu, q_2) + flow.side_flow_din(D_R, PSI_R, omega, flow.side_flow_factor(b, eps))
+        rise = f.temperature_rise(f.friction_power(friction, F, U_R), oil.rho, oil.cp, Q)
+    assert film * 1e6 == pytest.approx(20.8, abs=0.05)
