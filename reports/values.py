@@ -43,7 +43,7 @@ class _Part:
 def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
     """All values of a step.  What is zero throughout is named, not tabulated, and what one of the step's tables covers is left to it,
     unless everything is asked for."""
-    covered = () if context.audit else tuple(t.covers for t in outcome.tables if t.covers)
+    covered = () if context.audit else tuple(prefix for t in outcome.tables for prefix in t.covers)
     parts: dict[str, _Part] = {}
     for value in outcome.values():
         if value.id.startswith(covered):

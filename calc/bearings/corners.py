@@ -113,4 +113,5 @@ def corners_table(place: str, found: Corners, inputs: BearingsInputs) -> Table:
         tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(found.names)),
         f"Journal {inputs.journal_fit}, seat {inputs.seat_fit} about the clearance at its reference temperature; oil ± "
         f"{inputs.viscosity_tolerance * 100:g} % of its viscosity.",
+        (f"bearings.{place}.corners.",),
     )

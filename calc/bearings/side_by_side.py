@@ -89,4 +89,5 @@ def routes_table(place: str, side: Side) -> Table:
         note += f" {ROUTES[name][0]}: {why}."
     for name, why in side.silent.items():
         note += f" {ROUTES[name][0]} gives no value here: {why}."
-    return Table(f"routes_{place}", f"Four routes side by side, {place} bearing", columns, tuple(rows), note)
+    covers = tuple(f"bearings.{place}.{name}." for name in ROUTES)
+    return Table(f"routes_{place}", f"Four routes side by side, {place} bearing", columns, tuple(rows), note, covers)

@@ -28,6 +28,7 @@ from .pairing import checks as pairing_checks
 from .pairing import table as bushes_table
 from .pairing_data import applications, running_surface
 from .pairing_formulas import film_duty, load_times_speed
+from .pictures import curves
 from .remarks import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .routes import own_warm
@@ -68,7 +69,7 @@ def solve(
         result=BearingsResult(bearings=results),
         checks=found,
         lines=tuple(lines),
-        curves=tuple(c for place, r in results.items() for c in r.sweep.curves(place, r.kreisle_film, r.film - r.film_edge)),
+        curves=tuple(c for place, r in results.items() for c in curves(place, r)),
         tables=tuple(tables),
         errata=tuple(e for place, r in results.items() for e in errata(place, r)),
         notes=notes(bearings, shaft, results),

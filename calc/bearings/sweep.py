@@ -8,7 +8,6 @@ import numpy as np
 
 from ..engine.inputs import BenchPoint
 from ..sheet.record import record
-from ..sheet.step import Curve, Series
 from .balance import settled
 from .inputs import BearingsInputs
 from .states import Duty, Seat
@@ -30,13 +29,6 @@ class Sweep:
     thinnest_speed: float | None
     thinnest_film: float | None
     rated: float
-
-    def curves(self, place: str, limit: float, edge: float) -> tuple[Curve, ...]:
-        """`edge`: what the journal's slope takes from the film at the bearing's edge."""
-        rpm, film = np.array(self.speeds) * 60, np.array(self.films) * 1e6
-        series = (Series("mid-bearing", rpm, film), Series("at the edge", rpm, film - edge * 1e6))
-        title = f"Smallest film of the {place} bearing over speed, warm"
-        return (Curve(f"film_{place}", title, "speed, rpm", "h_0, µm", series, limits=(("Kreisle", limit * 1e6),)),)
 
     def why(self, place: str) -> str:
         """Why the thinnest film is not that of the highest speed; empty where it is."""

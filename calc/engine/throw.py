@@ -316,13 +316,13 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
             (("position", ""), ("ε_k", "°"), *((name, "N") for name in names), ("T_v", "N·m")), forces,
             "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, "
             "torque from the throws in front.",
-            covers="engine.throw.largest_tangential.",
+            covers=("engine.throw.largest_tangential.",),
         ),
         Table(
             "throw_stresses", f"Stresses of the throw of cylinder {cylinder}",
             (("section", ""), ("M", "N·m"), ("T", "N·m"), ("σ", "MPa"), ("τ", "MPa"), ("σ_v", "MPa"), ("σ_vk", "MPa")), stresses,
             "σ_v nominal; σ_vk at the fillet, where its radius is given.",
-            covers="engine.throw.top_dead_centre.",
+            covers=("engine.throw.top_dead_centre.",),
         ),
     ]  # fmt: skip
     if worst.shape[1] > 1:

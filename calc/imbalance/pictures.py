@@ -137,7 +137,7 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
         tuple(rows),
         "Peaks over the turn. Shafts by unbalance U (force) and unbalance times arm U·Δz (couple), directions with cylinder 1 at TDC. "
         "Roll torque of a single shaft that carries a force: where its place is not given, 100 mm beside the crank.",
-        covers="imbalance.remedy.",
+        covers=("imbalance.remedy.",),
     )  # fmt: skip
 
 

@@ -74,7 +74,7 @@ class Curve:
 class Table:
     """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty).
 
-    `covers`: values whose ids begin with this stand in the table; the report's results leave them out, audit excepted.
+    `covers`: values whose ids begin with one of these stand in the table; the report's results leave them out, audit excepted.
     """
 
     id: str
@@ -82,7 +82,7 @@ class Table:
     columns: tuple[tuple[str, str], ...]
     rows: tuple[tuple[str | float | None, ...], ...]
     note: str = ""
-    covers: str = ""
+    covers: tuple[str, ...] = ()
 
 
 @record

@@ -104,7 +104,7 @@ def test_every_formula_stands_in_it_and_can_be_copied(example: Solved, engineer:
 
 def test_every_input_and_value_stands_in_it(example: Solved, engineer: bytes) -> None:
     read = squeezed(text_of(engineer))
-    covered = tuple(t.covers for outcome in example.results.outcomes.values() for t in outcome.tables if t.covers)
+    covered = tuple(prefix for outcome in example.results.outcomes.values() for t in outcome.tables for prefix in t.covers)
     for value in example.results.values().values():
         if value.shown and not value.id.startswith(covered):
             assert squeezed(value.label) in read

@@ -66,16 +66,16 @@ def test_values_that_a_table_covers_are_left_to_it() -> None:
     made = solved(V12)
     outcome = made.results.outcomes["imbalance"]
 
-    def words(covers: str, depth: str = "engineer") -> str:
+    def words(covers: tuple[str, ...], depth: str = "engineer") -> str:
         context = Context(made.document, made.results, "0" * 64, depth, WORDS["en"])
         return "\n".join(drawn(value_blocks(context, replace(outcome, tables=(replace(REMEDIES, covers=covers),)))))
 
-    assert "Order 6" in words("") and "order 2" in words(""), "order 2 is named as zero"
-    left = words("imbalance.order_")
+    assert "Order 6" in words(()) and "order 2" in words(()), "order 2 is named as zero"
+    left = words(("imbalance.order_",))
     assert "rder 6" not in left and "rder 2" not in left
     assert "Couple that the counter-shaft must supply" in left, "what does not begin so stays"
-    assert "Order 6" in words("imbalance.order_2.") and "order 2" not in words("imbalance.order_2.")
-    assert words("imbalance.order_", "audit") == words("", "audit"), "the audit has everything"
+    assert "Order 6" in words(("imbalance.order_2.",)) and "order 2" not in words(("imbalance.order_2.",))
+    assert words(("imbalance.order_",), "audit") == words((), "audit"), "the audit has everything"
 
 
 def test_nought_has_no_sign() -> None:

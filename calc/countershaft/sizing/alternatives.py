@@ -125,5 +125,5 @@ def compared_table(shaft: CountershaftInputs, found: Mapping[str, MaterialResult
         note += f" First year: tooling, development and {shaft.cost.pieces_per_year} pieces; the comparison is with {shaft.material}."
     return Table(
         "materials", "The shaft in other materials", (("material", ""), *((label, unit) for label, _, unit in shown)), cells, note,
-        covers="countershaft.alternative.",
+        covers=("countershaft.alternative.",),
     )  # fmt: skip

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves of a bearing: its film over the speeds and over the clearance it could have."""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..sheet.step import Curve, Series
+from .balance import settled
+from .result import BearingResult
+
+POINTS = 25
+SPAN = (0.4, 2.0)  # of the design's clearance
+
+
+def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
+    return _over_speed(place, r), _over_clearance(place, r)
+
+
+def _over_speed(place: str, r: BearingResult) -> Curve:
+    rpm, film = np.array(r.sweep.speeds) * 60, np.array(r.sweep.films) * 1e6
+    edge = (r.film - r.film_edge) * 1e6
+    return Curve(
+        f"film_{place}", f"Smallest film of the {place} bearing over speed, warm", "speed, rpm", "h_0, µm",
+        (Series("mid-bearing", rpm, film), Series("at the edge", rpm, film - edge)), limits=(("Kreisle", r.kreisle_film * 1e6),),
+    )  # fmt: skip
+
+
+def _over_clearance(place: str, r: BearingResult) -> Curve:
+    """What more or less clearance would do, all else as designed: each point in thermal balance."""
+    g: Any = r.clearance * np.linspace(*SPAN, POINTS)
+    twice: Any = np.repeat([r.load, 2 * r.load], POINTS)
+    both: Any = np.tile(g, 2)
+    film: Any = settled(replace(r.seat, clearance=both), replace(r.duty, load=twice)).film
+    shown, edge = g * 1e6, r.film - r.film_edge
+    series = (Series("at the edge", shown, (film[:POINTS] - edge) * 1e6), Series("twice the load", shown, film[POINTS:] * 1e6))
+    limits = (("Kreisle", r.kreisle_film * 1e6), ("Trumpler", r.trumpler_film * 1e6))
+    title = f"Film of the {place} bearing over its clearance at {r.seat.inputs.clearance_reference_temperature:g} °C"
+    return Curve(f"film_over_clearance_{place}", title, "clearance, µm", "h, µm", series, limits=limits)
