@@ -22,4 +22,7 @@ TAKEN: dict[str, tuple[str, ...]] = {
 }
 
 # keys of text fields that hold a name from one of the catalogues
-NAMED = {"oil": "oils", "material": "materials", "housing_material": "materials", "bush_material": "materials"}
+NAMED = {
+    "oil": "oils", "material": "materials", "housing_material": "materials", "journal_material": "materials", "bush_material": "bushes",
+    "application": "applications",
+}  # fmt: skip

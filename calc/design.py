@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
-from .bearings.pairing_data import application_problem, bush_problem
+from .bearings.pairing_data import application_problem, applications, bush_problem, bushes
 from .catalogue import Material, Oil, materials, oils
 from .countershaft.inputs import CountershaftInputs
 from .engine.inputs import EngineInputs
@@ -54,6 +54,14 @@ class Design:
     @property
     def materials(self) -> dict[str, Material]:
         return materials(self.material)
+
+    @property
+    def bushes(self) -> tuple[str, ...]:
+        return bushes()
+
+    @property
+    def applications(self) -> tuple[str, ...]:
+        return tuple(applications())
 
     def asked(self) -> tuple[Step, ...]:
         return tuple(s for s in STEPS if getattr(self, s.key) is not None)

@@ -84,9 +84,14 @@ def running_surface(bush: str | None, housing: str) -> BearingMaterial | None:
     return bearing_materials().get(housing if bush is None else bush)
 
 
+def bushes() -> tuple[str, ...]:
+    """The materials that a bush may be of."""
+    return tuple(m.name for m in bearing_materials().values() if m.form != "bare")
+
+
 def bush_problem(name: str) -> str | None:
     """Why a word is no bush; None where it is one."""
-    return _unknown(name, [m.name for m in bearing_materials().values() if m.form != "bare"])
+    return _unknown(name, list(bushes()))
 
 
 def application_problem(name: str) -> str | None:
