@@ -18,7 +18,11 @@ from calc.design_file import design, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.step import Table
 
-CHOICES = {"engine": "firing orders, the one that leaves least first", "countershaft": "shafts in the envelope, the lightest first"}
+CHOICES = {
+    "engine": "firing orders, the one that leaves least first",
+    "countershaft": "shafts in the envelope, the lightest first",
+    "bearings": "plain bearings that pass at every corner, the nearest and the least power first",
+}
 
 
 @dataclass(frozen=True)
@@ -30,6 +34,7 @@ class Offer:
     changes: Callable[[int], list[str]]
     said: Callable[[int], str]
     hint: str
+    beside: Callable[[], tuple[Table, ...]] = tuple  # further tables
 
 
 def run(asked: Namespace) -> int:
@@ -54,13 +59,22 @@ def run(asked: Namespace) -> int:
     if asked.apply is not None:
         if not 1 <= asked.apply <= offer.count:
             raise BadInput("--apply", [InputError(0, "", str(asked.apply), f"must be a row of the table, from 1 to {offer.count}")])
-        edit(Path(asked.file), document, offer.changes(asked.apply))
+        try:
+            changes = offer.changes(asked.apply)
+        except NoSolution as none:
+            print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
+            return 3
+        edit(Path(asked.file), document, changes)
         print(f"\n{asked.file} {offer.said(asked.apply)}; as it was before: {asked.file}.bak")
         return 0
     table = offer.table(asked.top)
     if asked.json:
-        print(json.dumps({"schema": 1, "step": asked.step, **table_json(table)}, ensure_ascii=False, indent=1))
+        beside = {one.id: table_json(one) for one in offer.beside()}
+        found = {"schema": 1, "step": asked.step, **table_json(table), **({"tables": beside} if beside else {})}
+        print(json.dumps(found, ensure_ascii=False, indent=1))
         return 0
     print("\n".join(table_lines(table)))
+    for one in offer.beside():
+        print("\n" + "\n".join(table_lines(one)))
     print(f"\n{offer.hint}")
     return 0

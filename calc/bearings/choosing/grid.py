@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""All candidates of one bearing with one oil and one supply, at once.
+
+Lengths stand on half millimetres and clearances on 5 µm, the design's own beside them.  Films are solved at a few lengths, a tenth
+apart, and taken between them by a cubic in ln l (below 1e-4 off); what is offered is solved again where it stands.
+"""
+
+import math
+from typing import Any
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.quantity import keys
+from ...sheet.record import record
+from ...sheet.units import Metre, Radian
+from .. import formulas as f
+from .. import supply
+from ..corners import widths
+from ..inputs import BearingInputs
+from .rules import LEAST_COLD, Judged
+from .states import States, Task, judge, margins, solved
+from .variants import HALF_MILLIMETRE, SUPPLIES, Variant
+
+CLEARANCE_STEP = 5e-6
+SAME = 1e-10  # m
+WIDEST = 2.5e-3  # of the diameter, where the usual ones leave too little oil; rule of this program
+FEW = 4  # steps, where the cold clearance leaves none of the usual; rule of this program
+USUAL_FACTORS = keys(BearingInputs)["clearance_factor"].about.usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
+APART = math.log(1.1)  # between the lengths that are solved
+KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
+OF_HEAT = ("temperature", "temperature_rise")
+OF_FILM = ("film_edge", "film_edge_trumpler", "film_double_load", "temperature", "temperature_rise", "transition")
+
+
+@record
+class Field:
+    """`states`: clearances down, lengths across."""
+
+    task: Task
+    variant: Variant
+    states: States
+
+    def judged(self, slope: Radian) -> list[Judged]:
+        return judge(self.task, self.states, slope)
+
+    def holds(self, slope: Radian) -> Any:
+        """Which candidates keep the rules on the film, whatever their heat and size."""
+        found = [one.margin for one in self.judged(slope) if one.rule.key in OF_FILM and one.rule.key not in OF_HEAT]
+        return np.min(found, axis=0) >= 0
+
+    def change(self) -> Any:
+        """From the design: the sum of the relative changes of length, clearance and diameter; rule of this program."""
+        task = self.task
+        moved = np.abs(self.states.length / task.length - 1) + np.abs(self.states.clearance / task.clearance - 1)
+        return np.where(moved < 1e-9, 0.0, moved) + abs(task.seat.bearing.diameter / task.diameter - 1)
+
+
+def passing(found: list[Judged]) -> Any:
+    """Which candidates keep every rule."""
+    return np.all([one.margin >= (KEPT if one.rule.key in OF_FILM else 0.0) for one in found], axis=0)
+
+
+def lengths(task: Task) -> Array:
+    """Whole half millimetres within the usual l/d and the room, and the design's own."""
+    inputs, d = task.seat.inputs, task.seat.bearing.diameter
+    usual = task.rules["length_ratio_usual"].check.limit
+    assert isinstance(usual, tuple)
+    lands = supply.lands(inputs)
+    lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0
+    shortest, longest = (lands * share * d + lost for share in usual)
+    shortest = max(shortest, (getattr(inputs, SUPPLIES[inputs.supply]) or 0.0) + HALF_MILLIMETRE)
+    if task.room.binds and task.room.longest is not None:
+        longest = min(longest, task.room.longest)
+    steps = np.arange(math.ceil(shortest / HALF_MILLIMETRE - 1e-6), math.floor(longest / HALF_MILLIMETRE + 1e-6) + 1)
+    own = [task.length] if shortest <= task.length <= longest else []
+    return _with(steps * HALF_MILLIMETRE, own)
+
+
+def clearances(task: Task, widest: Metre) -> Array:
+    """Whole 5 µm from the least that must be left when cold, a few at least, up to the widest, and the design's own."""
+    seat, d = task.seat, task.seat.bearing.diameter
+    T_J, T_S = widths(seat.inputs, d)
+    shrinks = seat.clearance - seat.clearance_at(seat.inputs.lowest_temperature)
+    narrowest = LEAST_COLD + shrinks + (T_J + T_S) / 2
+    widest = max(widest, task.clearance) if widest >= narrowest else narrowest + FEW * CLEARANCE_STEP
+    steps = np.arange(max(math.ceil(narrowest / CLEARANCE_STEP - 1e-6), 1), math.floor(widest / CLEARANCE_STEP + 1e-6) + 1)
+    own = [task.clearance] if narrowest <= task.clearance else []
+    return _with(steps * CLEARANCE_STEP, own)
+
+
+def widest_usual(task: Task) -> Metre:
+    """The clearance of the greatest factor K that is usual."""
+    d = task.seat.bearing.diameter
+    return f.clearance_by_factor(K=USUAL_FACTORS[1], d=d, u=f.surface_speed(d=d, n=task.duty.speed))
+
+
+def _with(steps: Any, own: list[float]) -> Array:
+    """In order; the design's own number in the place of a step that it equals up to rounding."""
+    return np.sort(np.append([x for x in steps if all(abs(x - number) > SAME for number in own)], own))
+
+
+def field(task: Task, variant: Variant, slope: Radian) -> Field | None:
+    """With clearances wider than the usual ones where these leave too little oil; None where no length is left to look at."""
+    at = task.with_oil(variant.lubricant, variant.supply)
+    usual = _field(at, variant, clearances(at, widest_usual(at)))
+    if usual is None:
+        return _field(at, variant, clearances(at, 0.0))
+    found = usual.judged(slope)
+    best = int(margins(found).argmax())
+    stopped = min(found, key=lambda one: float(one.margin.flat[best]))
+    if passing(found).any() or stopped.rule.key not in OF_HEAT:
+        return usual
+    return _field(at, variant, clearances(at, WIDEST * at.seat.bearing.diameter)) or usual
+
+
+def _field(at: Task, variant: Variant, g: Array) -> Field | None:
+    l = lengths(at)
+    if not l.size or not g.size:
+        return None
+    spread = math.log(l[-1] / l[0])
+    nodes = max(math.ceil(spread / APART) + 1, 4)
+    if l.size <= nodes:
+        return Field(at, variant, solved(at, l, g[:, None]))
+    x = np.linspace(0.0, spread, nodes)
+    few = solved(at, l[0] * np.exp(x), g[:, None])
+    first, weights = _cubic(x, np.log(l / l[0]))
+
+    def between(numbers: Any) -> Any:
+        return sum(weights[i] * numbers[..., first + i] for i in range(4))
+
+    many = {name: between(getattr(few, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
+    return Field(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
+
+
+def _cubic(x: Array, at: Array) -> tuple[Any, list[Array]]:
+    """For other points than the evenly spaced nodes x: the first of the four nodes about each, and the weights of the four."""
+    first = np.clip(np.searchsorted(x, at) - 2, 0, x.size - 4)
+    near = [x[first + k] for k in range(4)]
+    return first, [
+        np.prod([(at - near[k]) / (near[i] - near[k]) for k in range(4) if k != i], axis=0) for i in range(4)
+    ]  # fmt: skip

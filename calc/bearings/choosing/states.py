@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Candidates of one bearing in the states that govern, all at once, and the rules on them.
+
+Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner oil, for the film;
+the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is offered is judged once more at all eight.
+"""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...lubricant import Lubricant
+from ...sheet.record import record
+from ...sheet.units import Metre, Radian
+from .. import formulas as f
+from .. import supply
+from ..balance import settled
+from ..corners import widths
+from ..states import Duty, Seat
+from .room import Room
+from .rules import Judged, Rule, judged
+
+# name, clearance (+1 widest, −1 narrowest), oil (+1 thicker, −1 thinner), times the load
+STATES = (
+    ("as given", 0, 0, 1.0),
+    ("smallest journal, largest seat, thinner oil", 1, -1, 1.0),
+    ("largest journal, smallest seat, thinner oil", -1, -1, 1.0),
+    ("largest journal, smallest seat, thicker oil", -1, 1, 1.0),
+    ("smallest journal, largest seat, thinner oil", 1, -1, 2.0),
+    ("largest journal, smallest seat, thinner oil", -1, -1, 2.0),
+)  # fmt: skip
+AS_GIVEN, ONCE, TWICE = 0, slice(0, 4), slice(4, 6)
+NARROWEST = 3
+BALANCED = 1e-5  # relative, of the rise: enough for a film to seven digits
+
+
+@record
+class Task:
+    """One bearing of the design, at one diameter: what it carries, what it has to keep, and what it is now.
+
+    `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of transition, which the
+    surface speed alone decides.
+    """
+
+    place: str
+    seat: Seat
+    duty: Duty
+    rules: dict[str, Rule]
+    room: Room
+    speed_factor: float
+    length: Metre
+    clearance: Metre
+    diameter: Metre
+
+    def with_oil(self, oil: Lubricant, fed: str) -> "Task":
+        seat = self.seat
+        return replace(self, seat=replace(seat, lubricant=oil, inputs=replace(seat.inputs, oil=oil.oil.name, supply=fed)))
+
+
+@record
+class States:
+    """Films of candidates: the first axis is that of STATES, the others those of length and clearance."""
+
+    length: Any
+    clearance: Any
+    film: Any
+    rise: Any
+    viscosity: Any
+    power: Any  # as given
+    flow: Any  # as given
+
+
+def solved(task: Task, length: Any, clearance: Any) -> States:
+    """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no film."""
+    l, g = np.broadcast_arrays(np.asarray(length, dtype=float), np.asarray(clearance, dtype=float))
+    axes = (slice(None), *(None,) * l.ndim)
+    side, oil, times = (np.array([row[n] for row in STATES], dtype=float)[axes] for n in (1, 2, 3))
+    seat, duty = task.seat, task.duty
+    band: Any = sum(widths(seat.inputs, seat.bearing.diameter)) / 2
+    lengths: Any = l[None]
+    clearances: Any = g[None] + side * band
+    factor: Any = 1 + oil * seat.inputs.viscosity_tolerance
+    load: Any = duty.load * times
+    at = replace(seat, bearing=replace(seat.bearing, length=lengths), clearance=clearances, viscosity_factor=factor)
+    with np.errstate(all="ignore"):
+        film = settled(at, replace(duty, load=load), tolerance=BALANCED)
+    power: Any = film.friction_power
+    flow: Any = film.oil_flow
+    return States(
+        l, g, film.film, film.temperature_rise, np.broadcast_to(film.oil.mu, np.shape(film.film)), power[AS_GIVEN], flow[AS_GIVEN]
+    )
+
+
+def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
+    """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
+    seat, duty, rule = task.seat, task.duty, task.rules
+    inputs, d = seat.inputs, seat.bearing.diameter
+    l, g = states.length, states.clearance
+    lands = supply.lands(inputs)
+    bare: Any = l if lands == 1 else l - (inputs.groove_width or 0.0)
+    with np.errstate(all="ignore"):
+        once, twice, rise = states.film[ONCE], states.film[TWICE], states.rise[ONCE]
+        thinnest: Any = once.min(axis=0)
+        edge = f.film_at_edge(h_0=thinnest, theta=slope, l=l)
+        p = f.specific_load(F=duty.load, d=d, l=bare)
+        n_T: Any = f.transition_speed(p=p, mu=states.viscosity[ONCE], d=d)
+        least: Any = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
+        cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
+        ratio = f.length_ratio(l=bare / 2 if lands == 2 else bare, d=d)
+        hottest: Any = rise.max(axis=0)
+        found = [
+            judged(rule["film_edge"], edge, state=_where(once, "min")),
+            judged(rule["film_edge_trumpler"], edge, state=_where(once, "min")),
+            judged(rule["film_double_load"], twice.min(axis=0), state=_where(twice, "min") + TWICE.start),
+            judged(rule["temperature_rise"], hottest, state=_where(rise, "max")),
+            judged(rule["temperature"], f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), state=_where(rise, "max")),
+            judged(rule["specific_load"], p),
+            judged(rule["heat_index"], f.heat_index(F=duty.load, n=duty.speed, l=l)),
+            judged(rule["length_ratio"], ratio),
+            judged(rule["length_ratio_usual"], ratio),
+            judged(rule["transition"], np.full(least.shape, duty.speed), least, _where(n_T, "max")),
+            judged(rule["clearance_cold"], cold, state=NARROWEST),
+        ]
+        if "room" in rule:
+            found.append(judged(rule["room"], l))
+    return found
+
+
+def _where(numbers: Any, way: str) -> Any:
+    """The index of the governing state; one without film is the worst."""
+    filled = np.where(np.isnan(numbers), -np.inf if way == "min" else np.inf, numbers)
+    return filled.argmin(axis=0) if way == "min" else filled.argmax(axis=0)
+
+
+def mckee(task: Task, states: States) -> Any:
+    """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
+    inputs = task.seat.inputs
+    bare: Any = states.length if supply.lands(inputs) == 1 else states.length - (inputs.groove_width or 0.0)
+    p = f.specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=bare)
+    return f.mckee_number(mu=states.viscosity[AS_GIVEN], n_h=task.duty.effective_speed, p=p)
+
+
+def margins(found: list[Judged]) -> Any:
+    """The least margin of every candidate over all rules."""
+    return np.min([one.margin for one in found], axis=0)

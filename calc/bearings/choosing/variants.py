@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties them."""
+
+import re
+from dataclasses import replace
+from typing import Any
+
+from ...lubricant import Lubricant
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.step import Outcome
+from ..inputs import BearingsInputs
+from .case import Case
+from .room import room
+from .rules import rules
+from .states import Task
+
+PLACES = ("front", "rear")
+ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or without a maker's behind them
+SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}
+DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
+HALF_MILLIMETRE = 0.5e-3
+PROBES = ((0.5, 1.5e-3), (0.5, 2.5e-3), (0.75, 1.5e-3), (0.75, 2.5e-3), (0.3, 1.5e-3))  # l/d and ψ; rule of this program
+
+
+@record
+class Variant:
+    """An oil and a way to supply it."""
+
+    oil: str
+    supply: str
+    lubricant: Lubricant
+
+
+def tasks(case: Case) -> dict[str, list[Task]]:
+    """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be known."""
+    solved = _solved(case, case.bearings)
+    found = {place: [_task(case, case.bearings, solved, place)] for place in PLACES}
+    free = [place for place in PLACES if not tied(case, solved, place)]
+    for share in DIAMETERS if free else ():
+        other = _with_diameters(case.bearings, share, free)
+        try:
+            there = _solved(case, other)
+        except NoSolution:
+            continue
+        for place in free:
+            found[place].append(_task(case, other, there, place, found[place][0]))
+    return found
+
+
+def tied(case: Case, results: Any, place: str) -> str:
+    """What ties the diameter of a journal, in words; empty where nothing does.
+
+    The largest seat lets the sectors through where they are small enough for it, the front one the gear.
+    """
+    shaft, own = case.shaft, case.bearings
+    if shaft is None:
+        return ""
+    if shaft.sections:
+        return "the sections of the shaft have it"
+    drawn = results.outcomes["countershaft"].result.outline
+    radii = [p.outer_radius for p in drawn.pieces if p.what == "sector"] if drawn is not None else []
+    R = max(radii, default=shaft.outer_radius)
+    if R is None:
+        return "the shaft's outline is not known"
+    d = getattr(own, place).diameter
+    if R <= d / 2 + 1e-9 and d >= max(own.front.diameter, own.rear.diameter):
+        return "the sectors are threaded in through its seat"
+    if place == "front" and case.gear_tip is not None and case.gear_tip < d:
+        return "the gear goes through its seat"
+    return ""
+
+
+def _solved(case: Case, own: BearingsInputs) -> Any:
+    """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
+
+    Only loads, speeds and limits are taken from them, which do not depend on either.
+    """
+    results = case.results if own is case.bearings else case.solve(own)
+    outcome: Outcome = results.outcomes["bearings"]
+    if outcome.state == "solved":
+        return results
+    if outcome.state == "blocked":
+        raise NoSolution("the bearings are not asked yet", outcome.reason, "solve the steps before")
+    for ratio, psi in PROBES:
+        both: dict[str, Any] = {}
+        for place in PLACES:
+            b = getattr(own, place)
+            both[place] = replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
+        probed = case.solve(replace(own, **both))
+        if probed.outcomes["bearings"].state == "solved":
+            return probed
+    raise NoSolution("no bearing can be chosen: the step has no answer", outcome.reason, "look at load, speed and supply first")
+
+
+def _task(case: Case, own: BearingsInputs, solved: Any, place: str, at_own: Task | None = None) -> Task:
+    """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts from."""
+    there = solved.outcomes["bearings"]
+    one = there.result.bearings[place]
+    bearing = getattr(own, place)
+    space = room(case.shaft, solved.outcomes["countershaft"].result, place, bearing.diameter)
+    seat = replace(one.seat, bearing=bearing, inputs=own)
+    if at_own is not None:
+        l, g, d = at_own.length, at_own.clearance, at_own.diameter
+    else:
+        l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
+    factor = one.least_speed / one.transition_speed
+    return Task(place, seat, one.duty, rules(place, there.checks, space), space, factor, l, g, d)
+
+
+def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
+    """The design's own, whatever clearance the bearing was solved with."""
+    if bearing.clearance is not None:
+        return bearing.clearance
+    if one.seat.bearing.clearance is None:
+        return one.seat.clearance
+    from ..solve import _clearance as made  # the design itself has no film
+
+    return made(inputs, bearing, one.duty.speed)
+
+
+def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
+    """Diameters changed by a share, on half millimetres."""
+    changed: dict[str, Any] = {}
+    for place in places:
+        b = getattr(own, place)
+        d = max(round(b.diameter * (1 + share) / HALF_MILLIMETRE), 1) * HALF_MILLIMETRE
+        changed[place] = replace(b, diameter=round(d, 9))
+    return replace(own, **changed)
+
+
+def variants(case: Case) -> list[Variant]:
+    """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has the width for."""
+    own = case.bearings
+    made = {name: Lubricant(oil, own.viscosity_law) for name, oil in case.oils.items()}
+    oils = [n for n in made if n == own.oil or n in case.own_oils or ENGINE_OIL.match(n)]
+    oils.sort(key=lambda name: (name != own.oil, -made[name].at(own.supply_temperature).mu))
+    supplies = [own.supply, *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None)]
+    return [Variant(name, fed, made[name]) for fed in supplies for name in oils]
+
+
+def thinner(found: list[Variant], than: Variant, T: float) -> Variant | None:
+    """The next thinner oil with the same supply, at a temperature."""
+    mine = than.lubricant.at(T).mu
+    below = [v for v in found if v.supply == than.supply and v.lubricant.at(T).mu < mine]
+    return max(below, key=lambda v: v.lubricant.at(T).mu, default=None)

@@ -1,0 +1,266 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search for bearings: its candidates against the step itself, its rows against each other, and what it refuses."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from calc.bearings.balance import balanced
+from calc.bearings.choosing.grid import field
+from calc.bearings.choosing.neighbours import neighbours
+from calc.bearings.choosing.ranking import least_power
+from calc.bearings.choosing.room import room
+from calc.bearings.choosing.search import fields_of, nearest_passing, search, slopes_of, with_row
+from calc.bearings.choosing.states import judge, margins, solved
+from calc.bearings.choosing.tables import changed, changes, choices_table, neighbours_table, pareto_table
+from calc.bearings.choosing.variants import tasks, tied, variants
+from calc.bearings.corners import corners
+from calc.bearings.routes import own_warm
+from calc.choosing import bearings_case
+from calc.countershaft.inputs import Section
+from calc.design_file import design, read
+from calc.sheet.errors import NoSolution
+from tests.conftest import DESIGNS
+
+
+@pytest.fixture(scope="module")
+def source(gamma, gamma_results):
+    return bearings_case(design(gamma), gamma_results)
+
+
+@pytest.fixture(scope="module")
+def found(source):
+    return search(source)
+
+
+@pytest.fixture(scope="module")
+def sized():
+    return bearings_case(design(read(DESIGNS / "r753ie4_sized.toml")))
+
+
+def task_of(source, place="front"):
+    variant = variants(source)[0]
+    return tasks(source)[place][0].with_oil(variant.lubricant, variant.supply)
+
+
+def test_the_rules_have_the_limits_of_the_checks(source):
+    checks = {c.id: c for c in source.results.checks()}
+    for place in ("front", "rear"):
+        rules = task_of(source, place).rules
+        for key in ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual"):
+            known = checks[f"bearings.{place}.{key}"]
+            assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (known.limit, known.sense, known.unit)
+        assert rules["film_edge_trumpler"].check.limit == checks[f"bearings.{place}.film_double_load"].limit
+        assert rules["temperature_rise"].check.limit == 15 and rules["clearance_cold"].check.limit == pytest.approx(20)
+
+
+@pytest.mark.parametrize("place, length, clearance", [("front", 0.0275, 80e-6), ("front", 0.041, 75e-6), ("rear", 0.033, 115e-6)])
+def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
+    task = task_of(source, place)
+    states = solved(task, [length], [clearance])
+    seat = replace(task.seat, bearing=replace(task.seat.bearing, length=length), clearance=clearance)
+    film = balanced(own_warm, seat, task.duty)
+    assert states.film[0, 0] == pytest.approx(film.film, rel=1e-6)
+    assert states.power[0] == pytest.approx(film.friction_power, rel=1e-6)
+    assert states.flow[0] == pytest.approx(film.oil_flow, rel=1e-6)
+    slope = slopes_of(source, source.results)[place]
+    eight = corners(seat, task.duty, slope * length / 2)
+    value = {one.rule.key: one.value[0] for one in judge(task, states, slope)}
+    assert value["film_edge"] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
+    assert value["film_double_load"] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
+    assert value["temperature"] == pytest.approx(eight.outlet_temperature, rel=1e-5)
+    assert value["clearance_cold"] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
+
+
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_between_the_solved_lengths_the_cubic_is_close(source, place):
+    task = task_of(source, place)
+    made = field(task, variants(source)[0], slopes_of(source, source.results)[place])
+    exact = solved(task, made.states.length, made.states.clearance)
+    for name in ("film", "rise", "viscosity", "power", "flow"):
+        close, true = getattr(made.states, name), getattr(exact, name)
+        there = np.isfinite(close) & np.isfinite(true)
+        assert there.mean() > 0.9
+        assert np.abs(close / true - 1)[there].max() < 1e-4
+
+
+def test_every_row_passes_where_it_stands(source, found):
+    for row in found.rows[: found.verified]:
+        there = source.solve(with_row(source.bearings, row)).outcomes["bearings"]
+        assert [c.id for c in there.checks if c.verdict == "fail"] == []
+        beyond = [c.id for c in there.checks if c.id.endswith("_corner") and c.margin < 0]
+        assert beyond == []
+        power = sum(b.friction_power for b in there.result.bearings.values())
+        assert row.power == pytest.approx(power, rel=1e-5)
+
+
+def test_the_nearest_is_first_and_the_others_rise_in_power(source, found):
+    assert found.rows[0].what == "nearest" and found.rows[0].variant is found.variants[0]
+    assert changed(found.rows[0]).startswith("front length 27.5 → ")
+    powers = [row.power for row in found.rows[1:]]
+    assert len(powers) > 5 and powers == sorted(powers)
+    assert all(row.margin >= 0 for row in found.all)
+    same = next(row for row in found.rows[1:] if row.variant is found.variants[0])
+    assert found.rows[0].change <= same.change and found.rows[0].power >= same.power
+
+
+def test_nothing_nearer_passes(source, found):
+    """Every candidate of both grids with a smaller change breaks a rule, solved where it stands."""
+    slopes = slopes_of(source, source.results)
+    for place, one in zip(("front", "rear"), found.rows[0].both):
+        made = field(task_of(source, place), found.variants[0], slopes[place])
+        nearer = made.change() < one.change - 1e-9
+        assert nearer.any()
+        states = solved(made.task, made.states.length[nearer], made.states.clearance[nearer])
+        assert (margins(judge(made.task, states, slopes[place])) < 1e-4).all()
+
+
+def test_the_least_power_is_that_of_all_candidates(source, found):
+    slopes, variant = slopes_of(source, source.results), found.variants[0]
+    fields = fields_of(variant, tasks(source), slopes, supply=variant.supply)
+    pair = least_power(fields, slopes)
+    for place, one in zip(("front", "rear"), pair):
+        f = fields[place][0]
+        exact = solved(f.task, f.states.length, f.states.clearance)
+        best = exact.power[margins(judge(f.task, exact, slopes[place])) >= 1e-4].min()
+        assert one.power == pytest.approx(best, abs=0.1)
+
+
+def test_no_row_of_the_pareto_set_is_beaten(found):
+    rows = found.pareto
+    assert 3 <= len(rows) <= 13
+    assert all(a.power < b.power and a.film < b.film for a, b in pairwise(rows))
+    for row in found.rows[1:]:
+        assert not any(row.power < other.power - 0.2 and row.film > other.film + 1e-9 for other in rows)
+
+
+def test_one_step_less_breaks_a_rule(found):
+    for number, row in enumerate(found.rows[:3], 1):
+        around = neighbours(row, found.tasks, found.variants, found.slopes_of_row(number))
+        shorter = [n for n in around if n.change.startswith("length")]
+        assert len(shorter) == 2 and all(n.instead.margin < 0 for n in shorter)
+        for n in around:
+            assert n.instead.margin < 0 or n.instead.power >= n.of.power or row.what == "nearest" or n.instead.clearance > n.of.clearance
+
+
+def test_the_tables_have_a_cell_for_every_column(found):
+    for table in (choices_table(found, 5), neighbours_table(found), pareto_table(found)):
+        assert table.rows and all(len(row) == len(table.columns) for row in table.rows)
+    numbers = [row[0] for row in choices_table(found, 3).rows]
+    assert numbers == ["", "1", "2", "3"]
+    assert pareto_table(found).rows[0][0] == str(len(found.rows) + 1)
+    assert "binds nothing" in choices_table(found, 1).note
+
+
+def test_what_ties_the_diameters(source, sized):
+    assert "sectors" in tied(source, source.results, "rear") and "gear" in tied(source, source.results, "front")
+    assert "sectors" in tied(sized, sized.results, "rear")
+    beta = bearings_case(design(read(DESIGNS / "r753ie4_beta.toml")))
+    assert tied(beta, beta.results, "rear") == "" and "gear" in tied(beta, beta.results, "front")
+    assert [len(tasks(source)[place]) for place in ("front", "rear")] == [1, 1]
+
+
+def test_the_room_that_the_shaft_leaves(source, sized):
+    drawn = room(source.shaft, source.results.outcomes["countershaft"].result, "front", 0.0595)
+    assert not drawn.binds and drawn.longest == pytest.approx(2 * (0.1675 - 0.153738), abs=1e-6)
+    given = room(sized.shaft, sized.results.outcomes["countershaft"].result, "rear", 0.0864)
+    assert given.binds and given.longest == pytest.approx(0.040)
+    assert room(None, None, "front", 0.0595).longest is None
+
+
+def test_given_sections_leave_their_cylinder(source):
+    parts = [(-0.190, -0.150, 0.030), (-0.150, 0.148, 0.015), (0.148, 0.185, 0.0405)]
+    sections = tuple(Section(from_=a, to=b, outer_radius=R) for a, b, R in parts)
+    shaft = replace(source.shaft, sections=sections)
+    front, rear = (room(shaft, None, place, d) for place, d in (("front", 0.0595), ("rear", 0.081)))
+    assert front.binds and front.longest == pytest.approx(2 * 0.0175) and rear.longest == pytest.approx(2 * 0.0175)
+    assert room(shaft, None, "front", 0.062).longest is None
+
+
+def test_a_limit_on_the_room_is_kept(sized):
+    some = search(sized)
+    assert all(one.length <= 0.040 + 1e-9 for row in some.all for one in row.both)
+    assert not some.elsewhere
+    with pytest.raises(NoSolution) as none:
+        search(replace(sized, shaft=replace(sized.shaft, half_length=0.153)))
+    assert "front" in none.value.tried and "needs" in none.value.tried
+
+
+def other(case, **changes):
+    """The same design with other bearings."""
+    changed = replace(case.bearings, **changes)
+    return replace(case, bearings=changed, results=case.solve(changed))
+
+
+def test_closer_fits_and_a_surer_oil_ask_for_less(source, found):
+    row = nearest_passing(other(source, journal_fit="IT5", seat_fit="IT6", viscosity_tolerance=0.0))
+    assert row is not None and row.change < found.rows[0].change
+
+
+def test_a_design_that_passes_is_its_own_nearest(source, found):
+    done = with_row(source.bearings, found.rows[0])
+    row = nearest_passing(replace(source, bearings=done, results=source.solve(done)))
+    assert row is not None and row.change == 0 and changed(row) == ""
+    assert changes(row, done.oil, done.supply) == []
+
+
+def test_bearings_without_a_film_are_helped_too(source):
+    """A clearance of a tenth of a micrometre, in steel, so that it never opens."""
+    tight = replace(source.bearings.rear, clearance_factor=None, clearance=1e-7)
+    stuck = other(source, rear=tight, housing_material="20CrNi4")
+    assert stuck.results.outcomes["bearings"].state == "no_solution"
+    row = nearest_passing(stuck)
+    assert row is not None and row.rear.clearance > 50e-6 and row.rear.task.clearance == 1e-7
+
+
+def test_a_clearance_meant_warm_is_widened_for_the_cold(source):
+    """Given at 150 °C the usual clearance would seize when cold: wider ones are looked at."""
+    row = nearest_passing(other(source, clearance_reference_temperature=150.0))
+    assert row is not None and all(one.clearance > one.task.clearance for one in row.both)
+    assert all(c.value >= 20 - 1e-9 for one in row.both for c in one.checks if c.id.endswith("clearance_cold"))
+
+
+def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_results):
+    loads = {p: gamma_results.outcomes["bearings"].result.bearings[p].load for p in ("front", "rear")}
+    own = source.bearings
+    front, rear = (replace(getattr(own, p), load=loads[p]) for p in ("front", "rear"))
+    alone = replace(
+        design(gamma), engine=None, imbalance=None, countershaft=None, gears=None, friction=None,
+        bearings=replace(own, speed=2600 / 60, journal_material="20CrNi4", front=front, rear=rear),
+    )  # fmt: skip
+    some = tasks(bearings_case(alone))
+    assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
+    limits = [t.rules["film_double_load"].check.limit for t in some["front"]]
+    assert limits == pytest.approx([5.08 + 0.04 * d for d in (59.5, 50.5, 68.5, 77.5, 86.5)])
+
+
+def test_the_supplies_are_those_with_a_width(source):
+    assert {v.supply for v in variants(source)} == {"hole", "shaft"}
+    own = replace(source.bearings, pocket_width=0.01, groove_width=0.003)
+    assert {v.supply for v in variants(replace(source, bearings=own))} == {"hole", "shaft", "pocket", "groove"}
+    names = {v.oil for v in variants(source)}
+    assert names >= {"10W-40 Q8 T905", "SAE 30", "20W-50"} and not any("MIL" in n or "FVA" in n for n in names)
+
+
+def test_an_oil_that_is_left_out_has_no_row(sized):
+    """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none either."""
+    some = search(sized)
+    left = [variant for variant, why in some.refused if why.startswith("a thicker oil")]
+    assert left
+    slopes = slopes_of(sized, sized.results)
+    for variant in left:
+        assert least_power(fields_of(variant, some.tasks, slopes, supply=variant.supply), slopes) is None
+
+
+@pytest.mark.parametrize("changes", [{"supply": "groove", "groove_width": 0.003}, {"supply": "pocket", "pocket_width": 0.012}])
+def test_other_supplies_are_searched_too(source, changes):
+    """A groove all round parts the bearing into two, whose l/d is that of each; a pocket takes its width."""
+    case = other(source, **changes)
+    row = nearest_passing(case)
+    assert row is not None and row.margin >= 0 and row.variant.supply == changes["supply"]
+    for one in row.both:
+        ratio = next(c.value for c in one.checks if c.id.endswith("length_ratio"))
+        bare = (one.length - 0.003) / 2 if changes["supply"] == "groove" else one.length
+        assert ratio == pytest.approx(bare / one.diameter) and one.length > changes.get("pocket_width", 0)
