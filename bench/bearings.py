@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from calc.bearings import solve as bearings
-from calc.bearings.balance import balanced, settled
-from calc.bearings.routes import own_warm
+from calc.bearings.routes.balance import balanced, settled
+from calc.bearings.routes.routes import own_warm
 from calc.design_file import design, read
 from calc.solve import solve
 

@@ -10,12 +10,12 @@ from functools import partial
 from pathlib import Path
 
 from bench.film import best
-from calc.bearings.balance import balanced
 from calc.bearings.choosing.grid import field
 from calc.bearings.choosing.search import nearest_passing, search
 from calc.bearings.choosing.states import STATES, solved
 from calc.bearings.choosing.variants import tasks, variants
-from calc.bearings.routes import own_warm
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
 from calc.choosing import bearings_case
 from calc.design_file import design, read
 from calc.solve import solve

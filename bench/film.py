@@ -12,10 +12,11 @@ from collections.abc import Callable
 
 import numpy as np
 
-from calc.bearings import film_nodes, short_bearing
-from calc.bearings.dynamics import coefficients
-from calc.bearings.film_table import eccentricity_from, film_at
-from calc.bearings.reynolds import radial_damping, solve_film
+from calc.bearings.film import nodes as film_nodes
+from calc.bearings.film import short_bearing
+from calc.bearings.film.dynamics import coefficients
+from calc.bearings.film.reynolds import radial_damping, solve_film
+from calc.bearings.film.table import eccentricity_from, film_at
 
 POINTS = 20_000
 

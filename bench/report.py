@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long a whole report takes, as a ratio to a process that only imports the same libraries.
 
-    python bench/report.py [DESIGN]
+python bench/report.py [DESIGN]
 """
 
 import subprocess

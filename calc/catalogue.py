@@ -43,7 +43,7 @@ class Material:
 
 
 @cache
-def _table(file: str, cls: type) -> dict[str, object]:
+def rows_of(file: str, cls: type) -> dict[str, object]:
     rows = tomllib.loads((TABLES / file).read_text(encoding="utf-8"))["row"]
     known = keys(cls)
     return {
@@ -54,9 +54,9 @@ def _table(file: str, cls: type) -> dict[str, object]:
 
 def oils(own: Iterable[Oil] = ()) -> dict[str, Oil]:
     """Every oil that a design may name; its own override those of the table."""
-    return {**_table("oils.toml", Oil), **{o.name: o for o in own}}  # type: ignore[dict-item]
+    return {**rows_of("oils.toml", Oil), **{o.name: o for o in own}}  # type: ignore[dict-item]
 
 
 def materials(own: Iterable[Material] = ()) -> dict[str, Material]:
     """Every material that a design may name; its own override those of the table."""
-    return {**_table("materials.toml", Material), **{m.name: m for m in own}}  # type: ignore[dict-item]
+    return {**rows_of("materials.toml", Material), **{m.name: m for m in own}}  # type: ignore[dict-item]

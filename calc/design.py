@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
-from .bearings.pairing_data import application_problem, applications, bush_problem, bushes
+from .bearings.pairing.data import application_problem, applications, bush_problem, bushes
 from .catalogue import Material, Oil, materials, oils
 from .countershaft.inputs import CountershaftInputs
 from .engine.inputs import EngineInputs

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from .bearings.film_table import eccentricity_from, film_at
+from .bearings.film.table import eccentricity_from, film_at
 from .catalogue import TABLES
 from .design_file import Document, design, read
 from .sheet.units import UNITS

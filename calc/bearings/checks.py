@@ -10,7 +10,7 @@ from ..sheet.check import Check, check
 from ..sheet.number import short
 from . import formulas as f
 from .inputs import BearingsInputs
-from .side_by_side import ROUTES, SPREAD, reason
+from .routes.side_by_side import ROUTES, SPREAD, reason
 
 if TYPE_CHECKING:
     from .result import BearingResult

@@ -12,9 +12,9 @@ from ..sheet.quantity import result, value
 from ..sheet.step import Table
 from ..sheet.units import Celsius, Metre, Watt
 from . import formulas as f
-from .balance import settled
 from .inputs import BearingsInputs
-from .states import Duty, Seat
+from .routes.balance import settled
+from .routes.states import Duty, Seat
 
 ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))

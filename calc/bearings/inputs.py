@@ -6,7 +6,7 @@ from math import pi
 
 from .. import fits
 from ..sheet.quantity import choice, inputs, quantity, series, table, text
-from .pairing_data import DEFAULT_APPLICATION
+from .pairing.data import DEFAULT_APPLICATION
 
 ASSUMED_FIT = "IT7"
 LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program

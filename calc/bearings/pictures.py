@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 
 from ..sheet.step import Curve, Series
-from .balance import settled
 from .result import BearingResult
+from .routes.balance import settled
 
 POINTS = 25
 SPAN = (0.4, 2.0)  # of the design's clearance

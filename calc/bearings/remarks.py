@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from ..countershaft.result import CountershaftResult
 from ..sheet.step import Erratum
 from ..sheet.trace import untraced
-from . import supply
-from .din31652 import film_heavily_loaded
 from .inputs import BearingsInputs
-from .pairing import fatigue_note
-from .pairing_data import running_surface
+from .pairing.data import running_surface
+from .pairing.pairing import fatigue_note
 from .result import BearingResult
-from .side_by_side import ROUTES
+from .routes import supply
+from .routes.din31652 import film_heavily_loaded
+from .routes.side_by_side import ROUTES
 
 TURNS = (
     "The load turns with the shaft: in its frame the seat turns backwards, so Sommerfeld's number is that of a standing load, and the "

@@ -18,9 +18,9 @@ from ..sheet.units import (
     Watt,
 )
 from .corners import Corners
-from .dynamics import Dynamics
-from .side_by_side import Side
-from .states import Duty, Film, Seat
+from .film.dynamics import Dynamics
+from .routes.side_by_side import Side
+from .routes.states import Duty, Film, Seat
 from .sweep import Sweep
 
 

@@ -16,24 +16,24 @@ from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
-from . import short_bearing as short
-from . import supply
-from .balance import balanced
 from .checks import checks
 from .corners import corners, corners_table
-from .dynamics import dynamics
+from .film import short_bearing as short
+from .film.dynamics import dynamics
 from .inputs import BearingInputs, BearingsInputs
-from .pairing import Journal, Running, application_checks, reference_table
-from .pairing import checks as pairing_checks
-from .pairing import table as bushes_table
-from .pairing_data import applications, running_surface
-from .pairing_formulas import film_duty, load_times_speed
+from .pairing.data import applications, running_surface
+from .pairing.formulas import film_duty, load_times_speed
+from .pairing.pairing import Journal, Running, application_checks, reference_table
+from .pairing.pairing import checks as pairing_checks
+from .pairing.pairing import table as bushes_table
 from .pictures import curves
 from .remarks import errata, notes
 from .result import BearingResult, BearingsResult, route_result
-from .routes import own_warm
-from .side_by_side import routes_table, side_by_side
-from .states import Duty, Film, Seat
+from .routes import supply
+from .routes.balance import balanced
+from .routes.routes import own_warm
+from .routes.side_by_side import routes_table, side_by_side
+from .routes.states import Duty, Film, Seat
 from .sweep import sweep
 
 PLACES = ("front", "rear")
@@ -53,7 +53,7 @@ def solve(
         for place in PLACES:
             with about(f"{place} bearing"):
                 bearing: BearingInputs = getattr(bearings, place)
-                seat = Seat(bearing, bearings, lubricant, _clearance(bearings, bearing, speed), journal.expansion, housing.expansion)
+                seat = Seat(bearing, bearings, lubricant, clearance_of(bearings, bearing, speed), journal.expansion, housing.expansion)
                 load = _load(place, bearing, shaft)
                 slope = _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
@@ -88,7 +88,7 @@ def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
     )  # fmt: skip
 
 
-def _clearance(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSecond) -> Metre:
+def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSecond) -> Metre:
     """As given, by the factor K, or the middle of the fits."""
     if bearing.clearance is not None:
         return bearing.clearance

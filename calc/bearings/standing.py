@@ -14,11 +14,11 @@ from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
 from . import formulas as f
-from .balance import balanced
 from .checks import TRUMPLER
-from .dynamics import orbit
+from .film.dynamics import orbit
 from .result import BearingResult, StandingResult
-from .routes import own_warm
+from .routes.balance import balanced
+from .routes.routes import own_warm
 
 START = 300 * 6894.757  # Pa
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program

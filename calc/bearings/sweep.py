@@ -8,9 +8,9 @@ import numpy as np
 
 from ..engine.inputs import BenchPoint
 from ..sheet.record import record
-from .balance import settled
 from .inputs import BearingsInputs
-from .states import Duty, Seat
+from .routes.balance import settled
+from .routes.states import Duty, Seat
 
 STEPS_WITHOUT_BENCH = 25
 BETWEEN = 2  # further points between two rows of the bench run, its oil interpolated

@@ -15,9 +15,9 @@ from ...sheet.quantity import keys
 from ...sheet.record import record
 from ...sheet.units import Metre, Radian
 from .. import formulas as f
-from .. import supply
 from ..corners import widths
 from ..inputs import BearingInputs
+from ..routes import supply
 from .rules import LEAST_COLD, Judged
 from .states import States, Task, judge, margins, solved
 from .variants import HALF_MILLIMETRE, SUPPLIES, Variant

@@ -14,10 +14,10 @@ from ...lubricant import Lubricant
 from ...sheet.record import record
 from ...sheet.units import Metre, Radian
 from .. import formulas as f
-from .. import supply
-from ..balance import settled
 from ..corners import widths
-from ..states import Duty, Seat
+from ..routes import supply
+from ..routes.balance import settled
+from ..routes.states import Duty, Seat
 from .room import Room
 from .rules import Judged, Rule, judged
 

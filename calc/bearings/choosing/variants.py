@@ -114,7 +114,7 @@ def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
         return bearing.clearance
     if one.seat.bearing.clearance is None:
         return one.seat.clearance
-    from ..solve import _clearance as made  # the design itself has no film
+    from ..solve import clearance_of as made  # the design itself has no film
 
     return made(inputs, bearing, one.duty.speed)
 

@@ -7,7 +7,6 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.bearings.balance import balanced
 from calc.bearings.choosing.grid import field
 from calc.bearings.choosing.neighbours import neighbours
 from calc.bearings.choosing.ranking import least_power
@@ -17,7 +16,8 @@ from calc.bearings.choosing.states import judge, margins, solved
 from calc.bearings.choosing.tables import changed, changes, choices_table, neighbours_table, pareto_table
 from calc.bearings.choosing.variants import tasks, tied, variants
 from calc.bearings.corners import corners
-from calc.bearings.routes import own_warm
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
 from calc.choosing import bearings_case
 from calc.countershaft.inputs import Section
 from calc.design_file import design, read

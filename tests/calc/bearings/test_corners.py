@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from calc.bearings.balance import balanced
 from calc.bearings.corners import widths
-from calc.bearings.routes import own_warm
-from calc.bearings.states import Seat
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
+from calc.bearings.routes.states import Seat
 from calc.design_file import design
 from calc.solve import solve
 

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 from scipy.sparse import csr_matrix, diags, eye, kron
 from scipy.sparse.linalg import spsolve
 
-from calc.bearings import dynamics_formulas as d
-from calc.bearings import short_bearing as s
-from calc.bearings.dynamics import Dynamics, coefficients, dynamics, orbit_of
-from calc.bearings.film_table import FilmRangeError, film_at, film_slopes
-from calc.bearings.reynolds import radial_damping, solve_film
+from calc.bearings.film import dynamics_formulas as d
+from calc.bearings.film import short_bearing as s
+from calc.bearings.film.dynamics import Dynamics, coefficients, dynamics, orbit_of
+from calc.bearings.film.reynolds import radial_damping, solve_film
+from calc.bearings.film.table import FilmRangeError, film_at, film_slopes
 
 STATES = [(0.1, 0.25), (0.3, 0.5), (0.6, 0.46), (0.75, 0.33), (0.86, 0.46), (0.5, 1.0), (0.7, 1.7)]
 

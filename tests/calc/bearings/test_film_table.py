@@ -10,9 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from calc.bearings import build_film_table, film_nodes, film_table
-from calc.bearings.film_table import FilmRangeError, eccentricity_from, film_at, sommerfeld_range
-from calc.bearings.reynolds import solve_film
+from calc.bearings.film import build_table as build_film_table
+from calc.bearings.film import nodes as film_nodes
+from calc.bearings.film import table as film_table
+from calc.bearings.film.reynolds import solve_film
+from calc.bearings.film.table import FilmRangeError, eccentricity_from, film_at, sommerfeld_range
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 FINITE = [row for row in json.loads((REFERENCE / "bearings_reynolds.json").read_text())["rows"] if row["ld"] != "inf"]
@@ -141,7 +143,7 @@ def test_the_error_carries_its_numbers():
 
 def test_the_table_needs_no_scipy():
     code = (
-        "import sys; from calc.bearings.film_table import film_at, eccentricity_from;"
+        "import sys; from calc.bearings.film.table import film_at, eccentricity_from;"
         "eccentricity_from(film_at(0.5, 0.5).sommerfeld, 0.5);"
         "print([name for name in sys.modules if name.split('.')[0] == 'scipy'])"
     )

@@ -10,7 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc import design_file
-from calc.bearings.pairing import (
+from calc.bearings.pairing.data import Application, BearingMaterial
+from calc.bearings.pairing.formulas import film_duty, load_cycles, load_times_speed
+from calc.bearings.pairing.pairing import (
     DEFAULT_APPLICATION,
     SCALE,
     Journal,
@@ -27,8 +29,6 @@ from calc.bearings.pairing import (
     running_surface,
     table,
 )
-from calc.bearings.pairing_data import Application, BearingMaterial
-from calc.bearings.pairing_formulas import film_duty, load_cycles, load_times_speed
 from calc.catalogue import TABLES, materials
 from calc.sheet.trace import trace
 from calc.solve import solve
@@ -249,7 +249,7 @@ def test_rows_are_of_their_kind_and_words_of_the_scale():
 
 def test_the_tables_are_read_without_numpy():
     code = (
-        "import sys; from calc.bearings.pairing import *; bearing_materials(); applications(); bush_problem('x'); "
+        "import sys; from calc.bearings.pairing.pairing import *; from calc.bearings.pairing.data import *; bearing_materials(); applications(); bush_problem('x'); "
         "list(application_checks('front', applications()['diesel-main'], 1e6, 8e6, .006, 2e-7, 1e-3, .4)); "
         "list(checks('front', bearing_materials()['AlSn6Cu'], 1e6, 8e6, 120.)); print('numpy' in sys.modules)"
     )

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from calc.bearings import short_bearing as s
-from calc.bearings.reynolds import solve_film
+from calc.bearings.film import short_bearing as s
+from calc.bearings.film.reynolds import solve_film
 
 # the two journals of the worked example at their films of 10.4 and 12.4 µm: l/d, ε, P in MPa
 FRONT, REAR = (27.5 / 59.5, 0.7415, 1.0451), (26.5 / 81.0, 0.7255, 0.7966)

@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from calc.bearings import din31652 as din
-from calc.bearings import flow
 from calc.bearings import formulas as f
-from calc.bearings import raimondi_boyd as rb
+from calc.bearings.routes import din31652 as din
+from calc.bearings.routes import flow
+from calc.bearings.routes import raimondi_boyd as rb
 from calc.catalogue import oils
 from calc.lubricant import Lubricant
 

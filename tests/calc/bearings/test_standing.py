@@ -5,8 +5,8 @@ from dataclasses import replace
 
 import pytest
 
-from calc.bearings.balance import balanced
-from calc.bearings.routes import own_warm
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
 from calc.bearings.standing import with_standing
 from calc.countershaft.standing import Standing
 

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings import flow, supply
+from calc.bearings.routes import flow, supply
 from calc.design_file import design
 from calc.solve import solve
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Reynolds' equation solved for a plain bearing of full circumference and finite length.
 
-The exact way, some milliseconds per state; `film_table` keeps the results of this module for daily use.
+The exact way, some milliseconds per state; `table` keeps the results of this module for daily use.
 
 Film h = c·(1 + ε·cos θ), θ from the widest film along the rotation; z = 2·y/l from the middle plane to the edge; pressure
 p = μ·ω·(r/c)²·Π.  Then
@@ -26,9 +26,9 @@ from typing import TypeVar
 
 import numpy as np
 
-from ..sheet.arrays import Array
-from ..sheet.arrays import BoolArray as Mask
-from ..sheet.record import record
+from ...sheet.arrays import Array
+from ...sheet.arrays import BoolArray as Mask
+from ...sheet.record import record
 
 Value = TypeVar("Value", float, Array)
 
@@ -47,7 +47,7 @@ LONG_BEARING_REFINEMENT = 4  # one dimension costs nothing, so the infinitely lo
 class FilmSolution:
     """One state of the oil film, dimensionless.
 
-    When to use: the truth for one pair (ε, l/d).  In loops use `film_table.film_at`.
+    When to use: the truth for one pair (ε, l/d).  In loops use `table.film_at`.
 
     Assumptions: constant viscosity, steady load, parallel axes, 360° shell fed at the widest film without pressure.
     """

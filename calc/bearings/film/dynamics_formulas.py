@@ -7,9 +7,9 @@ displacement or velocity along j.  g is the diametral clearance, ω the effectiv
 
 import numpy as np
 
-from ..sheet.formula import formula
-from ..sheet.functions import cos, modulus, pi, sin, sqrt
-from ..sheet.units import (
+from ...sheet.formula import formula
+from ...sheet.functions import cos, modulus, pi, sin, sqrt
+from ...sheet.units import (
     Kilogram,
     Metre,
     Newton,

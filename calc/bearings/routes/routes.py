@@ -9,16 +9,16 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..lubricant import State
-from ..sheet.errors import NoSolution
+from ...lubricant import State
+from ...sheet.errors import NoSolution
+from .. import formulas as f
+from ..film import short_bearing as short
+from ..film.table import eccentricity_from, film_at
+from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
 from . import din31652 as din
 from . import flow, supply
-from . import formulas as f
 from . import raimondi_boyd as rb
-from . import short_bearing as short
-from .film_table import eccentricity_from, film_at
 from .states import Duty, Film, Seat, Seized
-from .tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
 
 Route = Callable[[Seat, Duty, float], Film]
 

@@ -12,11 +12,11 @@ from typing import Any
 
 import numpy as np
 
-from ..root import root
-from ..sheet.arrays import Array
-from ..sheet.errors import NoSolution
-from ..sheet.trace import untraced
-from .film_table import FilmRangeError
+from ...root import root
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.trace import untraced
+from ..film.table import FilmRangeError
 from .routes import Route, own_cold, own_warm
 from .states import Duty, Film, OutsideBalance, Seat, Seized
 

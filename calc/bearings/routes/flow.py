@@ -4,9 +4,9 @@
 Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5.1, with q_H and q_P in the denominator.
 """
 
-from ..sheet.formula import formula
-from ..sheet.functions import cos, ln, pi, sin
-from ..sheet.units import (
+from ...sheet.formula import formula
+from ...sheet.functions import cos, ln, pi, sin
+from ...sheet.units import (
     CubicMetrePerSecond,
     KilogramPerMetre3,
     Metre,

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.build_film_table  (about half a minute).
+"""Writes `tables/film_table.npy` from direct solutions:  python -m calc.bearings.film.build_table  (about half a minute).
 
 Needed only after a change of `reynolds` or of the nodes below.  The same code writes the same bytes.
 """
@@ -10,8 +10,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ..sheet.arrays import Array
-from .film_nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
+from ...sheet.arrays import Array
+from .nodes import QUANTITIES, TABLE, short_bearing_damping, short_bearing_load
 from .reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, radial_damping, solve_film
 
 ECCENTRICITIES = 30
@@ -36,7 +36,7 @@ def length_ratio_nodes() -> Array:
 
 
 def node_values(eccentricity: float, length_ratio: float) -> tuple[float, ...]:
-    """The stored quantities of one node, in the order of `film_nodes.QUANTITIES`."""
+    """The stored quantities of one node, in the order of `nodes.QUANTITIES`."""
     film = solve_film(eccentricity, length_ratio, cells=CELLS)
     short = length_ratio**2 * short_bearing_load(eccentricity)
     load = -math.log(2.0 * math.pi * film.sommerfeld * short)

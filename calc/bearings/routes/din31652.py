@@ -5,9 +5,9 @@ Falz's two formulas do not meet at So = 1 unless l = d; the source's own rule (S
 polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity of Reynolds' solution.
 """
 
-from ..sheet.formula import formula
-from ..sheet.functions import log10
-from ..sheet.units import Metre, Number
+from ...sheet.formula import formula
+from ...sheet.functions import log10
+from ...sheet.units import Metre, Number
 
 POLYNOMIAL_UP_TO = 0.55
 FALZ = "Falz, after Finotti 2013, 5.5.2 (DIN 31652)"

@@ -4,10 +4,10 @@
 from functools import lru_cache
 from typing import Any
 
-from ..sheet.formula import formula
-from ..sheet.units import Number, Radian
-from . import film_table
-from .film_table import eccentricity_from
+from ...sheet.formula import formula
+from ...sheet.units import Number, Radian
+from . import table as film_table
+from .table import eccentricity_from
 
 SOURCE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
 _film_at = lru_cache(maxsize=4)(film_table.film_at)  # five lines of a calculation ask for the same point

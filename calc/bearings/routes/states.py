@@ -4,10 +4,10 @@
 Every number may be an array (many bearings, corners, speeds at once); then the film's are, with nan where there is none.
 """
 
-from ..lubricant import Lubricant, State
-from ..sheet.record import record
-from . import formulas as f
-from .inputs import BearingInputs, BearingsInputs
+from ...lubricant import Lubricant, State
+from ...sheet.record import record
+from .. import formulas as f
+from ..inputs import BearingInputs, BearingsInputs
 
 
 @record

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the pairing of journal and seat is judged by: p·v, the share of what is allowed, the turns of the load, the duty of a full film."""
 
-from ..sheet.formula import formula
-from ..sheet.units import MetrePerSecond, Number, Pascal, PascalMetrePerSecond, PascalSecond, RevPerSecond, Second
+from ...sheet.formula import formula
+from ...sheet.units import MetrePerSecond, Number, Pascal, PascalMetrePerSecond, PascalSecond, RevPerSecond, Second
 
 
 @formula("p·u", "definition of p·v: specific load times surface speed", unit="MPa·m/s")

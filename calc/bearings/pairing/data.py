@@ -8,9 +8,9 @@ import difflib
 from functools import cache
 from typing import cast
 
-from ..catalogue import _table as rows
-from ..sheet.quantity import choice, inputs, quantity, text
-from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond
+from ...catalogue import rows_of as rows
+from ...sheet.quantity import choice, inputs, quantity, text
+from ...sheet.units import Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, RevPerSecond
 
 SCALE = ("poor", "fair", "good", "excellent")  # emergency running, from bad to good
 DEFAULT_APPLICATION = "diesel-main"

@@ -9,7 +9,7 @@ Coordinates: X along the load, Y 90° further in the sense in which the film is 
 is looked at from its own frame: there the seat turns backward, so that "further" is against the shaft, and all speeds are those of the
 effective speed |n_J + n_B − 2·n_F|.
 
-Range: that of `film_table`; motions small against the smallest film.  The film is fed at its widest place, wherever the journal goes.
+Range: that of `table`; motions small against the smallest film.  The film is fed at its widest place, wherever the journal goes.
 Accuracy: 1e-3 in the stiffnesses and damping of the table.
 
 Sources: J. W. Lund, ASME J. Tribology 109 (1987) 37-41 (the coefficients and what they are used for); J. W. Lund, Self-excited,
@@ -18,16 +18,16 @@ stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 196
 
 from typing import TYPE_CHECKING
 
-from ..sheet.quantity import result, value
-from ..sheet.record import record
-from ..sheet.units import Kilogram, Metre, Newton, NewtonPerMetre, NewtonSecondPerMetre, Number, Radian, RadPerSecond, RevPerSecond
+from ...sheet.quantity import result, value
+from ...sheet.record import record
+from ...sheet.units import Kilogram, Metre, Newton, NewtonPerMetre, NewtonSecondPerMetre, Number, Radian, RadPerSecond, RevPerSecond
+from .. import formulas as f
 from . import dynamics_formulas as d
-from . import formulas as f
 from . import tabulated
 
 if TYPE_CHECKING:
-    from .result import BearingResult
-    from .states import Duty, Film, Seat
+    from ..result import BearingResult
+    from ..routes.states import Duty, Film, Seat
 
 
 @record

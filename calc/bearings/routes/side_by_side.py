@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The four routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its range."""
 
-from ..sheet.errors import NoSolution
-from ..sheet.record import record
-from ..sheet.step import Table
-from ..sheet.trace import about
-from . import formulas as f
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.step import Table
+from ...sheet.trace import about
+from .. import formulas as f
 from .balance import balanced
 from .raimondi_boyd import OutsideCharts
 from .routes import Route, din31652, own_cold, raimondi_boyd, short_bearing

@@ -11,10 +11,10 @@ from bisect import bisect
 from functools import cache
 from itertools import pairwise
 
-from ..catalogue import TABLES
-from ..sheet.formula import formula
-from ..sheet.record import record
-from ..sheet.units import Number
+from ...catalogue import TABLES
+from ...sheet.formula import formula
+from ...sheet.record import record
+from ...sheet.units import Number
 
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The oil film of a plain bearing from a stored table: microseconds instead of the milliseconds of `reynolds`.
 
-Stored (`film_nodes`) is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q, Qs/Q,
+Stored (`nodes`) is, over x = atanh ε and y = ln(l/d), the bicubic spline of six quantities: ln(So/So_short), φ, Q, Qs/Q,
 P/p_max and ln(C_rr/C_rr,short).  Between nodes the Hermite polynomial gives back that spline.  So_short and C_rr,short are the
 closed forms of the short bearing, which carry nearly all the variation, and f* follows from S and φ by `reynolds.friction_variable`.
 
@@ -20,8 +20,8 @@ from typing import Any, overload
 
 import numpy as np
 
-from ..sheet.arrays import Array, IndexArray
-from .film_nodes import (
+from ...sheet.arrays import Array, IndexArray
+from .nodes import (
     SLACK,
     FilmPoint,
     FilmRangeError,

@@ -4,11 +4,11 @@
 from math import pi
 from typing import Any
 
-from ..lubricant import State
-from ..sheet.errors import NoSolution
+from ...lubricant import State
+from ...sheet.errors import NoSolution
+from .. import formulas as f
+from ..inputs import BearingsInputs
 from . import flow
-from . import formulas as f
-from .inputs import BearingsInputs
 from .states import Duty, Seat
 
 LOADED_HALF = pi / 2  # on either side of the load; rule of this program

@@ -12,9 +12,9 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.formula import formula
-from ..sheet.functions import acos, atan, cos, pi, sin, sqrt
-from ..sheet.units import Number, Pascal, Radian
+from ...sheet.formula import formula
+from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
+from ...sheet.units import Number, Pascal, Radian
 
 OCVIRK = "Ocvirk 1952, NACA TN 2808: short bearing, half a film"
 DUBOIS = "DuBois & Ocvirk 1953, NACA Report 1157: short bearing, half a film"

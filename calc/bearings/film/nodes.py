@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The stored nodes of the oil film and the polynomials between them; `film_table` says what is stored, and is what to call.
+"""The stored nodes of the oil film and the polynomials between them; `table` says what is stored, and is what to call.
 
-The table (`tables/film_table.npy`, written by `build_film_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic spline of each
+The table (`tables/film_table.npy`, written by `build_table`) holds, over x = atanh ε and y = ln(l/d), a bicubic spline of each
 quantity as value and derivatives at its nodes.
 """
 
@@ -13,14 +13,14 @@ from typing import Any, Generic, Literal, TypeAlias
 
 import numpy as np
 
-from ..sheet.arrays import Array, IndexArray
-from ..sheet.record import record
+from ...sheet.arrays import Array, IndexArray
+from ...sheet.record import record
 from . import short_bearing
 from .reynolds import Value
 
 Outside: TypeAlias = Literal["raise", "nan"]
 
-TABLE = Path(__file__).parents[1] / "tables" / "film_table.npy"
+TABLE = Path(__file__).parents[2] / "tables" / "film_table.npy"
 QUANTITIES = ("ln(So/So_short)", "phi", "Q", "Qs/Q", "P/pmax", "ln(C_rr/C_rr,short)")
 
 SLACK = 1e-9  # relative: a value this far outside, from rounding, counts as the limit

@@ -8,17 +8,17 @@ words can be checked before anything is solved.
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any, NamedTuple
 
-from ..sheet.check import Check, check
-from ..sheet.number import short
-from ..sheet.step import Table
-from ..sheet.trace import untraced
-from ..sheet.units import UNITS, Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, PascalSecond, RevPerSecond, Second
-from .pairing_data import DEFAULT_APPLICATION as DEFAULT_APPLICATION
-from .pairing_data import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
-from .pairing_data import application_problem as application_problem
-from .pairing_data import applications as applications
-from .pairing_data import bush_problem as bush_problem
-from .pairing_data import running_surface as running_surface
+from ...sheet.check import Check, check
+from ...sheet.number import short
+from ...sheet.step import Table
+from ...sheet.trace import untraced
+from ...sheet.units import UNITS, Celsius, Metre, Newton, Number, Pascal, PascalMetrePerSecond, PascalSecond, RevPerSecond, Second
+from .data import DEFAULT_APPLICATION as DEFAULT_APPLICATION
+from .data import SCALE, Application, BearingMaterial, bearing_materials, running_bearings
+from .data import application_problem as application_problem
+from .data import applications as applications
+from .data import bush_problem as bush_problem
+from .data import running_surface as running_surface
 
 LEAST_WORD = "fair"  # rule of this program: below, a warning
 FIGURE = "Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16"
@@ -91,7 +91,7 @@ def _emergency_advice(material: BearingMaterial) -> str:
 
 def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPerSecond, life: Second | None) -> str:
     """How often the turning load presses on the seat, how hard, and what is known of the material's fatigue."""
-    from .pairing_formulas import load_cycles
+    from .formulas import load_cycles
 
     often = f"{short(n * 3600.0, 3)} times an hour"
     if life is not None:
@@ -108,7 +108,7 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
 
     `chosen`: the name of the material that the design has (of its housing, where it has no bush).
     """
-    from .pairing_formulas import load_share, load_times_speed_share
+    from .formulas import load_share, load_times_speed_share
 
     hottest = max(b.temperature for b in bearings.values())
     found: list[tuple[str | float | None, ...]] = []
@@ -148,8 +148,8 @@ def reference_table(own: Iterable[Journal]) -> Table:
 
     p, W and u of all rows by the same formulas on the whole length: a groove is left out.
     """
-    from . import formulas as f  # loads numpy: not needed to read a design
-    from .pairing_formulas import load_times_speed
+    from .. import formulas as f  # loads numpy: not needed to read a design
+    from .formulas import load_times_speed
 
     found: list[tuple[str | float | None, ...]] = []
     with untraced():
