@@ -13,11 +13,12 @@ from ..sheet.step import Table
 from ..sheet.units import Celsius, Metre, Watt
 from . import formulas as f
 from .inputs import BearingsInputs
-from .routes.balance import settled
-from .routes.states import Duty, Seat
+from .routes.states import Duty, Film, Seat
 
 ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))
+CORNERS = tuple(product(ENDS, ENDS, OILS))
+NAMES = tuple(f"{j} journal, {s} seat, {o} oil" for (j, _), (s, _), (o, _) in CORNERS)
 
 
 @result
@@ -49,20 +50,28 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     return high_J - low_J, high_S - low_S
 
 
-def corners(seat: Seat, duty: Duty, edge: float) -> Corners:
-    """Eight corners, once at the load and once at twice the load.  `edge`: what the slope takes from the film at the edge."""
-    inputs, d = seat.inputs, seat.bearing.diameter
-    T_J, T_S = widths(inputs, d)
-    least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
-    most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
-    chosen = list(product(ENDS, ENDS, OILS))
-    names = tuple(f"{j} journal, {s} seat, {o} oil" for (j, _), (s, _), (o, _) in chosen)
-    g: Any = np.array([seat.clearance + (s * T_S - j * T_J) / 2 for (_, j), (_, s), _ in chosen])
-    thickness: Any = np.array([1 + o * inputs.viscosity_tolerance for *_, (_, o) in chosen])
-    twofold: Any = np.tile(g, 2)
+def corner_points(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
+    """Eight corners at the load, then the eight at twice the load."""
+    g, thickness = _corners(seat)
+    both: Any = np.tile(g, 2)
     thick: Any = np.tile(thickness, 2)
     load: Any = duty.load * np.repeat([1.0, 2.0], len(g))
-    film = settled(replace(seat, clearance=twofold, viscosity_factor=thick), replace(duty, load=load))
+    return replace(seat, clearance=both, viscosity_factor=thick), replace(duty, load=load)
+
+
+def _corners(seat: Seat) -> tuple[Any, Any]:
+    """Clearance at the reference temperature and viscosity factor of each."""
+    T_J, T_S = widths(seat.inputs, seat.bearing.diameter)
+    g = [seat.clearance + (s * T_S - j * T_J) / 2 for (_, j), (_, s), _ in CORNERS]
+    return np.array(g), np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
+
+
+def corners(seat: Seat, duty: Duty, edge: float, film: Film) -> Corners:
+    """`film`: of the corner points.  `edge`: what the slope takes from the film at the edge."""
+    T_J, T_S = widths(seat.inputs, seat.bearing.diameter)
+    least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
+    most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
+    g, _ = _corners(seat)
     once, twice = slice(0, len(g)), slice(len(g), None)
     rise: Any = film.temperature_rise
     h_0: Any = film.film
@@ -70,7 +79,7 @@ def corners(seat: Seat, duty: Duty, edge: float) -> Corners:
     power: Any = film.friction_power
     columns = {
         "clearance": g,
-        "clearance_cold": np.asarray(replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)),
+        "clearance_cold": np.asarray(replace(seat, clearance=g).clearance_at(seat.inputs.lowest_temperature)),
         "clearance_hot": np.where(np.isfinite(h_0[once]), warm[once], np.nan),
         "film": h_0[once],
         "film_edge": h_0[once] - edge,
@@ -87,7 +96,7 @@ def corners(seat: Seat, duty: Duty, edge: float) -> Corners:
         film_double_load=f.smallest_of_corners(x=columns["film_double_load"]),
         outlet_temperature=f.hottest_of_corners(T=columns["outlet_temperature"]),
         friction_power=f.largest_power_of_corners(P=columns["friction_power"]),
-        names=names,
+        names=NAMES,
         columns=columns,
     )
 

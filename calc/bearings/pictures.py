@@ -8,10 +8,10 @@ import numpy as np
 
 from ..sheet.step import Curve, Series
 from .result import BearingResult
-from .routes.balance import settled
+from .routes.states import Duty, Seat
 
 POINTS = 25
-SPAN = (0.4, 2.0)  # of the design's clearance
+SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
 
 
 def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
@@ -27,13 +27,16 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
     )  # fmt: skip
 
 
+def clearance_points(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
+    """More and less clearance, all else as designed: at the load, then at twice the load."""
+    g: Any = np.tile(seat.clearance * SHARES, 2)
+    load: Any = np.repeat([duty.load, 2 * duty.load], POINTS)
+    return replace(seat, clearance=g), replace(duty, load=load)
+
+
 def _over_clearance(place: str, r: BearingResult) -> Curve:
-    """What more or less clearance would do, all else as designed: each point in thermal balance."""
-    g: Any = r.clearance * np.linspace(*SPAN, POINTS)
-    twice: Any = np.repeat([r.load, 2 * r.load], POINTS)
-    both: Any = np.tile(g, 2)
-    film: Any = settled(replace(r.seat, clearance=both), replace(r.duty, load=twice)).film
-    shown, edge = g * 1e6, r.film - r.film_edge
+    film: Any = r.over_clearance.film
+    shown, edge = r.clearance * SHARES * 1e6, r.film - r.film_edge
     series = (Series("at the edge", shown, (film[:POINTS] - edge) * 1e6), Series("twice the load", shown, film[POINTS:] * 1e6))
     limits = (("Kreisle", r.kreisle_film * 1e6), ("Trumpler", r.trumpler_film * 1e6))
     title = f"Film of the {place} bearing over its clearance at {r.seat.inputs.clearance_reference_temperature:g} °C"

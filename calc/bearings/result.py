@@ -118,6 +118,7 @@ class BearingResult:
     duty: Duty
     sweep: Sweep
     side: Side
+    over_clearance: Film
 
 
 @result

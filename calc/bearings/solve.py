@@ -17,7 +17,7 @@ from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
 from .checks import checks
-from .corners import corners, corners_table
+from .corners import corner_points, corners, corners_table
 from .film import short_bearing as short
 from .film.dynamics import dynamics
 from .inputs import BearingInputs, BearingsInputs
@@ -26,15 +26,15 @@ from .pairing.formulas import film_duty, load_times_speed
 from .pairing.pairing import Journal, Running, application_checks, reference_table
 from .pairing.pairing import checks as pairing_checks
 from .pairing.pairing import table as bushes_table
-from .pictures import curves
+from .pictures import clearance_points, curves
 from .remarks import errata, notes
 from .result import BearingResult, BearingsResult, route_result
 from .routes import supply
-from .routes.balance import balanced
+from .routes.balance import balanced, settled_together
 from .routes.routes import own_warm
 from .routes.side_by_side import routes_table, side_by_side
 from .routes.states import Duty, Film, Seat
-from .sweep import sweep
+from .sweep import sweep, sweep_points
 
 PLACES = ("front", "rear")
 
@@ -157,9 +157,11 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
     side = side_by_side(place, seat, duty, ratio)
     with about(f"{place} bearing, dynamics"):
         moving = dynamics(hot, duty, seat, ratio)
+    asked = corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty)
+    at_corners, over_speeds, over_clearance = settled_together(asked)
     with about(f"{place} bearing, corners of the tolerances"):
-        found = corners(seat, duty, hot.film - edge)
-    swept = sweep(seat, speed, bench, duty, inputs)
+        found = corners(seat, duty, hot.film - edge, at_corners)
+    swept = sweep(speed, inputs, asked[1][1], over_speeds)
     with about(f"{place} bearing"):
         thinnest = None if swept.thinnest_film is None else f.smallest_over_speeds(film=swept.thinnest_film)
     routes: dict[str, Any] = {name: route_result(film) for name, film in side.films.items()}
@@ -208,6 +210,7 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
         duty=duty,
         sweep=swept,
         side=side,
+        over_clearance=over_clearance,
     )
 
 

@@ -9,8 +9,7 @@ import numpy as np
 from ..engine.inputs import BenchPoint
 from ..sheet.record import record
 from .inputs import BearingsInputs
-from .routes.balance import settled
-from .routes.states import Duty, Seat
+from .routes.states import Duty, Film, Seat
 
 STEPS_WITHOUT_BENCH = 25
 BETWEEN = 2  # further points between two rows of the bench run, its oil interpolated
@@ -46,23 +45,29 @@ class Sweep:
         )
 
 
-def sweep(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: Duty, inputs: BearingsInputs) -> Sweep:
-    """The film at each row of the bench run and between them, or over a range of speed with the design's oil supply.
+def sweep_points(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: Duty) -> tuple[Seat, Duty]:
+    """Each row of the bench run and between them, or a range of speed with the design's oil supply.
 
     A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once and warm at each
-    speed's temperature.  Rows above the rated speed are run without load on the engine: they are shown, and do not govern.
+    speed's temperature.
     """
-    speeds, temperatures, pressures = _rows(rated, bench, duty, inputs)
+    speeds, temperatures, pressures = _rows(rated, bench, duty, seat.inputs)
     ratio = speeds / rated
-    at = replace(
+    turns = seat.inputs.load_speed_ratio == TURNING
+    return seat, replace(
         duty,
-        load=duty.load * ratio**2 if inputs.load_speed_ratio == TURNING else duty.load,
+        load=duty.load * ratio**2 if turns else duty.load,
         speed=speeds,
         effective_speed=duty.effective_speed * ratio,
         supply_temperature=temperatures,
         supply_pressure=pressures,
     )
-    film = settled(seat, at)
+
+
+def sweep(rated: float, inputs: BearingsInputs, at: Duty, film: Film) -> Sweep:
+    """`at`, `film`: the points.  Rows above the rated speed are run without load on the engine: they are shown, and do not govern."""
+    speeds: Any = at.speed
+    temperatures: Any = at.supply_temperature
     h_0: Any = film.film
     power: Any = film.friction_power
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)

@@ -5,13 +5,14 @@ The difference of the two falls with the assumed rise, so that a bracket finds t
 closes one bearing by any route and traces its last state; `settled` closes any number of bearings at once by the own solution.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import Any
 
 import numpy as np
 
+from ...lubricant import State
 from ...root import root
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
@@ -21,6 +22,7 @@ from .routes import Route, own_cold, own_warm
 from .states import Duty, Film, OutsideBalance, Seat, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
+BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
 ITERATION_LIMIT = 60
 
 
@@ -106,6 +108,7 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
             secant = high - f_high * (high - low) / (f_high - f_low)
             x = np.where(finite & (secant > low) & (secant < high), secant, 0.5 * (low + high))
             f_x = excess(x)
+            lost = lost | (~np.isfinite(f_high) & (high - low <= BREAKS_DOWN))
             done = lost | (np.abs(f_x) <= tolerance * (1 + x)) | (high - low <= tolerance)
             if done.all():
                 break
@@ -119,10 +122,45 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
         return _only(film, ~lost & (np.abs(f_x) <= 1e-3 * (1 + x)))
 
 
+def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:
+    """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that of the first."""
+    seat, duty = asked[0]
+    sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
+
+    def joined(of: Callable[[Seat, Duty], Any]) -> Any:
+        return np.concatenate([np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)])
+
+    film = settled(
+        replace(seat, clearance=joined(lambda s, _: s.clearance), viscosity_factor=joined(lambda s, _: _factor(s))),
+        replace(
+            duty, load=joined(lambda _, d: d.load), speed=joined(lambda _, d: d.speed),
+            effective_speed=joined(lambda _, d: d.effective_speed), supply_temperature=joined(lambda _, d: d.supply_temperature),
+            supply_pressure=joined(lambda _, d: d.supply_pressure),
+        ),
+    )  # fmt: skip
+    ends = np.cumsum(sizes)
+    return [_slice(film, slice(end - size, end), int(ends[-1])) for size, end in zip(sizes, ends.tolist())]
+
+
+def _slice(film: Film, part: slice, size: int) -> Film:
+    """Some of the points of a film."""
+
+    def cut(number: Any) -> Any:
+        return None if number is None else np.broadcast_to(number, (size,))[part]
+
+    names = [name for name in film.__dataclass_fields__ if name != "oil"]
+    oil = State(*(cut(x) for x in (film.oil.nu, film.oil.mu, film.oil.rho, film.oil.cp)))
+    numbers: dict[str, Any] = {name: cut(getattr(film, name)) for name in names}
+    return Film(oil=oil, **numbers)
+
+
+def _factor(seat: Seat) -> float:
+    return 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
+
+
 def _numbers(seat: Seat, duty: Duty) -> tuple[Any, ...]:
     b = seat.bearing
-    factor = 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
-    return b.diameter, b.length, seat.clearance, factor, duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
+    return b.diameter, b.length, seat.clearance, _factor(seat), duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
 
 
 def _only(film: Film, there: Any) -> Film:
