@@ -26,7 +26,8 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
     reference = f"{inputs.clearance_reference_temperature:g} °C"
     found.append(f"The clearance is taken as given at {reference} and judged at the film's mean temperature.")
     if not inputs.fits_given:
-        found.append("No fits are given: the corners take IT7 for journal and seat, half of it to either side of the clearance.")
+        band = f"the oil within ±{inputs.viscosity_tolerance * 100:g} % of its viscosity"
+        found.append(f"No fits are given: the corners take IT7 for journal and seat, half of it to either side of the clearance, and {band}.")
     found.append(_slope(inputs, shaft))
     found += _feed(inputs, results)
     found.append(
