@@ -67,6 +67,18 @@ def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
         "Lengthen the bearing, lower the clearance, or take a thicker oil.",
         kind="advice",
     )
+    if r.thinnest_film is not None:
+        yield check(
+            f"{at}.film_edge_speeds",
+            f"Film at the edge over the speeds, thinnest at {short((r.speed_of_thinnest_film or 0.0) * 60)} rpm" + where,
+            r.thinnest_film - (r.film - r.film_edge),
+            ">=",
+            r.kreisle_film,
+            "µm",
+            "Kreisle: Rt of both surfaces, Rt = k·Ra",
+            "As for the film at the edge; or keep away from this speed.",
+            kind="advice",
+        )
     yield check(
         f"{at}.temperature",
         "Outlet temperature" + where,

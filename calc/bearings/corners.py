@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each solved."""
 
+import math
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -10,9 +11,10 @@ import numpy as np
 from ..fits import deviations, parse
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
-from ..sheet.units import Celsius, Metre, Watt
+from ..sheet.units import Celsius, Metre, Radian
 from . import formulas as f
 from .inputs import BearingsInputs
+from .routes.routes import own_warm
 from .routes.states import Duty, Film, Seat
 
 ENDS = (("smallest", -1), ("largest", 1))
@@ -23,7 +25,7 @@ NAMES = tuple(f"{j} journal, {s} seat, {o} oil" for (j, _), (s, _), (o, _) in CO
 
 @result
 class Corners:
-    """The worst of the eight corners, each quantity for itself; `names` and `films` hold all of them."""
+    """The worst of the eight corners, each quantity for itself; nan: a corner has no film."""
 
     clearance_min: Metre = value("Smallest clearance of the fits", "µm", "g_min")
     clearance_max: Metre = value("Largest clearance of the fits", "µm", "g_max")
@@ -32,16 +34,12 @@ class Corners:
     film_edge: Metre = value("Thinnest film at the edge of the corners", "µm", "h_edge")
     film_double_load: Metre = value("Thinnest film at twice the load of the corners", "µm", "h_2F")
     outlet_temperature: Celsius = value("Hottest outlet of the corners", "°C", "T_out")
-    friction_power: Watt = value("Largest friction power of the corners", "W", "P_f")
     names: tuple[str, ...]
     columns: dict[str, Any]  # one array over the corners for each quantity above and more
 
     def worst(self, quantity: str) -> str:
-        """The name of the corner that governs: the hottest, else the smallest; a corner without film is worst of all."""
-        numbers = self.columns[quantity]
-        if np.isnan(numbers).any():
-            return self.names[int(np.isnan(numbers).argmax())]
-        return self.names[int(numbers.argmax() if quantity == "outlet_temperature" else numbers.argmin())]
+        """The name of the corner that governs."""
+        return self.names[_worst(quantity, self.columns[quantity])]
 
 
 def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
@@ -66,8 +64,8 @@ def _corners(seat: Seat) -> tuple[Any, Any]:
     return np.array(g), np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
-def corners(seat: Seat, duty: Duty, edge: float, film: Film) -> Corners:
-    """`film`: of the corner points.  `edge`: what the slope takes from the film at the edge."""
+def corners(seat: Seat, duty: Duty, slope: Radian, film: Film) -> Corners:
+    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line."""
     T_J, T_S = widths(seat.inputs, seat.bearing.diameter)
     least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
     most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
@@ -82,28 +80,51 @@ def corners(seat: Seat, duty: Duty, edge: float, film: Film) -> Corners:
         "clearance_cold": np.asarray(replace(seat, clearance=g).clearance_at(seat.inputs.lowest_temperature)),
         "clearance_hot": np.where(np.isfinite(h_0[once]), warm[once], np.nan),
         "film": h_0[once],
-        "film_edge": h_0[once] - edge,
+        "film_edge": h_0[once] - slope * seat.bearing.length / 2,
         "film_double_load": h_0[twice],
         "outlet_temperature": duty.supply_temperature + rise[once],
         "friction_power": power[once],
     }
+
+    def solved(quantity: str, at: Duty, points: slice) -> Film | None:
+        """The worst corner by lines of the calculation, at the rise that is known; None where it has no film."""
+        numbers = columns[quantity]
+        if np.isnan(numbers).any():
+            return None
+        worst = _worst(quantity, numbers)
+        (_, j), (_, s), (_, o) = CORNERS[worst]
+        clearance = least if j > s else most if s > j else float(g[worst])
+        factor = f.viscosity_factor(t_nu=seat.inputs.viscosity_tolerance, o=float(o))
+        return own_warm(replace(seat, clearance=clearance, viscosity_factor=factor), at, float(rise[points][worst]))
+
+    thinnest = solved("film_edge", duty, once)
+    doubled = solved("film_double_load", replace(duty, load=2 * duty.load), twice)
+    hottest = solved("outlet_temperature", duty, once)
+    edge = math.nan if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=seat.bearing.length)
+    outlet = math.nan if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
     return Corners(
         clearance_min=least,
         clearance_max=most,
-        clearance_cold=f.smallest_of_corners(x=columns["clearance_cold"]),
-        film=f.smallest_of_corners(x=columns["film"]),
-        film_edge=f.smallest_of_corners(x=columns["film_edge"]),
-        film_double_load=f.smallest_of_corners(x=columns["film_double_load"]),
-        outlet_temperature=f.hottest_of_corners(T=columns["outlet_temperature"]),
-        friction_power=f.largest_power_of_corners(P=columns["friction_power"]),
+        clearance_cold=replace(seat, clearance=least).clearance_at(seat.inputs.lowest_temperature),
+        film=math.nan if thinnest is None else thinnest.film,
+        film_edge=edge,
+        film_double_load=math.nan if doubled is None else doubled.film,
+        outlet_temperature=outlet,
         names=NAMES,
         columns=columns,
     )
 
 
+def _worst(quantity: str, numbers: Any) -> int:
+    """The hottest, else the smallest; a corner without film is worst of all."""
+    if np.isnan(numbers).any():
+        return int(np.isnan(numbers).argmax())
+    return int(numbers.argmax() if quantity == "outlet_temperature" else numbers.argmin())
+
+
 COLUMNS = (
     ("clearance", "g", "µm", 1e-6), ("clearance_cold", "g cold", "µm", 1e-6), ("clearance_hot", "g hot", "µm", 1e-6),
-    ("film", "h_0", "µm", 1e-6), ("film_edge", "h_edge", "µm", 1e-6), ("film_double_load", "h_2F", "µm", 1e-6),
+    ("film", "film", "µm", 1e-6), ("film_edge", "at the edge", "µm", 1e-6), ("film_double_load", "twice the load", "µm", 1e-6),
     ("outlet_temperature", "T_out", "°C", 1.0), ("friction_power", "P_f", "W", 1.0),
 )  # fmt: skip
 

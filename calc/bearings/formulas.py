@@ -4,8 +4,6 @@
 Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P·ψ²/(μ·ω); So·S = 1/(2π) exactly.
 """
 
-from typing import Any
-
 from ..countershaft.supports import heat_index as heat_index  # of any journal, written with the shaft's supports
 from ..countershaft.supports import specific_load as specific_load
 from ..sheet.formula import formula
@@ -191,9 +189,24 @@ def load_at_start(R_0: Newton, d: Metre, l: Metre) -> Pascal:
     return R_0 / (d * l)
 
 
-@formula("p_max", "short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_max/(μ·ω/ψ²))"})
+@formula("p_O", "short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_O/(μ·ω/ψ²))"})
 def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, largest: Number) -> Pascal:
     return largest * mu * omega / psi**2
+
+
+@formula("k", "corner of the oil's tolerance; o: −1 thinner, +1 thicker")
+def viscosity_factor(t_nu: Number, o: Number) -> Number:
+    return 1 + o * t_nu
+
+
+@formula("μ", "the oil at a corner of its tolerance", unit="mPa·s", names={"mu": "μ_m"})
+def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
+    return k * mu
+
+
+@formula("F", "load of eccentric masses, which grows with the square of the speed", names={"n_0": "n_rated"})
+def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
+    return F * (n / n_0) ** 2
 
 
 @formula("R_max", "the standing part at the moment when it points with the turning one")
@@ -246,46 +259,6 @@ def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 
 
-@formula(
-    "h_min",
-    "smallest film over the bench run",
-    shows="the smallest of the rows up to the rated speed, each in thermal balance",
-    unit="µm",
-)
-def smallest_over_speeds(film: Metre) -> Metre:
-    return film
-
-
 @formula("ZN/P", "McKee & McKee 1932, in cP·rpm/psi", names={"n_h": "n"})
 def mckee_number(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
     return mu * n_h / p / CENTIPOISE_RPM_PER_PSI
-
-
-@formula(
-    "min",
-    "smallest over the corners of the tolerances",
-    shows="the smallest of eight corners, each in thermal balance",
-    unit="µm",
-    governs="min",
-)
-def smallest_of_corners(x: Metre) -> Metre:
-    return _least(x)
-
-
-@formula("T_max", "hottest over the corners of the tolerances", shows="the hottest of eight corners, each in thermal balance")
-def hottest_of_corners(T: Celsius) -> Celsius:
-    return _most(T)
-
-
-@formula("P_max", "largest over the corners of the tolerances", shows="the largest of eight corners, each in thermal balance")
-def largest_power_of_corners(P: Watt) -> Watt:
-    return _most(P)
-
-
-def _least(x: Any) -> float:
-    """nan where one is: a corner without film is the worst."""
-    return float(x.min())
-
-
-def _most(x: Any) -> float:
-    return float(x.max())

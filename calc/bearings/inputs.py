@@ -28,7 +28,7 @@ class BearingInputs:
     )
     clearance: float = quantity(
         "Clearance (diametral)", "µm", optional=True, low=0.1, high=5000, symbol="g", step=1,
-        help="Bore minus journal at the reference temperature; usual 1 to 1.5 ‰ of d. Left out: from the clearance factor.",
+        help="Bore minus journal at the reference temperature; mostly 0.5 to 1.5 ‰ of d. Left out: by clearance_factor or the fits.",
     )  # fmt: skip
     clearance_factor: float = quantity(
         "Clearance factor K",

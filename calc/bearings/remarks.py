@@ -26,8 +26,11 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
     reference = f"{inputs.clearance_reference_temperature:g} °C"
     found.append(f"The clearance is taken as given at {reference} and judged at the film's mean temperature.")
     if not inputs.fits_given:
-        band = f"the oil within ±{inputs.viscosity_tolerance * 100:g} % of its viscosity"
-        found.append(f"No fits are given: the corners take IT7 for journal and seat, half of it to either side of the clearance, and {band}.")
+        found.append(
+            "No fits are given: the corners take IT7 for journal and seat, half of it to either side of the clearance, and the oil "
+            f"within ±{inputs.viscosity_tolerance * 100:g} % of its viscosity. Corners that are assumed advise; those of journal_fit "
+            "and seat_fit judge."
+        )
     found.append(_slope(inputs, shaft))
     found += _feed(inputs, results)
     found.append(
@@ -50,7 +53,7 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
     if surface is None:
         found.append(f"What a journal may carry on bare {inputs.housing_material} is not known here.")
     found += [words for place, r in results.items() if (words := r.sweep.why(place))]
-    if any(r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
+    if inputs.speed_range is None and any(r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
         found.append(
             "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or whose load is smaller: "
             "the design's supply is the harder case, and it is judged."
@@ -106,7 +109,8 @@ def errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
                 "µm",
                 "method of Finotti 2013, 5.5.1, on the clearance as given",
                 f"The thesis leaves thermal expansion out: its clearance of {r.clearance * 1e6:.1f} µm becomes "
-                f"{r.clearance_hot * 1e6:.1f} µm when warm and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature.",
+                f"{r.clearance_hot * 1e6:.1f} µm when warm and {r.clearance_cold * 1e6:.1f} µm at the lowest temperature."
+                + (" Nor does it know that a groove parts the film." if supply.lands(r.seat.inputs) == 2 else ""),
             )
         )
     if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:

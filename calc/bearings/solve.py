@@ -34,7 +34,7 @@ from .routes.balance import balanced, settled_together
 from .routes.routes import own_warm
 from .routes.side_by_side import routes_table, side_by_side
 from .routes.states import Duty, Film, Seat
-from .sweep import sweep, sweep_points
+from .sweep import TURNING, Sweep, sweep, sweep_points
 
 PLACES = ("front", "rear")
 
@@ -160,17 +160,17 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
     asked = corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty)
     at_corners, over_speeds, over_clearance = settled_together(asked)
     with about(f"{place} bearing, corners of the tolerances"):
-        found = corners(seat, duty, hot.film - edge, at_corners)
+        found = corners(seat, duty, slope, at_corners)
     swept = sweep(speed, inputs, asked[1][1], over_speeds)
-    with about(f"{place} bearing"):
-        thinnest = None if swept.thinnest_film is None else f.smallest_over_speeds(film=swept.thinnest_film)
+    with about(f"{place} bearing, speed of the thinnest film"):
+        thinnest = _thinnest(seat, duty, swept)
     routes: dict[str, Any] = {name: route_result(film) for name, film in side.films.items()}
     return BearingResult(
         film=hot.film,
         film_edge=edge,
         film_double_load=doubled.film if doubled else None,
         speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=thinnest,
+        thinnest_film=None if thinnest is None else thinnest.film,
         eccentricity=hot.eccentricity,
         attitude_angle=hot.attitude or 0.0,
         sommerfeld=hot.sommerfeld,
@@ -212,6 +212,19 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
         side=side,
         over_clearance=over_clearance,
     )
+
+
+def _thinnest(seat: Seat, duty: Duty, swept: Sweep) -> Film | None:
+    """The film at the speed where it is thinnest, by lines of the calculation, at the rise that is known."""
+    if swept.thinnest_speed is None:
+        return None
+    n, at = swept.thinnest_speed, swept.speeds.index(swept.thinnest_speed)
+    load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
+    slower = replace(
+        duty, load=load, speed=n, effective_speed=duty.effective_speed * (n / duty.speed),
+        supply_temperature=swept.temperatures[at], supply_pressure=swept.pressures[at],
+    )  # fmt: skip
+    return own_warm(seat, slower, swept.rises[at])
 
 
 def _doubled(seat: Seat, duty: Duty) -> Film | None:

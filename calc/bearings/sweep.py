@@ -23,11 +23,14 @@ class Sweep:
 
     speeds: tuple[float, ...]
     temperatures: tuple[float, ...]  # of the oil supplied
+    pressures: tuple[float, ...]
+    rises: tuple[float, ...]
     films: tuple[float, ...]
     friction: tuple[float, ...]
     thinnest_speed: float | None
     thinnest_film: float | None
     rated: float
+    bench: bool  # its rows are those of the engine's bench run
 
     def why(self, place: str) -> str:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
@@ -38,7 +41,8 @@ class Sweep:
         if last == here:
             return ""
         fastest = f"{self.speeds[last] * 60:.0f} rpm, whose oil comes at {self.temperatures[last]:.1f} °C"
-        unloaded = " (above the rated speed: run without load, it does not govern)" if self.speeds[last] > self.rated * (1 + 1e-9) else ""
+        above = self.bench and self.speeds[last] > self.rated * (1 + 1e-9)
+        unloaded = " (above the rated speed: run without load, it does not govern)" if above else ""
         return (
             f"The {place} bearing's film is thinnest at {self.thinnest_speed * 60:.0f} rpm, {self.thinnest_film * 1e6:.2f} µm with oil of "
             f"{self.temperatures[here]:.1f} °C, and not at {fastest}{unloaded}."
@@ -65,17 +69,21 @@ def sweep_points(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: 
 
 
 def sweep(rated: float, inputs: BearingsInputs, at: Duty, film: Film) -> Sweep:
-    """`at`, `film`: the points.  Rows above the rated speed are run without load on the engine: they are shown, and do not govern."""
+    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not govern."""
     speeds: Any = at.speed
     temperatures: Any = at.supply_temperature
+    pressures: Any = at.supply_pressure
     h_0: Any = film.film
+    rises: Any = film.temperature_rise
     power: Any = film.friction_power
     governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
     found = not np.isnan(governing).all()
     least = int(np.nanargmin(governing)) if found else 0
     return Sweep(
-        tuple(speeds.tolist()), tuple(temperatures.tolist()), tuple(h_0.tolist()), tuple(power.tolist()),
+        tuple(speeds.tolist()), tuple(temperatures.tolist()), tuple(pressures.tolist()), tuple(rises.tolist()), tuple(h_0.tolist()),
+        tuple(power.tolist()),
         float(speeds[least]) if found else None, float(governing[least]) if found else None, rated,
+        inputs.speed_range is None,
     )  # fmt: skip
 
 

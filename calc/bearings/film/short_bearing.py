@@ -83,12 +83,12 @@ def angle_of_largest_pressure(eps: Number) -> Radian:
     return acos((1 - sqrt(1 + 24 * eps**2)) / (4 * eps))
 
 
-@formula("p_max/(μ·ω/ψ²)", f"{OCVIRK}; middle plane", names={"b": "(l/d)", "theta_m": "θ_m"})
+@formula("p_O/(μ·ω/ψ²)", f"{OCVIRK}; middle plane", names={"b": "(l/d)", "theta_m": "θ_m"})
 def largest_relative_pressure(eps: Number, b: Number, theta_m: Radian) -> Number:
     return 3 * b**2 * eps * sin(theta_m) / (1 + eps * cos(theta_m)) ** 3
 
 
-@formula("p/p_max", "definition of the pressure ratio, short bearing", names={"largest": "(p_max/(μ·ω/ψ²))"})
+@formula("p/p_max", "definition of the pressure ratio, short bearing", names={"largest": "(p_O/(μ·ω/ψ²))"})
 def pressure_ratio(So: Number, largest: Number) -> Number:
     """Specific load over largest pressure."""
     return So / largest

@@ -37,7 +37,7 @@ def attitude_angle(eps: Number, b: Number) -> Radian:
     return film_at(eps, b).attitude
 
 
-@formula("Q/(r·c·n·l)", SOURCE, shows="Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d")
+@formula("Q*", SOURCE, shows="Q* = Q/(r·c·n·l) from the table of Reynolds' solutions at ε, l/d")
 def relative_flow(eps: Number, b: Number) -> Number:
     return film_at(eps, b).flow
 

@@ -83,9 +83,8 @@ def _emergency_advice(material: BearingMaterial) -> str:
     if material.form != "bare":
         return "A softer running surface, or an overlay; else filtered oil at every start."
     return (
-        "Without a bush nothing forgives a broken film: a hardened, finely ground journal and clean oil at every start, or a shell "
-        "(AlSn20Cu). Under a load that turns with the shaft every point of the bore sees the largest film pressure once a turn: mind "
-        "its fatigue."
+        "Without a bush nothing forgives a broken film: a hardened, finely ground journal and clean oil at every start, or a lined shell "
+        "(see the table with or without a bush)."
     )
 
 

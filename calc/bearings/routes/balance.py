@@ -48,6 +48,14 @@ def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> 
 def _reason(duty: Duty, error: ValueError) -> tuple[str, str, str]:
     """What was looked for, what came out, and what to do: too much load, too little, or a bearing too short or long."""
     at = f"{duty.load:.4g} N at {duty.speed * 60:.4g} rpm"
+    if duty.effective_speed < duty.speed * (1 - 1e-9):
+        at += f" (as dragged between load and surfaces, {duty.effective_speed * 60:.4g} rpm)"
+    if isinstance(error, OutsideBalance):
+        return (
+            f"the heat of the film under {at} is not carried away",
+            str(error),
+            "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil",
+        )
     if isinstance(error, Seized):
         return str(error), f"under {at}", "give it more clearance"
     if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
@@ -73,7 +81,7 @@ def _reachable(excess: Callable[[float], float], high: float) -> float:
                 raise OutsideBalance(f"the oil would warm by more than {HOTTEST:g} K")
         except (FilmRangeError, Seized):
             high = (low + high) / 2
-    raise OutsideBalance("the film breaks down before its heat is carried away")
+    raise OutsideBalance("the film is gone before its heat and the oil's flow are in balance")
 
 
 def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-7) -> Film:

@@ -21,9 +21,9 @@ from ...sheet.units import (
 TABLE = "Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator"
 
 
-@formula("Q_1", "side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q/(r·c·n·l)", "share": "(Q_s/Q)"})
+@formula("Q_1", "side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"})
 def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
-    return Q_rel * share * d / 2 * g / 2 * n_h * l
+    return Q_rel * share * d * g * n_h * l / 4
 
 
 @formula("q_1", "DIN 31652-2, side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})

@@ -32,7 +32,7 @@ class Seat:
         oil = self.lubricant.at(T)
         if self.viscosity_factor is None:
             return oil
-        return State(oil.nu * self.viscosity_factor, oil.mu * self.viscosity_factor, oil.rho, oil.cp)
+        return State(oil.nu * self.viscosity_factor, f.viscosity_at_corner(mu=oil.mu, k=self.viscosity_factor), oil.rho, oil.cp)
 
 
 @record

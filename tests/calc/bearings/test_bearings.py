@@ -190,3 +190,31 @@ def test_no_supply_pressure_takes_a_route_away_and_not_the_program(gamma):
 def test_a_hole_outside_the_range_of_its_factor_warns(gamma):
     assert verdicts(outcome(gamma, bearings__hole_diameter_mm=26.0))["bearings.front.supply_range"] == "warn"
     assert verdicts(outcome(gamma))["bearings.front.supply_range"] == "pass"
+
+
+def test_a_speed_range_is_judged_where_the_film_is_thinnest(gamma):
+    """From 800 to 6000 rpm the load of the eccentric masses is five times that of rated speed: the film fails there, and it is said."""
+    found = outcome(gamma, bearings__speed_range_rpm=[800.0, 6000.0])
+    r = found.result.bearings["front"]
+    assert r.speed_of_thinnest_film * 60 == pytest.approx(6000)
+    check = {c.id: c for c in found.checks}["bearings.front.film_edge_speeds"]
+    assert check.verdict == "warn" and "6000 rpm" in check.name
+    assert check.value == pytest.approx((r.thinnest_film - (r.film - r.film_edge)) * 1e6)
+    assert not any("without load" in note for note in found.notes)
+
+
+def test_heat_that_is_not_carried_away_asks_for_clearance_and_not_for_thicker_oil(gamma):
+    reason = outcome(gamma, bearings__expansion_restraint=1.0).reason
+    assert "not carried away" in reason and "clearance" in reason and "thicker" not in reason
+
+
+def test_a_load_near_half_speed_is_told_by_its_speed(gamma):
+    assert "52 rpm" in outcome(gamma, bearings__load_speed_ratio=0.49).reason
+
+
+def test_values_found_among_many_lead_back_to_the_inputs(gamma_results):
+    from calc.explain import chain
+
+    for value in ("corners.film_edge", "corners.film_double_load", "corners.outlet_temperature", "thinnest_film"):
+        inputs = {key for link in chain(gamma_results, f"bearings.front.{value}") for key in link.inputs}
+        assert {"bearings.front.diameter_mm", "bearings.front.clearance_factor"} <= inputs, value

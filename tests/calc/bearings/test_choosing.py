@@ -66,7 +66,7 @@ def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
     assert states.power[0] == pytest.approx(film.friction_power, rel=1e-6)
     assert states.flow[0] == pytest.approx(film.oil_flow, rel=1e-6)
     slope = slopes_of(source, source.results)[place]
-    eight = corners(seat, task.duty, slope * length / 2, settled(*corner_points(seat, task.duty)))
+    eight = corners(seat, task.duty, slope, settled(*corner_points(seat, task.duty)))
     value = {one.rule.key: one.value[0] for one in judge(task, states, slope)}
     assert value["film_edge"] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
     assert value["film_double_load"] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
