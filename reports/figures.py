@@ -18,7 +18,22 @@ from calc.sheet.step import Curve, Series
 from .arrows import arrows, sample_arrow
 from .boxes import BLACK, Box, Colour
 from .flow import LEFT, WIDTH, Block
-from .plots import EDGE, HIGH, LEFT_AXIS, LETTER, LIMIT, LOW, RIGHT_AXIS, Plots, bar_colour, hatching, limits, numbers, plot, series_style
+from .plots import (
+    EDGE,
+    HIGH,
+    LEFT_AXIS,
+    LETTER,
+    LOW,
+    RIGHT_AXIS,
+    Plots,
+    bar_colour,
+    hatching,
+    limit_style,
+    limits,
+    numbers,
+    plot,
+    series_style,
+)
 from .prose import STRONG, lines
 
 if TYPE_CHECKING:
@@ -112,8 +127,8 @@ def _legend(curve: Curve, space: float) -> list[list[tuple[Sample, Box]]]:
     for i, series in enumerate(curve.series):
         if label := series_label(curve, series):
             named.append((_bar_sample(i) if curve.bars else _line_sample(*series_style(curve, i)), _label(label, space)))
-    for label, value in limits(curve):
-        named.append((_line_sample(*LIMIT), _label(f"{label} {short(value)} {unit}".strip(), space)))
+    for i, (label, value) in enumerate(limits(curve)):
+        named.append((_line_sample(*limit_style(i)), _label(f"{label} {short(value)} {unit}".strip(), space)))
     for arrow in {a.number: a for a in arrows(curve)}.values():
         named.append((lambda pen, x, y: sample_arrow(pen, x, y, SAMPLE), _label(f"{arrow.number}  {arrow.name}", space)))
     rows: list[list[tuple[Sample, Box]]] = [[]]

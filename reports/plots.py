@@ -33,7 +33,10 @@ LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
 # Bars differ by their grey as well as by their colour; from the fifth on they are hatched.
 BARS: tuple[Colour, ...] = ((0.0, 0.28, 0.46), (0.945, 0.69, 0.2), (0.0, 0.58, 0.42), (0.80, 0.92, 0.985))
 BROAD, THIN = 2.1, 0.8  # of the thickness of a line, for loci that may run over each other
-LIMIT: tuple[Colour, tuple[float, ...], float] = ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8)
+LIMITS: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
+    ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8),
+    ((0.3, 0.0, 0.45), (2.0, 2.0), 0.9),
+)
 FILLED = 0.8  # share of a group's place that its bars take
 EDGE = 0.4
 HATCH = 3.2  # from one line of a hatching to the next, in points
@@ -48,6 +51,11 @@ def line_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
     """Colour, dashes and thickness of the i-th line; when all patterns are used up they come again, thicker."""
     colour, dashes, thick = LINES[i % len(LINES)]
     return colour, dashes, thick * (1 + 0.9 * (i // len(LINES)))
+
+
+def limit_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
+    """Colour, dashes and thickness of the i-th limit."""
+    return LIMITS[i % len(LIMITS)]
 
 
 def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float]:
@@ -137,8 +145,8 @@ def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float,
         _bars(axes, curve)
     else:
         _lines(axes, curve)
-    for _, value in limits(curve):
-        colour, dashes, thick = LIMIT
+    for i, (_, value) in enumerate(limits(curve)):
+        colour, dashes, thick = limit_style(i)
         axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
     low, high = axes.get_ylim()
     if low < 0 < high and not curve.equal:

@@ -129,7 +129,7 @@ class Field(Widget):
         text = self.session.text(self.place)
         content = self.session.value(self.place)
         if self.reason or content is None:
-            return ("(auto)", "auto") if not self.reason and self.default else ("", "")
+            return ("(auto)", "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
         typed = self.box.value if isinstance(self.box, Entry) else text
         if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
             return f"= {text}", "muted"

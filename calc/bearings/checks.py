@@ -10,6 +10,7 @@ from ..sheet.check import Check, check
 from ..sheet.number import short
 from . import formulas as f
 from .inputs import BearingsInputs
+from .pairing.pairing import USUAL_LENGTH_RATIO
 from .routes.side_by_side import ROUTES, SPREAD, reason
 
 if TYPE_CHECKING:
@@ -17,13 +18,13 @@ if TYPE_CHECKING:
 
 FINOTTI = "Finotti 2013, 3.2.3.1"
 TRUMPLER = "Trumpler, after Finotti 2013, 5.6"
-APPLICATION = "Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16 (Diesel main journals)"
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (as generally published), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
 
 SHEAR_THINNING = 1e5  # 1/s
+POLYMER_THICKENED = -3.3  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
 
 
 def least_film(d: float, u: float) -> float | None:
@@ -160,7 +161,7 @@ def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
         "Length ratio l/d, usual" + where,
         r.length_ratio,
         "in",
-        (0.25, 0.75),
+        USUAL_LENGTH_RATIO,
         "",
         "Finotti 2013, 5.5.2",
         "Change length or diameter.",
@@ -169,7 +170,7 @@ def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
     yield check(
         f"{at}.transition",
         "Speed above mixed friction" + where,
-        r.duty.speed,
+        r.duty.effective_speed,
         ">=",
         r.least_speed,
         "rpm",
@@ -244,17 +245,18 @@ def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
         "Another oil grade or temperature.",
         kind="advice",
     )
-    yield check(
-        f"{at}.shear_rate",
-        "Shear rate in the narrowest gap" + where,
-        r.shear_rate,
-        "<=",
-        SHEAR_THINNING,
-        "1/s",
-        "onset of the thinning of polymer-thickened oils, as generally published",
-        "A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or look at the corners with thinner oil.",
-        kind="advice",
-    )
+    if r.seat.lubricant.C_1 > POLYMER_THICKENED:
+        yield check(
+            f"{at}.shear_rate",
+            "Shear rate in the narrowest gap" + where,
+            r.shear_rate,
+            "<=",
+            SHEAR_THINNING,
+            "1/s",
+            "onset of the thinning of polymer-thickened oils, as generally published",
+"A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner oil.",
+            kind="advice",
+        )
     yield from _corner_checks(at, where, r, inputs)
     if (made := _fits(r)) is not None:
         yield check(
@@ -295,7 +297,7 @@ def _outside(r: "BearingResult") -> str:
     """Which routes are further off than the spread allows, by how much and why."""
     own = r.side.films["reynolds"].film
     said = [
-        f"{ROUTES[name][0]} is {(r.side.films[name].film / own - 1) * 100:+.0f} % off: {reason(name, r.side.films[name], r.side.ratio)}"
+        f"{ROUTES[name][0]} is {(r.side.films[name].film / own - 1) * 100:+.0f} % off: {reason(name, r.side)}"
         for name, far in r.side.deviations.items()
         if far > SPREAD
     ]

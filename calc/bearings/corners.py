@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ..fits import deviations, parse
+from ..fits import deviations, parse, tolerance
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
 from ..sheet.units import Celsius, Metre, Radian
@@ -42,10 +42,18 @@ class Corners:
         return self.names[_worst(quantity, self.columns[quantity])]
 
 
+def limits(inputs: BearingsInputs, d: Metre, g: Metre) -> tuple[tuple[Metre, Metre], tuple[Metre, Metre]]:
+    """Lower and upper deviation of the journal, and of the seat.  Fits without a place lie about the middle of clearance `g`."""
+    journal, seat = parse(inputs.journal_fit), parse(inputs.seat_fit)
+    if journal.letter is not None and seat.letter is not None:
+        return deviations(journal, d), deviations(seat, d)
+    half_J, half_S = tolerance(journal.grade, d) / 2, tolerance(seat.grade, d) / 2
+    return (-half_J, half_J), (g - half_S, g + half_S)
+
+
 def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     """Of the journal's and the seat's tolerance."""
-    (low_J, high_J), (low_S, high_S) = (deviations(parse(fit), d) for fit in (inputs.journal_fit, inputs.seat_fit))
-    return high_J - low_J, high_S - low_S
+    return tolerance(parse(inputs.journal_fit).grade, d), tolerance(parse(inputs.seat_fit).grade, d)
 
 
 def corner_points(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
@@ -59,16 +67,20 @@ def corner_points(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
 
 def _corners(seat: Seat) -> tuple[Any, Any]:
     """Clearance at the reference temperature and viscosity factor of each."""
-    T_J, T_S = widths(seat.inputs, seat.bearing.diameter)
-    g = [seat.clearance + (s * T_S - j * T_J) / 2 for (_, j), (_, s), _ in CORNERS]
+    journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
+    g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
     return np.array(g), np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
 def corners(seat: Seat, duty: Duty, slope: Radian, film: Film) -> Corners:
     """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line."""
-    T_J, T_S = widths(seat.inputs, seat.bearing.diameter)
-    least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
-    most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
+    (ei, es), (EI, ES) = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
+    if parse(seat.inputs.journal_fit).letter is None or parse(seat.inputs.seat_fit).letter is None:
+        least = f.least_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
+        most = f.most_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
+    else:
+        least = f.least_clearance_of_fits(EI=EI, es=es)
+        most = f.most_clearance_of_fits(ES=ES, ei=ei)
     g, _ = _corners(seat)
     once, twice = slice(0, len(g)), slice(len(g), None)
     rise: Any = film.temperature_rise
@@ -141,7 +153,12 @@ def corners_table(place: str, found: Corners, inputs: BearingsInputs) -> Table:
         f"Corners of the tolerances, {place} bearing",
         (("corner", ""), *((label, unit) for _, label, unit, _ in COLUMNS)),
         tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(found.names)),
-        f"Journal {inputs.journal_fit}, seat {inputs.seat_fit} about the clearance at its reference temperature; oil ± "
-        f"{inputs.viscosity_tolerance * 100:g} % of its viscosity.",
+        f"Journal {inputs.journal_fit}, seat {inputs.seat_fit}{_where(inputs)}; oil ±{inputs.viscosity_tolerance * 100:g} % "
+        "of its viscosity.",
         (f"bearings.{place}.corners.",),
     )
+
+
+def _where(inputs: BearingsInputs) -> str:
+    placed = all(parse(fit).letter is not None for fit in (inputs.journal_fit, inputs.seat_fit))
+    return ", as they make the clearance" if placed else " about the clearance at its reference temperature"

@@ -32,7 +32,8 @@ MILLI: Number = 1e-3
 TRUMPLER_FILM: Metre = 5.08e-6
 TRUMPLER_SLOPE: Number = 4e-5
 TRANSITION: Metre = 1.7e-9
-CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / 6894.757
+PSI: Pascal = 6894.757
+CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / PSI
 
 
 @formula("u", "definition of the journal's surface speed")
@@ -58,6 +59,16 @@ def clearance_of_fits(EI: Metre, ES: Metre, ei: Metre, es: Metre) -> Metre:
 @formula("g_min", "smallest seat on the largest journal; T: width of each tolerance", unit="µm")
 def least_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
     return g - (T_S + T_J) / 2
+
+
+@formula("g_min", "smallest seat on the largest journal, by the deviations of ISO 286", unit="µm")
+def least_clearance_of_fits(EI: Metre, es: Metre) -> Metre:
+    return EI - es
+
+
+@formula("g_max", "largest seat on the smallest journal, by the deviations of ISO 286", unit="µm")
+def most_clearance_of_fits(ES: Metre, ei: Metre) -> Metre:
+    return ES - ei
 
 
 @formula("g_max", "largest seat on the smallest journal; T: width of each tolerance", unit="µm")
@@ -140,6 +151,11 @@ def friction_variable_of(f: Number, psi: Number) -> Number:
 @formula("f*", "Couette shear of the full film and pressure term (identity of Reynolds' solution)")
 def friction_variable(So: Number, eps: Number, phi: Radian) -> Number:
     return pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
+
+
+@formula("n_s", "speed of journal on bush: what is sheared", unit="rpm")
+def sliding_speed(n_J: RevPerSecond, n_B: RevPerSecond) -> RevPerSecond:
+    return modulus(n_J - n_B)
 
 
 @formula("k_s", "sliding speed of journal on bush over the hydrodynamic speed")

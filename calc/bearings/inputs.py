@@ -71,6 +71,9 @@ class BearingsInputs:
         help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.",
     )
     hole_diameter: float = quantity("Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H")
+    housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
+    front: BearingInputs = table("Front bearing", BearingInputs)
+    rear: BearingInputs = table("Rear bearing", BearingInputs)
     groove_width: float = quantity("Groove width", "mm", optional=True, low=0, high=500, symbol="b_G")
     pocket_width: float = quantity("Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", help="Along the shaft.")
     groove_arc: tuple[float, ...] | None = series(
@@ -93,7 +96,6 @@ class BearingsInputs:
         step=0.05,
         help="Share of the housing's thermal expansion that the block holds back.",
     )
-    housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
     bush_material: str | None = text(
         "Bush material", optional=True, help="A name from the table of bearing materials. Left out: the journal runs on the housing itself."
     )
@@ -137,8 +139,6 @@ class BearingsInputs:
         "Slope of the journals", "mrad", optional=True, count=(1, 2), low=0, high=20, symbol="theta",
         help="One for both, or [front, rear]. Left out: that of the counter-shaft's bending; where it is not known zero.",
     )  # fmt: skip
-    front: BearingInputs = table("Front bearing", BearingInputs)
-    rear: BearingInputs = table("Rear bearing", BearingInputs)
 
     @property
     def fits_given(self) -> bool:
@@ -158,8 +158,8 @@ class BearingsInputs:
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             yield (
                 "load_speed_ratio",
-                "the load would turn at half the speed of the surfaces, where no film is built up; anything but "
-                f"{(1 + self.bush_speed_ratio) / 2:g} is allowed",
+                "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
+                f"{(1 + self.bush_speed_ratio) / 2:g} by {LEAST_SPEED_SHARE / 2:g} or more",
             )
         if self.bush_speed_ratio == 1:
             yield "bush_speed_ratio", "a bush that turns with the journal does not slide on it; anything but 1 is allowed"

@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from ..countershaft.result import CountershaftResult
 from ..sheet.step import Erratum
 from ..sheet.trace import untraced
+from ..sheet.units import UNITS
+from .checks import POLYMER_THICKENED
 from .inputs import BearingsInputs
 from .pairing.data import running_surface
 from .pairing.pairing import fatigue_note
@@ -33,10 +35,11 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
         )
     found.append(_slope(inputs, shaft))
     found += _feed(inputs, results)
-    found.append(
-        "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s): "
-        "see the check on the shear rate, and the corners with thinner oil."
-    )
+    if any(r.seat.lubricant.C_1 > POLYMER_THICKENED for r in results.values()):
+        found.append(
+            "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s): "
+            "see the check on the shear rate, and the corners with thinner oil."
+        )
     fast = [place for place, r in results.items() if r.surface_speed > NO_RULE]
     if fast:
         found.append(
@@ -48,12 +51,13 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
         if r.film_double_load is None:
             found.append(f"{place.capitalize()} bearing: no film carries twice the load.")
     surface = running_surface(inputs.bush_material, inputs.housing_material)
-    if inputs.load_speed_ratio == 1 and surface is not None:
-        found += [fatigue_note(place, surface, r.film_pressure_max, r.duty.speed, None) for place, r in results.items()]
+    passes = abs(inputs.load_speed_ratio - inputs.bush_speed_ratio)  # of the load over a point of the seat, for one turn of the journal
+    if passes and surface is not None:
+        found += [fatigue_note(place, surface, r.film_pressure_max, passes * r.duty.speed, None) for place, r in results.items()]
     if surface is None:
         found.append(f"What a journal may carry on bare {inputs.housing_material} is not known here.")
     found += [words for place, r in results.items() if (words := r.sweep.why(place))]
-    if inputs.speed_range is None and any(r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
+    if any(r.sweep.bench and r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
         found.append(
             "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or whose load is smaller: "
             "the design's supply is the harder case, and it is judged."
@@ -62,9 +66,9 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
 
 
 def _load(inputs: BearingsInputs) -> str:
-    if inputs.load_speed_ratio == 1:
+    if inputs.load_speed_ratio == 1 and not inputs.bush_speed_ratio:
         return TURNS
-    if inputs.load_speed_ratio == 0:
+    if inputs.load_speed_ratio == 0 and not inputs.bush_speed_ratio:
         return "The load stands still."
     return f"The load turns at {inputs.load_speed_ratio:g} times the journal's speed; the film is that of the speed |n_J + n_B − 2·n_F|."
 
@@ -87,10 +91,10 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> list[
         return ["The groove lies in the unloaded half and keeps its angle to the load: the film is that of the whole length."]
     what = "pocket" if inputs.supply == "pocket" else "hole"
     if supply.keeps_its_angle(inputs):
-        degrees = inputs.supply_angle * 57.29577951308232
+        degrees = UNITS["°"].shown(inputs.supply_angle)
         found = f"The {what} in the {part} keeps its angle to the load, {degrees:.0f}°."
         return [found + (" It lies in the loaded half, where the film's pressure holds the oil back." if degrees < 90 else "")]
-    arcs = ", ".join(f"{r.feed_blocked_arc * 57.29577951308232:.0f}° {place}" for place, r in results.items() if r.feed_blocked_arc)
+    arcs = ", ".join(f"{UNITS['°'].shown(r.feed_blocked_arc):.0f}° {place}" for place, r in results.items() if r.feed_blocked_arc)
     return [
         f"The load sweeps over the {what} in the {part}: its flow is the mean over the turn, and not that of a place opposite the load."
         + (f" Over an arc of {arcs} the film's own pressure is above that of the supply, so that the true flow is smaller." if arcs else "")
@@ -115,7 +119,7 @@ def errata(place: str, r: BearingResult) -> tuple[Erratum, ...]:
         )
     if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
         with untraced():
-            wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.length_ratio)
+            wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
         found.append(
             Erratum(
                 f"bearings.{place}.din31652.film",

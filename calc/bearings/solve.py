@@ -128,7 +128,8 @@ def _duty(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> Duty:
 def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...]) -> BearingResult:
     inputs, bearing = seat.inputs, seat.bearing
     d, l = bearing.diameter, bearing.length
-    u = f.surface_speed(d=d, n=speed)
+    n_s = f.sliding_speed(n_J=speed, n_B=inputs.bush_speed_ratio * speed) if inputs.bush_speed_ratio else speed
+    u = f.surface_speed(d=d, n=n_s)
     duty = _duty(inputs, load, speed)
     with about(f"{place} bearing, judged"):
         hot = balanced(own_warm, seat, duty)
@@ -161,7 +162,7 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
     at_corners, over_speeds, over_clearance = settled_together(asked)
     with about(f"{place} bearing, corners of the tolerances"):
         found = corners(seat, duty, slope, at_corners)
-    swept = sweep(speed, inputs, asked[1][1], over_speeds)
+    swept = sweep(speed, inputs, bool(bench), asked[1][1], over_speeds)
     with about(f"{place} bearing, speed of the thinnest film"):
         thinnest = _thinnest(seat, duty, swept)
     routes: dict[str, Any] = {name: route_result(film) for name, film in side.films.items()}
@@ -216,9 +217,10 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
 
 def _thinnest(seat: Seat, duty: Duty, swept: Sweep) -> Film | None:
     """The film at the speed where it is thinnest, by lines of the calculation, at the rise that is known."""
-    if swept.thinnest_speed is None:
+    if swept.thinnest is None:
         return None
-    n, at = swept.thinnest_speed, swept.speeds.index(swept.thinnest_speed)
+    at = swept.thinnest
+    n = swept.speeds[at]
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
         duty, load=load, speed=n, effective_speed=duty.effective_speed * (n / duty.speed),

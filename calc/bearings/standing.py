@@ -20,7 +20,7 @@ from .result import BearingResult, StandingResult
 from .routes.balance import balanced
 from .routes.routes import own_warm
 
-START = 300 * 6894.757  # Pa
+START = 300 * f.PSI
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
 
 

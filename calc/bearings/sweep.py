@@ -27,6 +27,7 @@ class Sweep:
     rises: tuple[float, ...]
     films: tuple[float, ...]
     friction: tuple[float, ...]
+    thinnest: int | None  # the row
     thinnest_speed: float | None
     thinnest_film: float | None
     rated: float
@@ -34,10 +35,10 @@ class Sweep:
 
     def why(self, place: str) -> str:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
-        if self.thinnest_speed is None or self.thinnest_film is None:
+        if self.thinnest is None or self.thinnest_speed is None or self.thinnest_film is None:
             return ""
         last = max(i for i, film in enumerate(self.films) if np.isfinite(film))
-        here = self.speeds.index(self.thinnest_speed)
+        here = self.thinnest
         if last == here:
             return ""
         fastest = f"{self.speeds[last] * 60:.0f} rpm, whose oil comes at {self.temperatures[last]:.1f} °C"
@@ -68,7 +69,7 @@ def sweep_points(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: 
     )
 
 
-def sweep(rated: float, inputs: BearingsInputs, at: Duty, film: Film) -> Sweep:
+def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: Duty, film: Film) -> Sweep:
     """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not govern."""
     speeds: Any = at.speed
     temperatures: Any = at.supply_temperature
@@ -82,8 +83,8 @@ def sweep(rated: float, inputs: BearingsInputs, at: Duty, film: Film) -> Sweep:
     return Sweep(
         tuple(speeds.tolist()), tuple(temperatures.tolist()), tuple(pressures.tolist()), tuple(rises.tolist()), tuple(h_0.tolist()),
         tuple(power.tolist()),
-        float(speeds[least]) if found else None, float(governing[least]) if found else None, rated,
-        inputs.speed_range is None,
+        least if found else None, float(speeds[least]) if found else None, float(governing[least]) if found else None, rated,
+        inputs.speed_range is None and bench,
     )  # fmt: skip
 
 

@@ -89,7 +89,7 @@ def _emergency_advice(material: BearingMaterial) -> str:
 
 
 def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPerSecond, life: Second | None) -> str:
-    """How often the turning load presses on the seat, how hard, and what is known of the material's fatigue."""
+    """How often the load that comes round at `n` presses on the seat, how hard, and what is known of the material's fatigue."""
     from .formulas import load_cycles
 
     often = f"{short(n * 3600.0, 3)} times an hour"
@@ -97,8 +97,8 @@ def fatigue_note(place: str, material: BearingMaterial, p_max: Pascal, n: RevPer
         cycles = load_cycles(n=n, L=life)
         often = f"{short(cycles, 3)} times in {short(UNITS['h'].shown(life))} h"
     return (
-        f"{place.capitalize()} bearing: the load turns with the shaft, so every point of the seat ({material.title}) sees the "
-        f"largest film pressure, {short(UNITS['MPa'].shown(p_max), 3)} MPa, once a turn: {often}. Fatigue: {material.fatigue}."
+        f"{place.capitalize()} bearing: the load passes every point of the seat ({material.title}), which sees the largest film "
+        f"pressure, {short(UNITS['MPa'].shown(p_max), 3)} MPa, once a round: {often}. Fatigue: {material.fatigue}."
     )
 
 

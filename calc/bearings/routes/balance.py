@@ -23,6 +23,8 @@ from .states import Duty, Film, OutsideBalance, Seat, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
+PROBES = (10.0, 50.0, 150.0)  # K: rises at which a film is looked for whose oil is too thick without any
+HALVINGS = 20
 ITERATION_LIMIT = 60
 
 
@@ -38,8 +40,9 @@ def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> 
 
     with untraced():
         try:
-            high = min(2 * excess(0.0) + 1e-6, HOTTEST)
-            rise = root(excess, 0.0, _reachable(excess, high), tolerance=tolerance)
+            low = _begins(excess)
+            high = min(low + 2 * excess(low) + 1e-6, HOTTEST)
+            rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
             raise NoSolution(*_reason(duty, error)) from None
     return route(seat, duty, rise)
@@ -69,9 +72,36 @@ def _reason(duty: Duty, error: ValueError) -> tuple[str, str, str]:
     return f"no film carries {at}", str(error), "lower the load, lengthen the bearing, or take a thicker oil"
 
 
-def _reachable(excess: Callable[[float], float], high: float) -> float:
+def _begins(excess: Callable[[float], float]) -> float:
+    """The lowest rise that has an answer with heat left over: none, else where oil that is too thick for the table has warmed enough."""
+    try:
+        excess(0.0)
+        return 0.0
+    except FilmRangeError as nearly_centred:
+        if "l/d" in nearly_centred.quantity or nearly_centred.value < nearly_centred.low:
+            raise
+        above = next((rise for rise in PROBES if _answers(excess, rise)), None)
+        if above is None:
+            raise
+        below = 0.0
+        for _ in range(HALVINGS):
+            middle = (below + above) / 2
+            below, above = (below, middle) if _answers(excess, middle) else (middle, above)
+        if excess(above) <= 0:  # what the thick oil makes of heat is carried away before it is in the table
+            raise
+        return above
+
+
+def _answers(excess: Callable[[float], float], rise: float) -> bool:
+    try:
+        excess(rise)
+    except (FilmRangeError, Seized):
+        return False
+    return True
+
+
+def _reachable(excess: Callable[[float], float], low: float, high: float) -> float:
     """An upper end of the bracket at which the route still has an answer and the excess is negative."""
-    low = 0.0
     for _ in range(40):
         try:
             if excess(high) <= 0:
@@ -102,14 +132,14 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
 
     with untraced(), np.errstate(all="ignore"):
         low = np.zeros(shape)
-        f_low = excess(low)
-        high = np.minimum(2 * f_low + 1e-6, HOTTEST)
+        low, f_low = _first(excess, low, excess(low))
+        high = np.minimum(low + 2 * f_low + 1e-6, HOTTEST)
         f_high = excess(high)
         short = f_high > 0
         if short.any():
             high = np.where(short, HOTTEST, high)
             f_high = excess(high)
-        lost = ~np.isfinite(f_low) | (f_high > 0)
+        lost = ~np.isfinite(f_low) | (f_low <= 0) | (f_high > 0)
         before = np.full(shape, None)
         for _ in range(ITERATION_LIMIT):
             finite = np.isfinite(f_high)
@@ -128,6 +158,28 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
             f_low, f_high = np.where(above, f_x, f_low * shrink), np.where(above, f_high * shrink, f_x)
             low, high = np.where(above, x, low), np.where(above, high, x)
         return _only(film, ~lost & (np.abs(f_x) <= 1e-3 * (1 + x)))
+
+
+def _first(excess: Callable[[Array], Array], low: Array, f_low: Array) -> tuple[Array, Array]:
+    """The same lower ends as `_begins` for all points at once; nan stays where there is none."""
+    missing = ~np.isfinite(f_low)
+    above, f_above = np.full(low.shape, np.nan), np.full(low.shape, np.nan)
+    if missing.any():
+        for rise in PROBES:
+            f = excess(np.where(missing, rise, low))
+            found = missing & np.isnan(above) & np.isfinite(f)
+            above, f_above = np.where(found, rise, above), np.where(found, f, f_above)
+    there = np.isfinite(above)
+    if not there.any():
+        return low, f_low
+    below = np.zeros(low.shape)
+    for _ in range(HALVINGS):
+        middle = (below + above) / 2
+        f = excess(np.where(there, middle, low))
+        answers = there & np.isfinite(f)
+        above, f_above = np.where(answers, middle, above), np.where(answers, f, f_above)
+        below = np.where(answers, below, middle)
+    return np.where(there, above, low), np.where(there, f_above, f_low)
 
 
 def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:

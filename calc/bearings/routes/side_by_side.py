@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The four routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its range."""
 
+from math import pi
+
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.trace import about
 from .. import formulas as f
+from ..film.table import eccentricity_from
 from .balance import balanced
 from .raimondi_boyd import OutsideCharts
 from .routes import Route, din31652, own_cold, raimondi_boyd, short_bearing
@@ -18,7 +21,6 @@ ROUTES: dict[str, tuple[str, Route]] = {
     "din31652": ("DIN 31652", din31652),
     "short_bearing": ("short bearing", short_bearing),
 }
-CHARTS = (1.0, 0.5, 0.25)  # l/d at which the charts of 1958 were computed
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
 
@@ -35,9 +37,10 @@ class Side:
     @property
     def outside(self) -> dict[str, str]:
         """The routes further off than the spread that is allowed, each with the reason."""
-        return {name: reason(name, self.films[name], self.ratio) for name, far in self.deviations.items() if far > SPREAD}
+        return {name: reason(name, self) for name, far in self.deviations.items() if far > SPREAD}
 
-    ratio: float
+    ratio: float  # l/d of the film
+    whole: float  # l/d of the bearing, which the source's methods take
 
 
 def side_by_side(place: str, seat: Seat, duty: Duty, ratio: float) -> Side:
@@ -52,14 +55,23 @@ def side_by_side(place: str, seat: Seat, duty: Duty, ratio: float) -> Side:
                 silent[name] = str(outside)
     own = films.get("reynolds")
     deviations = {} if own is None else {n: f.film_deviation(h_0=r.film, reference=own.film) for n, r in films.items() if r is not own}
-    return Side(films, deviations, max(deviations.values(), default=None), silent, ratio)
+    whole = seat.bearing.length / seat.bearing.diameter
+    return Side(films, deviations, max(deviations.values(), default=None), silent, ratio, whole)
 
 
-def reason(name: str, film: Film, ratio: float) -> str:
-    """Why a route may be far off here."""
+def reason(name: str, side: Side) -> str:
+    """Why a route is far off here: in its film at the same Sommerfeld number, or else in its flow and so its oil's temperature."""
+    film, ratio = side.films[name], side.ratio
+    if name != "short_bearing" and ratio < side.whole * (1 - 1e-9):
+        return "it takes the whole length, where the groove parts the film"
+    own = side.films["reynolds"]
+    S = 1 / (2 * pi * film.sommerfeld) if name == "din31652" else film.sommerfeld
+    exact = 1 - float(eccentricity_from(S, ratio, outside="nan"))
+    if exact > 0 and abs((1 - film.eccentricity) / exact - 1) < side.deviations[name] / 2:
+        hotter = "hotter" if film.temperature_rise > own.temperature_rise else "cooler"
+        return f"its flow is {film.oil_flow * 6e4:.3g} against {own.oil_flow * 6e4:.3g} L/min, which leaves its oil {hotter}"
     if name == "raimondi_boyd":
-        between = " and not at one of the charts' 1, ½, ¼" if not any(abs(ratio - chart) < 1e-3 for chart in CHARTS) else ""
-        return f"its cubic in d/l errs between the charts: l/d is {ratio:.3g}{between}"
+        return f"its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio:.3g}"
     if name == "din31652":
         branch = "above" if film.sommerfeld > 1 else "below"
         return f"Falz's two branches meet only at l/d = {FALZ_MEETS:g}: l/d is {ratio:.3g}, So = {film.sommerfeld:.3g} lies {branch} 1"

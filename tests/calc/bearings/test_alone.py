@@ -69,3 +69,45 @@ def test_another_speed_than_the_engine_s_wants_its_own_loads(gamma):
     with pytest.raises(BadInput) as caught:
         design(gamma.with_value("bearings.speed_rpm", 2000.0))
     assert "bearings.speed_rpm" in {error.key for error in caught.value.errors}
+
+
+@pytest.mark.parametrize("changes, rise, film", [
+    # oil that is too thick for the table until it has warmed; rise [K] and film [µm] from an independent solution of the balance
+    ({"supply_temperature_C": -20.0}, 109.5, 25.5), ({"front__load_N": 20.0}, 55.8, None),
+])  # fmt: skip
+def test_oil_that_is_thick_at_first_warms_to_its_balance(changes, rise, film):
+    found = solve(design(alone(**changes))).outcomes["bearings"]
+    assert found.state == "solved", found.reason
+    front = found.result.bearings["front"]
+    assert front.temperature_rise == pytest.approx(rise, rel=0.01)
+    assert front.hot.friction_power == pytest.approx(front.hot.oil.rho * front.hot.oil.cp * front.oil_flow * front.temperature_rise)
+    if film:
+        assert front.film * 1e6 == pytest.approx(film, rel=0.01)
+
+
+def test_a_corner_with_thick_oil_is_no_corner_without_film():
+    """100 N: the tight corner with thicker oil runs at 83 K above its supply and 23.2 µm (independent solution)."""
+    corners = solve(design(alone(front__load_N=100.0))).outcomes["bearings"].result.bearings["front"].corners
+    films, outlets = corners.columns["film"], corners.columns["outlet_temperature"]
+    assert films[outlets.argmax()] * 1e6 == pytest.approx(23.2, rel=0.01)
+    assert outlets.max() - 60 == pytest.approx(83, rel=0.01)
+
+
+def test_where_load_and_surfaces_hardly_drag_the_film_the_transition_fails():
+    """Load at 0.55 of the journal's speed: the film is that of 150 rpm, though the journal turns at 1500."""
+    found = {c.id: c for c in solve(design(alone(load_speed_ratio=0.55))).outcomes["bearings"].checks}
+    assert found["bearings.front.transition"].value == pytest.approx(150)
+    assert found["bearings.front.transition"].verdict == "fail"
+
+
+def test_a_bush_that_turns_makes_the_sliding_speed():
+    """u, p·u and the shear are those of journal on bush, |n_J − n_B|."""
+    r = solve(design(alone(bush_speed_ratio=5.0))).outcomes["bearings"].result.bearings["front"]
+    assert r.surface_speed == pytest.approx(3.141592653589793 * 0.06 * 25 * 4)
+    assert r.shear_rate == pytest.approx(r.surface_speed / r.film)
+
+
+def test_shear_thinning_is_a_matter_of_multigrades():
+    plain = {c.id for c in solve(design(alone())).outcomes["bearings"].checks}
+    multi = {c.id for c in solve(design(alone(oil="10W-40"))).outcomes["bearings"].checks}
+    assert "bearings.front.shear_rate" in multi - plain

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from calc.bearings.corners import widths
+from calc.bearings.corners import limits
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.states import Seat
@@ -25,7 +25,8 @@ def test_without_fits_the_band_is_it7_of_both(gamma_results):
     """Ø59.5: IT7 30 µm, Ø81: 35 µm; half of each tolerance to either side makes ±30 and ±35 µm."""
     for place, width in (("front", 30e-6), ("rear", 35e-6)):
         r = gamma_results.outcomes["bearings"].result.bearings[place]
-        assert widths(r.seat.inputs, r.seat.bearing.diameter) == pytest.approx((width, width))
+        for low, high in limits(r.seat.inputs, r.seat.bearing.diameter, r.clearance):
+            assert high - low == pytest.approx(width)
         assert r.corners.clearance_min == pytest.approx(r.clearance - width)
         assert r.corners.clearance_max == pytest.approx(r.clearance + width)
 
@@ -94,3 +95,12 @@ def test_a_corner_without_film_fails_and_does_not_end_the_step(gamma):
     found = outcome(gamma, front__length_mm=8.0, viscosity_tolerance_percent=50.0, seat_fit="H9", journal_fit="IT9")
     assert found.state == "solved"
     assert {c.id: c.verdict for c in found.checks}["bearings.front.film_double_load_corner"] == "fail"
+
+
+def test_fits_with_letters_make_the_corners_whatever_clearance_is_given(gamma):
+    """H7/f7 at Ø59.5 makes 30 to 90 µm, and no other: a given middle of 88 µm moves the judged film, not the corners."""
+    document = gamma.with_value("bearings.front.clearance_factor", None).with_value("bearings.front.clearance_um", 88.0)
+    r = front(outcome(document, seat_fit="H7", journal_fit="f7"))
+    assert r.clearance == pytest.approx(88e-6)
+    assert (r.corners.clearance_min, r.corners.clearance_max) == pytest.approx((30e-6, 90e-6))
+    assert sorted(set(np.round(r.corners.columns["clearance"] * 1e6, 6))) == pytest.approx([30, 60, 90])

@@ -1,0 +1,71 @@
+"""The four routes side by side: what each finds, how far off it is, and why."""
+
+import pytest
+
+from calc.bearings.routes.side_by_side import ROUTES
+from calc.design_file import design
+from calc.solve import solve
+
+
+def outcome(document, **changes):
+    for key, value in changes.items():
+        document = document.with_value("bearings." + key.replace("__", "."), value)
+    return solve(design(document)).outcomes["bearings"]
+
+
+@pytest.mark.parametrize("changes, place, film, rise, power", [
+    # 1710 N, clearance as given; film [µm], rise [K], power [W] from an independent solution of Reynolds' equation and of the balance
+    ({}, "rear", 12.22, 8.56, 186.2),
+    ({"supply": "groove", "groove_width_mm": 0.0}, "rear", 6.71, 3.90, 251.4),
+    ({}, "front", 10.38, 6.22, 91.6),
+    ({"supply": "groove", "groove_width_mm": 0.0}, "front", 5.81, 3.68, 119.5),
+])  # fmt: skip
+def test_the_own_solution_on_the_clearance_as_given(gamma, changes, place, film, rise, power):
+    r = outcome(gamma, front__load_N=1710.0, rear__load_N=1710.0, **changes).result.bearings[place].reynolds
+    assert r.film * 1e6 == pytest.approx(film, abs=0.006)
+    assert r.temperature_rise == pytest.approx(rise, abs=0.006)
+    assert r.friction_power == pytest.approx(power, abs=0.06)
+
+
+def test_all_four_have_their_row(gamma_results):
+    found = gamma_results.outcomes["bearings"]
+    table = next(t for t in found.tables if t.id == "routes_front")
+    assert [row[0] for row in table.rows] == [title for title, _ in ROUTES.values()]
+    r = found.result.bearings["front"]
+    for name, row in zip(ROUTES, table.rows):
+        assert row[1] == pytest.approx(getattr(r, name).film * 1e6)
+
+
+def test_the_spread_is_the_farthest_from_reynolds(gamma_results):
+    r = gamma_results.outcomes["bearings"].result.bearings["front"]
+    films = [getattr(r, name).film for name in ROUTES if name != "reynolds"]
+    assert r.routes_spread == pytest.approx(max(abs(h / r.reynolds.film - 1) for h in films))
+
+
+def test_the_warning_says_who_is_off_and_why(gamma_results):
+    found = {c.id: c for c in gamma_results.outcomes["bearings"].checks}
+    front, rear = (found[f"bearings.{place}.routes_spread"].advice for place in ("front", "rear"))
+    assert "DIN 31652 is −14 % off: Falz's two branches" in front and "short bearing is +18 % off" in front
+    assert "Raimondi" not in front
+    assert "Raimondi & Boyd is −15 % off: its cubic in d/l" in rear
+
+
+def test_a_route_whose_flow_is_another_is_told_by_its_flow(gamma):
+    """At l/d = ½ the cubic is the chart itself: what is off is the flow of a groove alone, and so the oil's temperature."""
+    document = gamma.with_value("bearings.front.length_mm", 29.75).with_value("bearings.supply_pressure_bar", 0.4)
+    advice = {c.id: c for c in outcome(document).checks}["bearings.front.routes_spread"].advice
+    assert "Raimondi & Boyd" in advice and "its flow is" in advice and "cubic" not in advice
+
+
+def test_a_groove_is_unknown_to_the_source_s_methods(gamma):
+    found = outcome(gamma, supply="groove", groove_width_mm=4.0)
+    advice = {c.id: c for c in found.checks}["bearings.front.routes_spread"].advice
+    assert "takes the whole length, where the groove parts the film" in advice
+    wrong = next(e for e in found.errata if e.about == "bearings.front.din31652.film")
+    assert wrong.source_value == pytest.approx(13.2, abs=0.05)
+
+
+def test_a_route_outside_its_charts_has_no_value_and_a_note(gamma):
+    found = outcome(gamma, front__length_mm=12.0)
+    assert found.result.bearings["front"].raimondi_boyd is None
+    assert any("Raimondi & Boyd gives no value here" in note for note in found.notes)
