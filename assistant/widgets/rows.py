@@ -15,6 +15,7 @@ from calc.sheet.step import Step
 
 from ..places import Place
 
+FURTHER = Quantity("table", "Further")
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 
 
@@ -37,9 +38,13 @@ def rows(step: Step, data: Table, chosen: Mapping[Place, int], held: Sequence[Pl
 
 
 def _rows(cls: type, data: Any, place: Place, chosen: Mapping[Place, int], held: Sequence[Place], there: bool) -> Iterator[Row]:
+    behind = False  # a table: what follows is the step's own again
     for key, known in keys(cls).items():
         about, here = known.about, (*place, key)
         content = data.get(key) if isinstance(data, dict) else None
+        if about.kind not in ("table", "tables") and behind:
+            yield Row("heading", place, FURTHER)
+        behind = about.kind in ("table", "tables")
         if about.kind == "table":
             yield from _table(about, content, here, chosen, held, there)
         elif about.kind == "tables":
