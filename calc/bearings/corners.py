@@ -11,6 +11,7 @@ import numpy as np
 from ..fits import deviations, parse, tolerance
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
+from ..sheet.trace import about
 from ..sheet.units import Celsius, Metre, Radian
 from . import formulas as f
 from .inputs import BearingsInputs
@@ -72,8 +73,8 @@ def _corners(seat: Seat) -> tuple[Any, Any]:
     return np.array(g), np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
-def corners(seat: Seat, duty: Duty, slope: Radian, film: Film) -> Corners:
-    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line."""
+def corners(seat: Seat, duty: Duty, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
+    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line, under the name of the `bearing`."""
     (ei, es), (EI, ES) = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     if parse(seat.inputs.journal_fit).letter is None or parse(seat.inputs.seat_fit).letter is None:
         least = f.least_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
@@ -109,9 +110,12 @@ def corners(seat: Seat, duty: Duty, slope: Radian, film: Film) -> Corners:
         factor = f.viscosity_factor(t_nu=seat.inputs.viscosity_tolerance, o=float(o))
         return own_warm(replace(seat, clearance=clearance, viscosity_factor=factor), at, float(rise[points][worst]))
 
-    thinnest = solved("film_edge", duty, once)
-    doubled = solved("film_double_load", replace(duty, load=2 * duty.load), twice)
-    hottest = solved("outlet_temperature", duty, once)
+    with about(f"{bearing}, thinnest corner"):
+        thinnest = solved("film_edge", duty, once)
+    with about(f"{bearing}, thinnest corner at twice the load"):
+        doubled = solved("film_double_load", replace(duty, load=2 * duty.load), twice)
+    with about(f"{bearing}, hottest corner"):
+        hottest = solved("outlet_temperature", duty, once)
     edge = math.nan if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=seat.bearing.length)
     outlet = math.nan if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
     return Corners(

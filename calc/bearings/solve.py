@@ -161,7 +161,7 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
     asked = corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty)
     at_corners, over_speeds, over_clearance = settled_together(asked)
     with about(f"{place} bearing, corners of the tolerances"):
-        found = corners(seat, duty, slope, at_corners)
+        found = corners(seat, duty, slope, at_corners, f"{place} bearing")
     swept = sweep(speed, inputs, bool(bench), asked[1][1], over_speeds)
     with about(f"{place} bearing, speed of the thinnest film"):
         thinnest = _thinnest(seat, duty, swept)
