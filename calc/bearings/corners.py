@@ -74,7 +74,8 @@ def _corners(seat: Seat) -> tuple[Any, Any]:
 
 
 def corners(seat: Seat, duty: Duty, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
-    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line, under the name of the `bearing`."""
+    """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line,
+    under the name of the `bearing`."""
     (ei, es), (EI, ES) = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     if parse(seat.inputs.journal_fit).letter is None or parse(seat.inputs.seat_fit).letter is None:
         least = f.least_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
