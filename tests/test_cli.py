@@ -342,7 +342,7 @@ def test_a_table_is_printed_with_aligned_columns():
     body = lines[rule + 1 : -1]
     edges = [i + 1 for i, c in enumerate(lines[rule]) if c == "─" and lines[rule][i + 1 : i + 2] in (" ", "")]
     starts = [i for i, c in enumerate(lines[rule]) if c == "─" and lines[rule][i - 1] == " "]
-    for number, column in (("572.921", 1), ("30", 2), ("−1.25·10⁻⁷", 2), ("∞", 1), ("not a number", 1)):
+    for number, column in (("572.921", 1), ("30", 2), ("−1.25·10⁻⁷", 2), ("∞", 1), ("no value", 1)):
         (line,) = [line for line in body if f" {number}" in line]
         assert line.index(number) + len(number) == edges[column]
     for words, column in (("none", 0), ("turns back", 3), ("shaft", 0), ("–", 3)):

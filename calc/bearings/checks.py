@@ -254,7 +254,7 @@ def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
             SHEAR_THINNING,
             "1/s",
             "onset of the thinning of polymer-thickened oils, as generally published",
-"A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner oil.",
+            "A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner oil.",
             kind="advice",
         )
     yield from _corner_checks(at, where, r, inputs)
@@ -322,6 +322,7 @@ def _corner_checks(at: str, where: str, r: "BearingResult", inputs: BearingsInpu
         id = "temperature" if name == "outlet_temperature" else name
         corner = c.worst(name)
         yield check(
-            f"{at}.{id}_corner", f"{title} at the worst corner{where}", number, sense, limit, unit, f"{source}; corner: {corner}",
+            f"{at}.{id}_corner", f"{title} at the worst corner{where}", math.nan if number is None else number, sense, limit, unit,
+            f"{source}; corner: {corner}",
             f"Worst corner: {corner}. {advice}", kind=kind,
         )  # fmt: skip

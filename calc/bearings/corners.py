@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The corners of the tolerances: smallest and largest journal, smallest and largest seat, thinner and thicker oil, each solved."""
 
-import math
 from dataclasses import replace
 from itertools import product
 from typing import Any
@@ -26,15 +25,15 @@ NAMES = tuple(f"{j} journal, {s} seat, {o} oil" for (j, _), (s, _), (o, _) in CO
 
 @result
 class Corners:
-    """The worst of the eight corners, each quantity for itself; nan: a corner has no film."""
+    """The worst of the eight corners, each quantity for itself; None: a corner has no film."""
 
     clearance_min: Metre = value("Smallest clearance of the fits", "µm", "g_min")
     clearance_max: Metre = value("Largest clearance of the fits", "µm", "g_max")
     clearance_cold: Metre = value("Smallest clearance at the lowest temperature", "µm", "g_cold")
-    film: Metre = value("Thinnest film of the corners", "µm", "h_0")
-    film_edge: Metre = value("Thinnest film at the edge of the corners", "µm", "h_edge")
-    film_double_load: Metre = value("Thinnest film at twice the load of the corners", "µm", "h_2F")
-    outlet_temperature: Celsius = value("Hottest outlet of the corners", "°C", "T_out")
+    film: Metre | None = value("Thinnest film of the corners", "µm", "h_0")
+    film_edge: Metre | None = value("Thinnest film at the edge of the corners", "µm", "h_edge")
+    film_double_load: Metre | None = value("Thinnest film at twice the load of the corners", "µm", "h_2F")
+    outlet_temperature: Celsius | None = value("Hottest outlet of the corners", "°C", "T_out")
     names: tuple[str, ...]
     columns: dict[str, Any]  # one array over the corners for each quantity above and more
 
@@ -117,15 +116,15 @@ def corners(seat: Seat, duty: Duty, slope: Radian, film: Film, bearing: str = "b
         doubled = solved("film_double_load", replace(duty, load=2 * duty.load), twice)
     with about(f"{bearing}, hottest corner"):
         hottest = solved("outlet_temperature", duty, once)
-    edge = math.nan if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=seat.bearing.length)
-    outlet = math.nan if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
+    edge = None if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=seat.bearing.length)
+    outlet = None if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
     return Corners(
         clearance_min=least,
         clearance_max=most,
         clearance_cold=replace(seat, clearance=least).clearance_at(seat.inputs.lowest_temperature),
-        film=math.nan if thinnest is None else thinnest.film,
+        film=None if thinnest is None else thinnest.film,
         film_edge=edge,
-        film_double_load=math.nan if doubled is None else doubled.film,
+        film_double_load=None if doubled is None else doubled.film,
         outlet_temperature=outlet,
         names=NAMES,
         columns=columns,

@@ -13,7 +13,7 @@ def parts(number: float, digits: int = DIGITS) -> tuple[str, int | None]:
     """A number as its written mantissa and its power of ten (None where it is written without one)."""
     number = float(number)
     if not math.isfinite(number):
-        return ("∞" if number > 0 else "−∞" if number < 0 else "not a number"), None
+        return ("∞" if number > 0 else "−∞" if number < 0 else "no value"), None
     rounded = float(f"{number:.{digits}g}")
     if rounded == 0 or 1e-2 <= abs(rounded) < 1e5:
         text = f"{rounded:.12g}"

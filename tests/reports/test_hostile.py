@@ -94,4 +94,4 @@ def test_values_that_are_no_numbers() -> None:
     pdf = with_engine(curves=curves, checks=checks, errata=errata).report("audit")
     inside(pdf)
     read = text_of(pdf)
-    assert "not a number" in read and "no number" in read and "Somebody 1999" in read
+    assert "no value" in read and "no number" in read and "Somebody 1999" in read

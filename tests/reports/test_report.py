@@ -64,7 +64,7 @@ def test_every_state_and_verdict_has_its_sign_and_word() -> None:
     outcomes["friction"] = Outcome("friction", "blocked", reason="waits for Gears")
     outcomes["bearings"] = Outcome("bearings", "not_asked")
     read = text_of(Solved(example.raw, example.document, Results(example.results.design, outcomes)).report())
-    for words in ("✓ pass", "▲ warn", "✗ fail", "✗ no solution", "○ blocked", "· not asked", "not a number", "no number"):
+    for words in ("✓ pass", "▲ warn", "✗ fail", "✗ no solution", "○ blocked", "· not asked", "no value", "no number"):
         assert words in read
     assert "no centre distance; tried 60 to 90 mm" in read and "waits for Gears" in read
     assert "the design file has no table [bearings]" in read

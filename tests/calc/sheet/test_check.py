@@ -40,7 +40,7 @@ def test_the_worst_of_several():
 
 @pytest.mark.parametrize("number, text", [
     (0.0, "0"), (1710.0, "1710"), (0.0062, "6.2·10⁻³"), (572.932, "572.9"), (0.0595, "0.0595"), (1045072.6, "1.045·10⁶"), (-0.5, "−0.5"),
-    (99999.0, "1·10⁵"), (math.inf, "∞"), (math.nan, "not a number"), (2e-300, "2·10⁻³⁰⁰"), (1e4, "10000"), (-3e-9, "−3·10⁻⁹"),
+    (99999.0, "1·10⁵"), (math.inf, "∞"), (math.nan, "no value"), (2e-300, "2·10⁻³⁰⁰"), (1e4, "10000"), (-3e-9, "−3·10⁻⁹"),
 ])  # fmt: skip
 def test_numbers_as_people_write_them(number, text):
     assert short(number) == text
