@@ -6,17 +6,22 @@ What can be chosen for a step stands in `choose_STEP.py`: what it NEEDS and WHY,
 
 import json
 import sys
+import textwrap
 from argparse import Namespace
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
+from difflib import get_close_matches
 from importlib import import_module
 from pathlib import Path
 
-from assistant.commands.set import edit
-from assistant.plain import table_json, table_lines
-from calc.design_file import design, read
+from assistant.commands.check import changed
+from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
+from assistant.saving import edited_text, write_asked
+from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.step import Table
+from calc.solve import TITLES, solve
 
 CHOICES = {
     "engine": "firing orders, the one that leaves least first",
@@ -27,21 +32,29 @@ CHOICES = {
 
 @dataclass(frozen=True)
 class Offer:
-    """What was found: how many rows, the table of the first of them, and for each row (from 1) the keys to write and what is then said."""
+    """What was found: how many rows, the table of the first of them, and for each row (from 1) the keys to write and what is then said.
+
+    `summary`: lines under the table's title; `notes`: a list behind all tables; `hidden`: which rows are not among the first.
+    """
 
     count: int
     table: Callable[[int], Table]
     changes: Callable[[int], list[str]]
     said: Callable[[int], str]
     hint: str
-    beside: Callable[[], tuple[Table, ...]] = tuple  # further tables
+    beside: Callable[[int], tuple[Table, ...]] = lambda top: ()  # further tables, beside so many rows of the first
+    summary: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+    hidden: Callable[[int], str] = lambda top: ""
 
 
 def run(asked: Namespace) -> int:
     if asked.step not in CHOICES:
         known = ", ".join(f"{step} ({what})" for step, what in CHOICES.items())
+        near = get_close_matches(asked.step, CHOICES, 1)
+        meant = f"did you mean {near[0]}? " if near else ""
         raise BadInput(
-            "contralbero choose", [InputError(0, "STEP", asked.step, f"there is nothing to choose here yet; there is for {known}")]
+            "contralbero choose", [InputError(0, "STEP", asked.step, f"{meant}there is nothing to choose here; there is for {known}")]
         )
     document = read(asked.file)
     made = design(document)
@@ -64,17 +77,51 @@ def run(asked: Namespace) -> int:
         except NoSolution as none:
             print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
             return 3
-        edit(Path(asked.file), document, changes)
-        print(f"\n{asked.file} {offer.said(asked.apply)}; as it was before: {asked.file}.bak")
+        _write(Path(asked.file), document, changes, asked.step, offer.said(asked.apply))
         return 0
     table = offer.table(asked.top)
     if asked.json:
-        beside = {one.id: table_json(one) for one in offer.beside()}
+        beside = {one.id: table_json(one) for one in offer.beside(asked.top)}
         found = {"schema": 1, "step": asked.step, **table_json(table), **({"tables": beside} if beside else {})}
+        found |= {key: said for key, said in (("summary", offer.summary), ("notes", offer.notes)) if said}
         print(json.dumps(found, ensure_ascii=False, indent=1))
         return 0
-    print("\n".join(table_lines(table)))
-    for one in offer.beside():
+    title, *lines = table_lines(table)
+    print(title)
+    for words in offer.summary:
+        print("\n".join(textwrap.wrap(words, LINE)))
+    print("\n".join(([""] if offer.summary else []) + lines))
+    if hidden := offer.hidden(asked.top):
+        print(f"  {hidden}")
+    for one in offer.beside(asked.top):
         print("\n" + "\n".join(table_lines(one)))
+    if offer.notes:
+        print()
+    for words in offer.notes:
+        print("\n".join(textwrap.wrap(words, LINE, initial_indent="- ", subsequent_indent="  ", break_long_words=False)))
     print(f"\n{offer.hint}")
     return 0
+
+
+def _write(path: Path, document: Document, changes: list[str], step: str, said: str) -> None:
+    """Put a row into the file and say so; then the verdicts, the warnings of this step, and whatever fails."""
+    before = document.raw.decode("utf-8")
+    _, made = changed(document, changes)
+    text = edited_text(before, dict(parse_assignment(change) for change in changes))
+    write_asked(path, text)
+    print(f"{path} {said}; as it was before: {path}.bak")
+    for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
+        print(f"A comment went with its key: {comment}")
+    results = solve(made)
+    print()
+    for key, outcome in results.outcomes.items():
+        if key != step and outcome.state != "not_asked":
+            reason = f"  {outcome.reason}" if outcome.reason else ""
+            print(f"{TITLES[key]:<14} {sign(outcome.verdict)}{reason}")
+            print("".join(f"  {check_line(c)}\n" for c in outcome.checks if c.verdict == "fail"), end="")
+    print_summary(results, step)
+
+
+def _comments(text: str) -> list[str]:
+    """What stands behind a # in each line, wherever the line itself is a string."""
+    return [line[line.index("#") :].strip() for line in text.splitlines() if "#" in line]

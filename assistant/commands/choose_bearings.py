@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Bearings to choose from: lengths, clearances, oils and supplies that keep every rule at the worst corner of the tolerances."""
+"""Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the worst corner."""
 
 from assistant.commands.choose import Offer
-from calc.bearings.choosing.search import confirmed, search
-from calc.bearings.choosing.tables import changed, changes, choices_table, neighbours_table, pareto_table
+from calc.bearings.choosing.said import hidden, notes, summary
+from calc.bearings.choosing.search import search
+from calc.bearings.choosing.settling import confirmed
+from calc.bearings.choosing.tables import beyond_table, changed, changes, choices_table, neighbours_table, pareto_table
 from calc.choosing import bearings_case
 from calc.design import Design
 from calc.sheet.errors import NoSolution
+from calc.sheet.step import Table
 
 NEEDS = ("bearings",)
 WHY = "there is nothing to choose a bearing for"
@@ -25,18 +28,26 @@ def offer(made: Design, file: str) -> Offer:
             settled = confirmed(case, row, found.slopes[0])
             if settled.row is None:
                 raise NoSolution(f"row {number} does not pass", settled.why, "take another row")
-        return changes(row, own.oil, own.supply)
+        return changes(row, own)
 
-    def said(number: int) -> str:
+    def written(number: int) -> str:
         row = found.all[number - 1]
         oil = f"{row.variant.oil}, {row.variant.supply}"
-        return f"now has the bearings of row {number} ({changed(row) or 'lengths and clearances as they were'}; {oil}): {row.power:.4g} W"
+        words = f"now has the bearings of row {number} ({changed(row) or 'lengths and clearances as they were'}; {oil}): {row.power:.4g} W"
+        return words + ("; its journals are too long for their room" if any(row.too_long) else "")
+
+    def beside(top: int) -> tuple[Table, ...]:
+        too_long = beyond_table(found, top)
+        return (*((too_long,) if too_long else ()), neighbours_table(found), pareto_table(found))
 
     return Offer(
         count=len(found.all),
         table=lambda top: choices_table(found, top),
         changes=taken,
-        said=said,
-        hint="`--apply N` writes the N-th row, of the Pareto set too, into the design; `--top N` shows more.",
-        beside=lambda: (neighbours_table(found), pareto_table(found)),
+        said=written,
+        hint="`--apply N` writes the N-th row, of every table with numbers, into the design.",
+        beside=beside,
+        summary=summary(found),
+        notes=notes(found),
+        hidden=lambda top: hidden(found, top),
     )

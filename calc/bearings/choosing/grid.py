@@ -6,6 +6,7 @@ apart, and taken between them by a cubic in ln l (below 1e-4 off); what is offer
 """
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -19,13 +20,13 @@ from ..corners import widths
 from ..inputs import BearingInputs
 from ..routes import supply
 from .rules import LEAST_COLD, Judged
-from .states import States, Task, judge, margins, solved
+from .states import States, Task, judge, solved
 from .variants import HALF_MILLIMETRE, SUPPLIES, Variant
 
 CLEARANCE_STEP = 5e-6
 SAME = 1e-10  # m
-WIDEST = 2.5e-3  # of the diameter, where the usual ones leave too little oil; rule of this program
-FEW = 4  # steps, where the cold clearance leaves none of the usual; rule of this program
+WIDEST = 2.5e-3  # of the diameter, where the usual ones leave too little oil, or the cold none of them; rule of this program
+FEW = 4  # steps beyond the least that must be left when cold, whatever the widest; rule of this program
 USUAL_FACTORS = keys(BearingInputs)["clearance_factor"].about.usual or (0.0, 1.0)  # K, after Finotti 2013, 5.5.2
 APART = math.log(1.1)  # between the lengths that are solved
 KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
@@ -45,9 +46,31 @@ class Field:
         return judge(self.task, self.states, slope)
 
     def holds(self, slope: Radian) -> Any:
-        """Which candidates keep the rules on the film, whatever their heat and size."""
-        found = [one.margin for one in self.judged(slope) if one.rule.key in OF_FILM and one.rule.key not in OF_HEAT]
+        """Which candidates keep the rules on the film that smoother surfaces do not help, whatever their heat and size."""
+        found = [one.margin for one in self.judged(slope) if one.rule.key in OF_FILM and one.rule.key not in (*OF_HEAT, "film_edge")]
         return np.min(found, axis=0) >= 0
+
+    def hot(self, slope: Radian) -> bool:
+        """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the film."""
+        return any(bool((one.margin < 0).any()) for one in self.judged(slope) if one.rule.key in OF_HEAT)
+
+    def in_room(self) -> "Field | None":
+        """The lengths alone that the shaft leaves room for; None: there is none."""
+        longest = self.task.room.longest
+        if longest is None:
+            return self
+        s, n = self.states, int((self.states.length[0] <= longest + SAME).sum())
+        if n == s.length.shape[1]:
+            return self
+        return replace(self, states=States(*(getattr(s, name)[..., :n] for name in States.__dataclass_fields__))) if n else None
+
+    def smoother(self) -> "list[Field]":
+        """The same with its own surfaces, and with ever smoother ones."""
+        return [replace(self, task=task) for task in self.task.smoother()]
+
+    def of(self, twin: Task) -> "Field":
+        """The same for another bearing that is alike."""
+        return replace(self, task=twin.with_oil(self.variant.lubricant, self.variant.supply, self.variant.fits))
 
     def change(self) -> Any:
         """From the design: the sum of the relative changes of length, clearance and diameter; rule of this program."""
@@ -56,13 +79,21 @@ class Field:
         return np.where(moved < 1e-9, 0.0, moved) + abs(task.seat.bearing.diameter / task.diameter - 1)
 
 
+def alike(one: Task, other: Task) -> bool:
+    """Whether two bearings have the same candidates with the same films."""
+    return (
+        vars(one.duty) == vars(other.duty) and vars(one.seat.bearing) == vars(other.seat.bearing)
+        and (one.length, one.clearance, one.room.longest, one.corners) == (other.length, other.clearance, other.room.longest, other.corners)
+    )  # fmt: skip
+
+
 def passing(found: list[Judged]) -> Any:
     """Which candidates keep every rule."""
     return np.all([one.margin >= (KEPT if one.rule.key in OF_FILM else 0.0) for one in found], axis=0)
 
 
-def lengths(task: Task) -> Array:
-    """Whole half millimetres within the usual l/d and the room, and the design's own."""
+def lengths(task: Task, in_room: bool = False) -> Array:
+    """Whole half millimetres within the usual l/d, where asked those in the room alone, and the design's own."""
     inputs, d = task.seat.inputs, task.seat.bearing.diameter
     usual = task.rules["length_ratio_usual"].check.limit
     assert isinstance(usual, tuple)
@@ -70,20 +101,23 @@ def lengths(task: Task) -> Array:
     lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0
     shortest, longest = (lands * share * d + lost for share in usual)
     shortest = max(shortest, (getattr(inputs, SUPPLIES[inputs.supply]) or 0.0) + HALF_MILLIMETRE)
-    if task.room.binds and task.room.longest is not None:
+    if in_room and task.room.longest is not None:
         longest = min(longest, task.room.longest)
     steps = np.arange(math.ceil(shortest / HALF_MILLIMETRE - 1e-6), math.floor(longest / HALF_MILLIMETRE + 1e-6) + 1)
     own = [task.length] if shortest <= task.length <= longest else []
     return _with(steps * HALF_MILLIMETRE, own)
 
 
-def clearances(task: Task, widest: Metre) -> Array:
-    """Whole 5 µm from the least that must be left when cold, a few at least, up to the widest, and the design's own."""
+def clearances(task: Task, widest: Metre, few: int = 0) -> Array:
+    """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's own."""
     seat, d = task.seat, task.seat.bearing.diameter
     T_J, T_S = widths(seat.inputs, d)
     shrinks = seat.clearance - seat.clearance_at(seat.inputs.lowest_temperature)
-    narrowest = LEAST_COLD + shrinks + (T_J + T_S) / 2
-    widest = max(widest, task.clearance) if widest >= narrowest else narrowest + FEW * CLEARANCE_STEP
+    half = (T_J + T_S) / 2
+    narrowest = shrinks + (LEAST_COLD + half if task.corners else max(LEAST_COLD, half))
+    if widest < narrowest and not few:
+        return np.array([])
+    widest = max(widest, task.clearance, narrowest + few * CLEARANCE_STEP)
     steps = np.arange(max(math.ceil(narrowest / CLEARANCE_STEP - 1e-6), 1), math.floor(widest / CLEARANCE_STEP + 1e-6) + 1)
     own = [task.clearance] if narrowest <= task.clearance else []
     return _with(steps * CLEARANCE_STEP, own)
@@ -100,30 +134,26 @@ def _with(steps: Any, own: list[float]) -> Array:
     return np.sort(np.append([x for x in steps if all(abs(x - number) > SAME for number in own)], own))
 
 
-def field(task: Task, variant: Variant, slope: Radian) -> Field | None:
-    """With clearances wider than the usual ones where these leave too little oil; None where no length is left to look at."""
-    at = task.with_oil(variant.lubricant, variant.supply)
-    usual = _field(at, variant, clearances(at, widest_usual(at)))
-    if usual is None:
-        return _field(at, variant, clearances(at, 0.0))
-    found = usual.judged(slope)
-    best = int(margins(found).argmax())
-    stopped = min(found, key=lambda one: float(one.margin.flat[best]))
-    if passing(found).any() or stopped.rule.key not in OF_HEAT:
+def field(task: Task, variant: Variant, slope: Radian, in_room: bool = False) -> Field | None:
+    """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may thin the film
+    too; None where no length is left to look at."""
+    at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
+    l = lengths(at, in_room)
+    usual = _field(at, variant, l, clearances(at, widest_usual(at)))
+    if usual is not None and (not usual.hot(slope) or passing(usual.judged(slope)).any()):
         return usual
-    return _field(at, variant, clearances(at, WIDEST * at.seat.bearing.diameter)) or usual
+    return _field(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
 
 
-def _field(at: Task, variant: Variant, g: Array) -> Field | None:
-    l = lengths(at)
+def _field(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
     if not l.size or not g.size:
         return None
     spread = math.log(l[-1] / l[0])
     nodes = max(math.ceil(spread / APART) + 1, 4)
     if l.size <= nodes:
-        return Field(at, variant, solved(at, l, g[:, None]))
+        return Field(at, variant, solved(at, l, g[:, None], all_rises=False))
     x = np.linspace(0.0, spread, nodes)
-    few = solved(at, l[0] * np.exp(x), g[:, None])
+    few = solved(at, l[0] * np.exp(x), g[:, None], all_rises=False)
     first, weights = _cubic(x, np.log(l / l[0]))
 
     def between(numbers: Any) -> Any:

@@ -14,7 +14,7 @@ from ...sheet.record import record
 from ...sheet.units import CubicMetrePerSecond, Kelvin, Metre, Number, Radian, Watt
 from .grid import Field, passing
 from .rules import Judged
-from .states import ONCE, STATES, TWICE, States, Task, judge, margins, mckee, solved
+from .states import STATES, States, Task, judge, margins, mckee, solved
 from .variants import PLACES, Variant
 
 ALIKE = 0.1  # W: powers that are taken for equal, so that the smaller change goes first
@@ -55,7 +55,7 @@ class Pick:
 
 @record
 class Row:
-    """Both bearings with one oil and supply.  `what`: now, nearest, least power, more film."""
+    """Both bearings with one oil and supply.  `what`: now, nearest, least power, too long, more film."""
 
     what: str
     variant: Variant
@@ -83,6 +83,22 @@ class Row:
     def change(self) -> Number:
         return sum(one.change for one in self.both)
 
+    @property
+    def corners(self) -> bool:
+        """Whether it is judged at the corners of the tolerances, or as given."""
+        return all(one.task.corners for one in self.both)
+
+    @property
+    def level(self) -> int:
+        """By how many steps the surfaces of both are smoother."""
+        return sum(one.task.level for one in self.both)
+
+    @property
+    def too_long(self) -> tuple[Metre, Metre]:
+        """By how much each journal is longer than its room; 0: it fits, or its room is not known."""
+        front, rear = (max(one.length - one.task.room.longest, 0.0) if one.task.room.longest else 0.0 for one in self.both)
+        return front, rear
+
 
 def picks(task: Task, length: Any, clearance: Any, slope: Radian) -> list[Pick]:
     """Bearings of one task, solved together; length and clearance are lists of the same length."""
@@ -97,19 +113,33 @@ def _pick(task: Task, there: States, found: list[Judged], marks: Any, i: int) ->
     governing, state = min(found, key=lambda one: float(one.margin[i])).at(i)
     return Pick(
         task, float(there.length[i]), float(there.clearance[i]), float(there.power[i]), float(there.flow[i]),
-        float(by_key["film_edge"].value[i]) * 1e-6, float(there.film[TWICE, i].min()), float(there.rise[ONCE, i].max()), float(marks[i]),
+        float(by_key["film_edge"].value[i]) * 1e-6, float(by_key["film_double_load"].value[i]) * 1e-6,
+        float(by_key["temperature_rise"].value[i]), float(marks[i]),
         float(margins(found)[i]), tuple(one.at(i)[0] for one in found), governing, STATES[state][0] if state > 0 else "",
     )  # fmt: skip
 
 
 def least_power(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
-    """Of one oil and supply; the smaller change where powers are alike.  None where one of both has no candidate."""
-    return _both(fields, slopes, lambda one: (np.round(one.states.power / ALIKE), one.change()))
+    """Of one oil and supply; surfaces as they are before smoother ones, the smaller change where powers are alike.
+
+    None where one of both has no candidate.
+    """
+    return _both(fields, slopes, _by_power)
+
+
+def shortest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
+    """The least length beyond the room; the least power where that is the same."""
+
+    def order(one: Field) -> tuple[Any, Any]:
+        room = one.task.room.longest
+        return (0 * one.states.length if room is None else np.maximum(one.states.length - room, 0.0)), one.states.power
+
+    return _both(fields, slopes, order)
 
 
 def nearest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
     """The smallest change from the design that keeps every rule; the least power where changes are the same."""
-    return _both(fields, slopes, lambda one: (np.round(one.change(), 9), one.states.power))
+    return _both(fields, slopes, _by_change)
 
 
 def _both(fields: Fields, slopes: Slopes, order: Any) -> tuple[Pick, Pick] | None:
@@ -117,21 +147,51 @@ def _both(fields: Fields, slopes: Slopes, order: Any) -> tuple[Pick, Pick] | Non
     return None if found[0] is None or found[1] is None else (found[0], found[1])
 
 
+def rank_of_nearest(fields: Fields, slopes: Slopes) -> tuple[int, float, float] | None:
+    """Level of the surfaces, change and power of the nearest, as the grids have them; None: there is none."""
+    both = [_best(fields[place], slopes[place], _by_change) for place in PLACES]
+    if both[0] is None or both[1] is None:
+        return None
+    (level_1, change_1, power_1), (level_2, change_2, power_2) = both[0][0], both[1][0]
+    return level_1 + level_2, change_1 + change_2, power_1 + power_2
+
+
+def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
+    """Those that need least power; None where a bearing has no candidate."""
+    both = {place: _best(fields[place], slopes[place], _by_power) for place in PLACES}
+    there = {place: one[1].task.seat.bearing.diameter for place, one in both.items() if one}
+    return there if len(there) == len(PLACES) else None
+
+
+def _by_power(one: Field) -> tuple[Any, Any]:
+    return np.round(one.states.power / ALIKE), one.change()
+
+
+def _by_change(one: Field) -> tuple[Any, Any]:
+    return np.round(one.change(), 9), one.states.power
+
+
 def _one(fields: Sequence[Field], slope: Radian, order: Any) -> Pick | None:
-    best: tuple[Any, Field, Any] | None = None
+    best = _best(fields, slope, order)
+    if best is None:
+        return None
+    _, field, index = best
+    return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
+
+
+def _best(fields: Sequence[Field], slope: Radian, order: Any) -> tuple[tuple[int, float, float], Field, Any] | None:
+    """Rank, field and place of the first by an order."""
+    best: tuple[tuple[int, float, float], Field, Any] | None = None
     for field in fields:
         passes = passing(field.judged(slope))
         if not passes.any():
             continue
         first, second = (np.where(passes, numbers, np.inf) for numbers in order(field))
         index = np.unravel_index(np.lexsort((second.ravel(), first.ravel()))[0], passes.shape)
-        rank = (float(first[index]), float(second[index]))
+        rank = (field.task.level, float(first[index]), float(second[index]))
         if best is None or rank < best[0]:
             best = rank, field, index
-    if best is None:
-        return None
-    _, field, index = best
-    return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
+    return best
 
 
 def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
@@ -191,6 +251,8 @@ def _steps(fields: Sequence[Field], slope: Radian) -> tuple[Any, ...] | None:
         powers.append(field.states.power[passes])
         owners.append(np.full(int(passes.sum()), n))
         places.append(np.argwhere(passes))
+    if not films:
+        return None
     film, power, owner, place = (np.concatenate(x) for x in (films, powers, owners, places))
     if not film.size:
         return None

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long the journals may be beside the sectors, as far as the shaft is known.
 
-A journal grows to both sides of its place.  Where the envelope or the outline of the shaft is given, its room is a limit; where the
-outline is put together from the masses, it is only said by how much the drawn sector would have to give way.
+A journal grows to both sides of its place.  Its room binds, whether the outline of the shaft is given, sized, or put together from the
+masses; what is longer is offered apart, since the sectors would have to give way.
 """
 
 from ...countershaft.inputs import CountershaftInputs
@@ -16,11 +16,14 @@ SAME = 1e-6  # m: a stretch of the shaft this much thinner than the journal is s
 
 @record
 class Room:
-    """The longest journal that fits; None: not known.  `binds`: the room is given, not drawn from assumptions."""
+    """The longest journal that fits; None: not known."""
 
     longest: Metre | None
-    binds: bool
     why: str
+
+
+def short_mm(length: Metre) -> str:
+    return short(round(length * 1e3, 2))
 
 
 def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, place: str, d: Metre) -> Room:
@@ -29,21 +32,21 @@ def room(given: CountershaftInputs | None, shaft: CountershaftResult | None, pla
     The gear stands against the front journal and moves with it, unless its place is given.
     """
     if given is None:
-        return Room(None, False, "no counter-shaft is given, so that the room for the journals is not known")
+        return Room(None, "no counter-shaft is given, so that the room for the journals is not known")
     at = 0 if place == "front" else -1
     z = given.bearing_positions[at]
     if given.mode == "size" and given.half_length is not None:
-        return Room(2 * (abs(z) - given.half_length), True, f"the sectors reach to ±{given.half_length * 1e3:g} mm (half_length_mm)")
+        return Room(2 * (abs(z) - given.half_length), f"the sectors reach to ±{given.half_length * 1e3:g} mm (half_length_mm)")
     if given.sections:
         return _of_sections(given, z, d)
     if shaft is None or shaft.outline is None:
-        return Room(None, False, "the outline of the shaft is not known, and so neither is the room for the journals")
+        return Room(None, "the outline of the shaft is not known, and so neither is the room for the journals")
     own = next((p for p in shaft.outline.pieces if p.what == "journal" and p.start <= z <= p.end), None)
     fixed = ("sector", "full", "journal") if given.gear_z is None else ("sector", "full", "journal", "gear")
     faces = [min(abs(z - p.start), abs(z - p.end)) for p in shaft.outline.pieces if p.what in fixed and p is not own]
     if not faces:
-        return Room(None, False, "nothing stands beside the journal")
-    return Room(2 * min(faces), False, f"a sector drawn from its mass begins {short(min(faces) * 1e3)} mm from the {place} one's middle")
+        return Room(None, "nothing stands beside the journal")
+    return Room(2 * min(faces), f"a sector drawn from its mass begins {short(min(faces) * 1e3)} mm from the {place} one's middle")
 
 
 def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> Room:
@@ -52,10 +55,10 @@ def _of_sections(given: CountershaftInputs, z: Metre, d: Metre) -> Room:
     wide = [not row.half_angle and row.outer_radius >= d / 2 - SAME for row in rows]
     here = next((i for i, row in enumerate(rows) if row.from_ <= z <= row.to), None)
     if here is None or not wide[here]:
-        return Room(None, False, "the given sections have no cylinder of the journal's diameter at its place")
+        return Room(None, "the given sections have no cylinder of the journal's diameter at its place")
     first = last = here
     while first > 0 and wide[first - 1]:
         first -= 1
     while last + 1 < len(rows) and wide[last + 1]:
         last += 1
-    return Room(2 * min(z - rows[first].from_, rows[last].to - z), True, "the shaft's sections leave no more")
+    return Room(2 * min(z - rows[first].from_, rows[last].to - z), "the shaft's sections leave no more")

@@ -14,7 +14,6 @@ import numpy as np
 from ...sheet.check import Check, check
 from ...sheet.record import record
 from ...sheet.units import UNITS, Kelvin, Metre
-from .room import Room
 
 LARGEST_RISE: Kelvin = 15.0
 LEAST_COLD: Metre = 20e-6
@@ -53,7 +52,7 @@ class Judged:
         return replace(self.rule.check, value=value, limit=limit), int(np.broadcast_to(self.state, self.margin.shape)[index])
 
 
-def rules(place: str, checks: Iterable[Check], room: Room) -> dict[str, Rule]:
+def rules(place: str, checks: Iterable[Check]) -> dict[str, Rule]:
     """The constraints of one bearing, by their key, from the checks of a solved design."""
     known = {c.id: c for c in checks}
     found = {}
@@ -72,12 +71,7 @@ def rules(place: str, checks: Iterable[Check], room: Room) -> dict[str, Rule]:
     )
     cold = known[f"{at}.clearance_cold"]
     found["clearance_cold"] = Rule("clearance_cold", check(cold.id, cold.name, 0.0, ">=", LEAST_COLD, "µm", OWN, cold.advice))
-    if room.binds and room.longest is not None:
-        found["room"] = Rule(
-            "room",
-            check(f"{at}.room", "Length in the room that the shaft leaves" + where, 0.0, "<=", room.longest, "mm", room.why,
-                  "Shorter sectors, or bearings further apart."),
-        )  # fmt: skip
+    found["clearance_cold_corner"] = Rule("clearance_cold_corner", known[f"{at}.clearance_cold_corner"])
     return found
 
 

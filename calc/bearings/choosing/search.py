@@ -1,54 +1,81 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The search itself: inputs and results in, rows to choose from out.  What is offered has been through the whole solution once more."""
+"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole solution once more.
 
-from collections.abc import Iterable
+In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by closer fits; then
+what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and beside it what is too long for the room.
+"""
+
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import Any
+from itertools import islice
 
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
 from ...sheet.record import record
-from ...sheet.units import Radian
-from ..inputs import BearingsInputs
+from ...sheet.units import Metre, Radian
 from .case import Case
-from .grid import Field, field
-from .ranking import Fields, Pick, Row, Slopes, closest, least_power, nearest, pareto, picks
+from .grid import Field, alike, field, passing
+from .ranking import (
+    Fields,
+    Pick,
+    Row,
+    Slopes,
+    best_diameters,
+    closest,
+    least_power,
+    nearest,
+    pareto,
+    picks,
+    rank_of_nearest,
+    shortest,
+)
+from .room import short_mm
+from .settling import Settled, said, settle, slopes_of
 from .states import Task
-from .variants import PLACES, Variant, tasks, tied, variants
+from .variants import PLACES, Variant, closer_fits, crossings, placed, tasks, tied, variants
 
-TRIES = 3  # of a row whose slopes, read again from the shaft's bending, stop it
-CORNER = "_corner"  # how the checks at the worst corner are called; where the fits are assumed, they only advise
-VERIFIED = 6  # rows that are solved as whole designs before they are shown; the others when they are taken
+VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
+NEAREST = 3  # that are tried as whole designs, until one holds
+
+Every = Sequence[tuple[Variant, Fields]]
+Thin = dict[tuple[str, str, float], float]  # by supply, place and diameter: viscosity of oils whose film passes nowhere
 
 
 @record
 class Found:
-    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply, then the Pareto set.
+    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply; they fit the shaft.
 
+    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner; "none".
+    `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`.
     `now`: the design as it is, None where it has no film.  `refused`: variants without a row, with what stops them.
     `slopes`: those of the design, then those that the solved rows were judged with.  `diameters`: what is done about them, in words.
-    `elsewhere`: by row number, limits of other steps that fail with it and did not before.
+    `elsewhere`: by row number, limits of other steps that fail with it and did not before.  `crossing`: what overlaps now.
+    `placed`: whether the fits of the design have a place.
     """
 
+    kind: str
     now: Row | None
     rows: tuple[Row, ...]
+    beyond: tuple[Row, ...]
     pareto: tuple[Row, ...]
     tasks: dict[str, list[Task]]
     variants: tuple[Variant, ...]
     slopes: tuple[dict[str, Radian], ...]
-    diameters: str
+    diameters: tuple[str, ...]
     refused: tuple[tuple[Variant, str], ...]
     dropped: tuple[str, ...]
     elsewhere: dict[int, tuple[Check, ...]]
+    crossing: tuple[Check, ...]
+    placed: bool
     verified: int
 
     @property
     def all(self) -> tuple[Row, ...]:
-        return (*self.rows, *self.pareto)
+        return (*self.rows, *self.beyond, *self.pareto)
 
     def slopes_of_row(self, number: int) -> dict[str, Radian]:
-        return self.slopes[number if number < len(self.slopes) else 0]
+        return self.slopes[number if number <= self.verified else 0]
 
 
 def search(case: Case) -> Found:
@@ -56,28 +83,138 @@ def search(case: Case) -> Found:
 
     Raises NoSolution where nothing keeps all rules, with what comes nearest and what stops it.
     """
-    bearings, offered, slopes = tasks(case), variants(case), slopes_of(case, case.results)
-    too_thin: dict[tuple[str, str, int], float] = {}
-    every = [(variant, fields_of(variant, bearings, slopes, supply=offered[0].supply, too_thin=too_thin)) for variant in offered]
-    kept: list[tuple[Variant, Fields]] = []
-    best: list[Row] = []
-    refused: list[tuple[Variant, str]] = []
-    dropped: list[Settled] = []
-    for variant, fields in every:
-        pair = least_power(fields, slopes)
-        if pair is None:
-            refused.append((variant, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(variant, too_thin)))
-        else:
-            kept.append((variant, fields))
-            best.append(Row("least power", variant, *pair))
-    if not best:
+    bearings, offered, slopes = tasks(case), variants(case), slopes_of(case)
+    too_thin: Thin = {}
+    every: list[tuple[Variant, Fields]] = []
+    of_oil: dict[str, dict[str, Metre]] = {}
+    for variant in offered:
+        there = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
+        every.append((variant, there))
+        if variant.supply == offered[0].supply and (best := best_diameters(there, slopes)) is not None:
+            of_oil[variant.oil] = best
+    dropped: list[str] = []
+    of: Every = []
+    kind, of = "all", [(variant, in_room(fields, slopes)) for variant, fields in every]
+    rows = _settled(case, of, slopes, dropped)
+    for closer in () if rows else closer_fits(case.bearings):
+        kind, of = "fits", _short([replace(one, fits=closer) for one in offered], bearings, slopes)
+        rows = _settled(case, of, slopes, dropped)
+        if rows:
+            break
+    if not rows and not case.bearings.fits_given:
+        as_given = {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
+        kind, of = "given", _short(offered, as_given, slopes)
+        rows = _settled(case, of, slopes, dropped)
+    found = [one.row for one in rows if one.row is not None]
+    own = {id(row.variant) for row in found} if kind == "all" else set()
+    pairs = ((variant, shortest(fields, slopes)) for variant, fields in every if id(variant) not in own)
+    beyond = [row for variant, pair in pairs if pair for row in (Row("too long", variant, *pair),) if any(row.too_long)]
+    beyond.sort(key=lambda row: (max(row.too_long), row.power))
+    if not found and not beyond:
+        if dropped:
+            what = "no bearings pass once the whole design is solved with them"
+            raise NoSolution(what, "; ".join(dropped[:2]), "stiffen the shaft, or widen its envelope")
         raise _nothing(every, slopes)
-    first = nearest(every[0][1], slopes)
-    rows: list[Settled] = []
-    if first is not None:
-        settled = settle(case, Row("nearest", offered[0], *first), every[0][1], slopes)
-        (rows if settled.row is not None else dropped).append(settled)
+    shown = {id(row.variant) for row in (*found, *beyond)}
+    refused = [
+        (v, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(v, too_thin))
+        for v, fields in every if id(v) not in shown
+    ]  # fmt: skip
+    verified = min(len(rows), VERIFIED)
+    return Found(
+        kind if found else "none", as_is(bearings, offered[0], slopes), tuple(found), tuple(beyond),
+        tuple(pareto(of if found else every, slopes)), bearings, tuple(offered), (slopes, *(one.slopes for one in rows[:verified])),
+        _diameters(case, bearings, found), tuple(refused), tuple(dropped),
+        {number: one.broken for number, one in enumerate(rows, 1) if one.broken}, tuple(crossings(case.results)),
+        placed(case.bearings) is not None, verified,
+    )  # fmt: skip
+
+
+def nearest_passing(case: Case) -> Row | None:
+    """The smallest change that fits and keeps every rule with the design's oil, supply and fits; None: there is none."""
+    variant, slopes = variants(case)[0], slopes_of(case)
+    fields = in_room(fields_of(variant, tasks(case), slopes, short=True), slopes)
+    pair = nearest(fields, slopes)
+    return None if pair is None else settle(case, Row("nearest", variant, *pair), fields, slopes).row
+
+
+def fields_of(
+    variant: Variant, bearings: dict[str, list[Task]], slopes: Slopes, *, too_thin: Thin | None = None, short: bool = False
+) -> dict[str, list[Field]]:
+    """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
+
+    `short`: only lengths in the room, and no rear bearing where no front one has a film that passes.
+    """
+    known = too_thin if too_thin is not None else {}
+    found: dict[str, list[Field]] = {place: [] for place in PLACES}
+    for place in PLACES:
+        held = False
+        for task in bearings[place]:
+            key, mu = (variant.supply, place, task.seat.bearing.diameter), variant.lubricant.at(task.duty.supply_temperature).mu
+            if mu < known.get(key, 0.0):
+                continue
+            twin = next(
+                (one for one in found["front"] if place == "rear" and alike(one.task, task) and slopes["front"] == slopes["rear"]), None
+            )
+            made = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
+            if made is None:
+                continue
+            found[place].append(made)
+            if made.holds(slopes[place]).any():
+                held = True
+            elif not made.hot(slopes[place]):
+                known[key] = max(mu, known.get(key, 0.0))
+        if short and not held:
+            break
+    return found
+
+
+def _promising(bearings: dict[str, list[Task]], best: dict[str, Metre] | None) -> dict[str, list[Task]]:
+    """Of all diameters the design's own and, where it is known, the one that needs least power with the design's supply."""
+    if best is None:
+        return bearings
+    return {place: [t for n, t in enumerate(some) if n == 0 or t.seat.bearing.diameter == best[place]] for place, some in bearings.items()}
+
+
+def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[Field]]:
+    """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate passes."""
+    found: dict[str, list[Field]] = {place: [] for place in PLACES}
+    for place in PLACES:
+        for one in (inside for outside in fields[place] if (inside := outside.in_room()) is not None):
+            levels = one.smoother() if one.holds(slopes[place]).any() else [one]
+            first = next((n for n, level in enumerate(levels, 1) if passing(level.judged(slopes[place])).any()), 1)
+            found[place] += islice(levels, first)
+    return found
+
+
+def _short(offered: Sequence[Variant], bearings: dict[str, list[Task]], slopes: Slopes) -> Every:
+    """Of every variant what fits, and that alone."""
+    thin: Thin = {}
+    return [(variant, in_room(fields_of(variant, bearings, slopes, too_thin=thin, short=True), slopes)) for variant in offered]
+
+
+def _settled(case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str]) -> list[Settled]:
+    """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs.
+
+    Preferred is what changes sizes alone, then oil, then supply, then surfaces.
+    """
     by_variant = {id(variant): fields for variant, fields in every}
+    best = [Row("least power", variant, *pair) for variant, fields in every if (pair := least_power(fields, slopes)) is not None]
+    near = []
+    for variant in (row.variant for row in best):
+        rank = rank_of_nearest(by_variant[id(variant)], slopes)
+        if rank is not None:
+            level, change, power = rank
+            near.append((level, variant.supply != case.bearings.supply, variant.oil != case.bearings.oil, change, power, variant))
+    rows: list[Settled] = []
+    for *_, variant in sorted(near, key=lambda one: one[:5])[:NEAREST]:
+        pair = nearest(by_variant[id(variant)], slopes)
+        assert pair is not None
+        settled = settle(case, Row("nearest", variant, *pair), by_variant[id(variant)], slopes)
+        if settled.row is not None:
+            rows.append(settled)
+            break
+        dropped.append(settled.why)
     waiting = [Settled(row, slopes) for row in best]
     done: list[Settled] = []
     while waiting and len(rows) < VERIFIED:
@@ -89,157 +226,42 @@ def search(case: Case) -> Found:
             continue
         settled = settle(case, one.row, by_variant[id(one.row.variant)], slopes)
         if settled.row is None:
-            dropped.append(settled)
+            dropped.append(settled.why)
         else:
             done.append(settled)
             waiting.append(settled)
-    if not rows:
-        what = "no bearings pass once the whole design is solved with them"
-        raise NoSolution(what, "; ".join(one.why for one in dropped[:2]), "stiffen the shaft, or widen its envelope")
-    shown = tuple(one.row for one in (*rows, *sorted(waiting, key=_rank)) if one.row is not None)
-    return Found(
-        as_is(bearings, offered[0], slopes), shown, tuple(pareto(kept, slopes)), bearings, tuple(offered),
-        (slopes, *(one.slopes for one in rows)), _diameters(case, bearings), tuple(refused), tuple(one.why for one in dropped),
-        {number: one.broken for number, one in enumerate(rows, 1) if one.broken}, len(rows),
-    )  # fmt: skip
+    return [*rows, *sorted(waiting, key=_rank)] if rows else []
 
 
-def _rank(one: "Settled") -> tuple[float, float]:
+def _rank(one: Settled) -> tuple[int, float, float]:
+    """Smoother surfaces are the dearer ones; then power."""
     assert one.row is not None
-    return one.row.power, one.row.change
+    return one.row.level, one.row.power, one.row.change
 
 
-def nearest_passing(case: Case) -> Row | None:
-    """The smallest change of lengths and clearances that keeps every rule, with the design's oil and supply; None: there is none."""
-    variant, slopes = variants(case)[0], slopes_of(case, case.results)
-    fields = fields_of(variant, tasks(case), slopes, supply=variant.supply)
-    pair = nearest(fields, slopes)
-    return None if pair is None else settle(case, Row("nearest", variant, *pair), fields, slopes).row
-
-
-def fields_of(
-    variant: Variant,
-    bearings: dict[str, list[Task]],
-    slopes: Slopes,
-    *,
-    supply: str,
-    too_thin: dict[tuple[str, str, int], float] | None = None,
-) -> dict[str, list[Field]]:
-    """Other diameters are looked at with the design's own supply only.
-
-    `too_thin`: by supply, place and diameter the viscosity of oils whose film passes nowhere; a thinner one is not looked at any more.
-    """
-    known = too_thin if too_thin is not None else {}
-    found: dict[str, list[Field]] = {place: [] for place in PLACES}
-    for place in PLACES:
-        for n, task in enumerate(bearings[place] if variant.supply == supply else bearings[place][:1]):
-            key, mu = (variant.supply, place, n), variant.lubricant.at(task.duty.supply_temperature).mu
-            if mu < known.get(key, 0.0):
-                continue
-            made = field(task, variant, slopes[place])
-            if made is None:
-                continue
-            found[place].append(made)
-            if not made.holds(slopes[place]).any():
-                known[key] = max(mu, known.get(key, 0.0))
-    return found
-
-
-def slopes_of(case: Case, results: Any, before: dict[str, Radian] | None = None) -> dict[str, Radian]:
-    """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never was."""
-    own = case.bearings
-    if own.slope is not None:
-        return {"front": own.slope[0], "rear": own.slope[-1]}
-    shaft = results.outcomes["countershaft"].result
-    if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
-        return before or dict.fromkeys(PLACES, 0.0)
-    return {"front": shaft.slope_front, "rear": shaft.slope_rear}
-
-
-def with_row(own: BearingsInputs, row: Row) -> BearingsInputs:
-    """The design's bearings as a row has them."""
-    made: dict[str, Any] = {}
-    for place, one in zip(PLACES, row.both):
-        b = getattr(own, place)
-        if one.clearance != one.task.clearance or one.diameter != one.task.diameter:
-            b = replace(b, clearance=one.clearance, clearance_factor=None)
-        made[place] = replace(b, length=one.length, diameter=one.diameter)
-    return replace(own, oil=row.variant.oil, supply=row.variant.supply, **made)
-
-
-@record
-class Settled:
-    """A row after the whole solution: as it is then judged, with the slopes read there, and the limits of other steps that it breaks.
-
-    `row` None: it does not pass, and `why`.
-    """
-
-    row: Row | None
-    slopes: dict[str, Radian]
-    broken: tuple[Check, ...] = ()
-    why: str = ""
-
-
-def confirmed(case: Case, row: Row, slopes: dict[str, Radian]) -> Settled:
-    """A row through the whole solution, as it stands."""
-    before = {c.id for c in case.results.checks() if c.verdict == "fail"}
-    made = case.solve(with_row(case.bearings, row))
-    there = made.outcomes["bearings"]
-    again = slopes_of(case, made, slopes)
-    front, rear = (_again(one, again[place]) for place, one in zip(PLACES, row.both))
-    failing = [c for c in there.checks if c.verdict == "fail" or (c.id.endswith(CORNER) and c.verdict != "pass" and not c.margin >= 0)]
-    failing += [one.governing for one in (front, rear) if one.margin < 0]
-    if there.state != "solved" or failing:
-        why = said(failing[0]) if failing else there.reason
-        return Settled(None, again, (), f"{row.variant.oil}, {row.variant.supply}: {why}")
-    others = (c for key, o in made.outcomes.items() if key != "bearings" for c in o.checks)
-    return Settled(replace(row, front=front, rear=rear), again, tuple(c for c in others if c.verdict == "fail" and c.id not in before))
-
-
-def settle(case: Case, row: Row, fields: Fields, slopes: dict[str, Radian]) -> Settled:
-    """A row through the whole solution; where the slopes that are read there stop it, it is chosen anew with them."""
-    choose = nearest if row.what == "nearest" else least_power
-    found = confirmed(case, row, slopes)
-    for _ in range(TRIES):
-        if found.row is not None:
-            break
-        slopes = {place: max(slopes[place], found.slopes[place]) for place in PLACES}
-        pair = choose(fields, slopes)
-        if pair is None:
-            break
-        found = confirmed(case, replace(row, front=pair[0], rear=pair[1]), slopes)
-    return found
-
-
-def _again(one: Pick, slope: Radian) -> Pick:
-    return picks(one.task, [one.length], [one.clearance], slope)[0]
-
-
-def _diameters(case: Case, bearings: dict[str, list[Task]]) -> str:
-    """What ties them, or which were looked at."""
+def _diameters(case: Case, bearings: dict[str, list[Task]], rows: Sequence[Row]) -> tuple[str, ...]:
+    """What ties them, or which were looked at, and where the best row stands at their end."""
     words = []
-    for place in PLACES:
+    for n, place in enumerate(PLACES):
         if len(bearings[place]) == 1:
-            words.append(f"{place} as it is ({tied(case, case.results, place) or 'no other has an answer'})")
-        else:
-            looked = sorted(task.seat.bearing.diameter for task in bearings[place])
-            words.append(f"{place} free, {short(looked[0] * 1e3)} to {short(looked[-1] * 1e3)} mm looked at in {len(looked)} steps")
-    return "; ".join(words) + "."
+            words.append(f"The {place} diameter stays as it is: {tied(case, case.results, place) or 'no other has an answer'}.")
+            continue
+        looked = sorted(task.seat.bearing.diameter for task in bearings[place])
+        said = f"The {place} diameter is free: {', '.join(short_mm(d) for d in looked)} mm are looked at, nothing between."
+        ends = {row.both[n].diameter for row in rows[:2]} & {looked[0], looked[-1]}
+        if ends:
+            said += f" {short_mm(ends.pop())} mm, in the first rows, is the end of it: beyond may be better."
+        words.append(said)
+    return tuple(words)
 
 
-def as_is(bearings: dict[str, list[Task]], variant: Variant, slopes: dict[str, Radian]) -> Row | None:
+def as_is(bearings: dict[str, list[Task]], variant: Variant, slopes: Slopes) -> Row | None:
     """The design as it stands, judged by the same rules; None where a bearing has no film."""
     both = []
     for place in PLACES:
         task = bearings[place][0].with_oil(variant.lubricant, variant.supply)
         both += picks(task, [task.length], [task.clearance], slopes[place])
     return Row("now", variant, *both) if all(one.power == one.power for one in both) else None
-
-
-def said(check: Check) -> str:
-    """`film at the edge, front, 8.2 µm, needs ≥ 9 µm`."""
-    value = f"{short(check.value)} {check.unit}".rstrip() if check.value == check.value else "no film"
-    return f"{check.name[0].lower()}{check.name[1:]}: {value}, needs {check.limit_text()}"
 
 
 def _stopped(both: tuple[Pick, Pick] | None) -> str:
@@ -249,14 +271,14 @@ def _stopped(both: tuple[Pick, Pick] | None) -> str:
     return f"{said(worse.governing)} at {short(worse.length * 1e3)} mm and {short(worse.clearance * 1e6)} µm"
 
 
-def _left_out(variant: Variant, too_thin: dict[tuple[str, str, int], float]) -> str:
+def _left_out(variant: Variant, too_thin: Thin) -> str:
     """Why a variant was not even looked at."""
     if any(supply == variant.supply for supply, _, _ in too_thin):
         return "a thicker oil has too thin a film already"
     return _stopped(None)
 
 
-def _nothing(every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian]) -> NoSolution:
+def _nothing(every: Every, slopes: Slopes) -> NoSolution:
     """What comes nearest over all oils and supplies, and what stops it."""
     best = [(min(one.margin for one in both), variant, both) for variant, fields in every if (both := closest(fields, slopes)) is not None]
     if not best:

@@ -3,9 +3,12 @@
 
 import re
 from dataclasses import replace
+from functools import lru_cache
 from typing import Any
 
+from ... import fits
 from ...lubricant import Lubricant
+from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Outcome
@@ -20,16 +23,22 @@ ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or
 SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}
 DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
 HALF_MILLIMETRE = 0.5e-3
+SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
+FINEST = 5  # IT grade of a ground journal; closer ones are not asked for; rule of this program
 PROBES = ((0.5, 1.5e-3), (0.5, 2.5e-3), (0.75, 1.5e-3), (0.75, 2.5e-3), (0.3, 1.5e-3))  # l/d and ψ; rule of this program
 
 
 @record
 class Variant:
-    """An oil and a way to supply it."""
+    """An oil and a way to supply it.  `fits`: closer ones of journal and seat; None: the design's own."""
 
     oil: str
     supply: str
     lubricant: Lubricant
+    fits: tuple[str, str] | None = None
+
+    def __str__(self) -> str:
+        return f"{self.oil}, {self.supply}" + (f", {'/'.join(self.fits)}" if self.fits else "")
 
 
 def tasks(case: Case) -> dict[str, list[Task]]:
@@ -58,8 +67,8 @@ def tied(case: Case, results: Any, place: str) -> str:
         return ""
     if shaft.sections:
         return "the sections of the shaft have it"
-    drawn = results.outcomes["countershaft"].result.outline
-    radii = [p.outer_radius for p in drawn.pieces if p.what == "sector"] if drawn is not None else []
+    outline = drawn(case).outcomes["countershaft"].result.outline
+    radii = [p.outer_radius for p in outline.pieces if p.what == "sector"] if outline is not None else []
     R = max(radii, default=shaft.outer_radius)
     if R is None:
         return "the shaft's outline is not known"
@@ -98,14 +107,16 @@ def _task(case: Case, own: BearingsInputs, solved: Any, place: str, at_own: Task
     there = solved.outcomes["bearings"]
     one = there.result.bearings[place]
     bearing = getattr(own, place)
-    space = room(case.shaft, solved.outcomes["countershaft"].result, place, bearing.diameter)
-    seat = replace(one.seat, bearing=bearing, inputs=own)
+    space = room(case.shaft, drawn(case).outcomes["countershaft"].result, place, bearing.diameter)
+    widths = placed(own)  # a clearance that is searched for is not that of the fits: they are taken as widths about it
+    about = replace(own, journal_fit=widths[0], seat_fit=widths[1]) if widths else own
+    seat = replace(one.seat, bearing=bearing, inputs=about)
     if at_own is not None:
         l, g, d = at_own.length, at_own.clearance, at_own.diameter
     else:
         l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
     factor = one.least_speed / one.transition_speed
-    return Task(place, seat, one.duty, rules(place, there.checks, space), space, factor, l, g, d)
+    return Task(place, seat, one.duty, rules(place, there.checks), space, factor, l, g, d)
 
 
 def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
@@ -117,6 +128,48 @@ def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
     from ..solve import clearance_of as made  # the design itself has no film
 
     return made(inputs, bearing, one.duty.speed)
+
+
+def drawn(case: Case) -> Any:
+    """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing, where that helps."""
+    results = case.results
+    if case.shaft is None or results.outcomes["countershaft"].result is None or not crossings(results):
+        return results
+    return _with_short_journals(case)
+
+
+@lru_cache(maxsize=1)
+def _with_short_journals(case: Case) -> Any:
+    own = case.bearings
+    short = {place: replace(b, length=SHORT * b.diameter) for place in PLACES for b in (getattr(own, place),)}
+    made = case.solve(replace(own, **short))
+    return case.results if crossings(made) else made
+
+
+def crossings(results: Any) -> list[Check]:
+    """Pieces of the shaft that overlap."""
+    return [c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
+
+
+def placed(own: BearingsInputs) -> tuple[str, str] | None:
+    """The widths alone of fits that both have a place, which makes the clearance; None: they have none."""
+    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+    return None if any(field.letter is None for field in fields) else (f"IT{fields[0].grade}", f"IT{fields[1].grade}")
+
+
+def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
+    """Fits of journal and seat by one grade closer and by two, up to IT5; widths about the clearance where they have a place."""
+    widths = placed(own)
+    if widths is not None:
+        own = replace(own, journal_fit=widths[0], seat_fit=widths[1])
+    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+    found: list[tuple[str, str]] = []
+    for steps in (1, 2):
+        grades = [max(min(field.grade, FINEST), field.grade - steps) for field in fields]
+        words = tuple(f"{field.letter or 'IT'}{grade}" for field, grade in zip(fields, grades))
+        if words not in [(own.journal_fit, own.seat_fit), *found]:
+            found.append((words[0], words[1]))
+    return found
 
 
 def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
@@ -142,5 +195,5 @@ def variants(case: Case) -> list[Variant]:
 def thinner(found: list[Variant], than: Variant, T: float) -> Variant | None:
     """The next thinner oil with the same supply, at a temperature."""
     mine = than.lubricant.at(T).mu
-    below = [v for v in found if v.supply == than.supply and v.lubricant.at(T).mu < mine]
+    below = [v for v in found if v.supply == than.supply and v.fits == than.fits and v.lubricant.at(T).mu < mine]
     return max(below, key=lambda v: v.lubricant.at(T).mu, default=None)
