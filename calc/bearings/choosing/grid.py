@@ -19,7 +19,7 @@ from .. import formulas as f
 from ..corners import widths
 from ..inputs import BearingInputs
 from ..routes import supply
-from .rules import LEAST_COLD, Judged
+from .rules import LEAST_COLD, Judged, judged
 from .states import States, Task, judge, solved
 from .variants import HALF_MILLIMETRE, SUPPLIES, Variant
 
@@ -31,6 +31,7 @@ USUAL_FACTORS = keys(BearingInputs)["clearance_factor"].about.usual or (0.0, 1.0
 APART = math.log(1.1)  # between the lengths that are solved
 KEPT = 1e-4  # a margin of a film or its heat below this may be one of the cubic's making
 OF_HEAT = ("temperature", "temperature_rise")
+OF_LOAD = ("specific_load", "heat_index")
 OF_FILM = ("film_edge", "film_edge_trumpler", "film_double_load", "temperature", "temperature_rise", "transition")
 
 
@@ -53,6 +54,11 @@ class Field:
     def hot(self, slope: Radian) -> bool:
         """Whether some candidate has no film or too little oil: a wider clearance, or a thinner oil, may then help the film."""
         return any(bool((one.margin < 0).any()) for one in self.judged(slope) if one.rule.key in OF_HEAT)
+
+    def carries(self, slope: Radian) -> bool:
+        """Whether some length carries the load, whatever the film."""
+        sizes = [one.margin for one in self.judged(slope) if one.rule.key in OF_LOAD]
+        return bool((np.min(sizes, axis=0) >= 0).any())
 
     def in_room(self) -> "Field | None":
         """The lengths alone that the shaft leaves room for; None: there is none."""
@@ -108,6 +114,18 @@ def lengths(task: Task, in_room: bool = False) -> Array:
     return _with(steps * HALF_MILLIMETRE, own)
 
 
+def _bearable(task: Task, l: Array) -> Array:
+    """The lengths that carry the load whatever the film; the longest alone where none does, so that it can be said by how much."""
+    if not l.size:
+        return l
+    inputs, duty = task.seat.inputs, task.duty
+    bare: Any = l if supply.lands(inputs) == 1 else l - (inputs.groove_width or 0.0)
+    p: Any = f.specific_load(F=duty.load, d=task.seat.bearing.diameter, l=bare)
+    W: Any = f.heat_index(F=duty.load, n=duty.speed, l=l)  # type: ignore[arg-type]
+    carries = (judged(task.rules["specific_load"], p).margin >= 0) & (judged(task.rules["heat_index"], W).margin >= 0)
+    return l[carries] if carries.any() else l[-1:]
+
+
 def clearances(task: Task, widest: Metre, few: int = 0) -> Array:
     """Whole 5 µm from the least that must be left when cold up to the widest, a few steps at least, and the design's own."""
     seat, d = task.seat, task.seat.bearing.diameter
@@ -138,9 +156,9 @@ def field(task: Task, variant: Variant, slope: Radian, in_room: bool = False) ->
     """With clearances wider than the usual ones where nothing passes with these and some have too little oil, which may thin the film
     too; None where no length is left to look at."""
     at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
-    l = lengths(at, in_room)
+    l = _bearable(at, lengths(at, in_room))
     usual = _field(at, variant, l, clearances(at, widest_usual(at)))
-    if usual is not None and (not usual.hot(slope) or passing(usual.judged(slope)).any()):
+    if usual is not None and (not usual.hot(slope) or not usual.carries(slope) or passing(usual.judged(slope)).any()):
         return usual
     return _field(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
 

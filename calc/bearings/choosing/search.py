@@ -96,12 +96,13 @@ def search(case: Case) -> Found:
     of: Every = []
     kind, of = "all", [(variant, in_room(fields, slopes)) for variant, fields in every]
     rows = _settled(case, of, slopes, dropped)
-    for closer in () if rows else closer_fits(case.bearings):
+    able = all(any(one.carries(slopes[place]) for _, fields in every for one in fields[place]) for place in PLACES)
+    for closer in closer_fits(case.bearings) if able and not rows else ():
         kind, of = "fits", _short([replace(one, fits=closer) for one in offered], bearings, slopes)
         rows = _settled(case, of, slopes, dropped)
         if rows:
             break
-    if not rows and not case.bearings.fits_given:
+    if able and not rows and not case.bearings.fits_given:
         as_given = {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
         kind, of = "given", _short(offered, as_given, slopes)
         rows = _settled(case, of, slopes, dropped)
@@ -112,8 +113,7 @@ def search(case: Case) -> Found:
     beyond.sort(key=lambda row: (max(row.too_long), row.power))
     if not found and not beyond:
         if dropped:
-            what = "no bearings pass once the whole design is solved with them"
-            raise NoSolution(what, "; ".join(dropped[:2]), "stiffen the shaft, or widen its envelope")
+            raise NoSolution("no bearings pass in the whole design", "; ".join(dropped[:2]), "stiffen the shaft, or widen its envelope")
         raise _nothing(every, slopes)
     shown = {id(row.variant) for row in (*found, *beyond)}
     refused = [
