@@ -51,10 +51,10 @@ class Offer:
 def run(asked: Namespace) -> int:
     if asked.step not in CHOICES:
         known = ", ".join(f"{step} ({what})" for step, what in CHOICES.items())
-        near = get_close_matches(asked.step, CHOICES, 1)
+        near = get_close_matches(asked.step, CHOICES, 1, 0.75)
         meant = f"did you mean {near[0]}? " if near else ""
         raise BadInput(
-            "contralbero choose", [InputError(0, "STEP", asked.step, f"{meant}there is nothing to choose here; there is for {known}")]
+            "contralbero choose", [InputError(0, "STEP", asked.step, f"{meant}there is nothing to choose here yet; there is for {known}")]
         )
     document = read(asked.file)
     made = design(document)
