@@ -5,6 +5,7 @@ Exit codes: 0 done · 1 a limit check fails, or a replay or a report differs · 
 """
 
 import argparse
+import os
 import sys
 from collections.abc import Sequence
 from importlib import import_module
@@ -28,13 +29,28 @@ COMMANDS = {
 KEY_VALUE = "KEY=VALUE"
 
 
+class Help(argparse.HelpFormatter):
+    """As wide as the terminal, which argparse asks of shutil for every argument: 4 ms of imports."""
+
+    def __init__(self, prog: str) -> None:
+        try:
+            columns = int(os.environ.get("COLUMNS") or os.get_terminal_size(sys.__stdout__.fileno()).columns)  # type: ignore[union-attr]
+        except (ValueError, OSError, AttributeError):
+            columns = 80
+        super().__init__(prog, width=max(columns, 20) - 2)
+
+
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
-        prog="contralbero", description=ABOUT, epilog="contralbero COMMAND --help tells more. contralbero [FILE] opens the guided session."
-    )
+        prog="contralbero", description=ABOUT, formatter_class=Help,
+        epilog="contralbero COMMAND --help tells more. contralbero [FILE] opens the guided session.",
+    )  # fmt: skip
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")  # saves formatting it
-    add = {name: commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".") for name, about in COMMANDS.items()}
+    add = {
+        name: commands.add_parser(name, help=about, description=about[0].upper() + about[1:] + ".", formatter_class=Help)
+        for name, about in COMMANDS.items()
+    }
 
     add["new"].add_argument("file", nargs="?", help="the design file to write; an existing one is left alone")
     add["new"].add_argument("--engine", default="r753ie4", metavar="ID", help="which shipped engine (default: %(default)s)")

@@ -4,7 +4,6 @@
 Read without numpy: a design's words are checked against them before anything is solved.
 """
 
-import difflib
 from functools import cache
 from typing import cast
 
@@ -74,6 +73,11 @@ def applications() -> dict[str, Application]:
     return cast(dict[str, Application], rows("applications.toml", Application))
 
 
+def application(name: str) -> Application:
+    """One of them, by a name that is known."""
+    return cast(Application, rows("applications.toml", Application, name)[name])
+
+
 @cache
 def running_bearings() -> dict[str, RunningBearing]:
     return cast(dict[str, RunningBearing], rows("running_bearings.toml", RunningBearing))
@@ -96,11 +100,15 @@ def bush_problem(name: str) -> str | None:
 
 def application_problem(name: str) -> str | None:
     """Why a word is no application; None where it is one."""
+    if name == DEFAULT_APPLICATION:
+        return None
     return _unknown(name, list(applications()))
 
 
 def _unknown(name: str, known: list[str]) -> str | None:
     if name in known:
         return None
-    near = difflib.get_close_matches(name, known, n=1)
+    from difflib import get_close_matches
+
+    near = get_close_matches(name, known, n=1)
     return f"must be one of {', '.join(known)}" + (f"; did you mean {near[0]}?" if near else "")

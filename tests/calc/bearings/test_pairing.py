@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from calc import design_file
-from calc.bearings.pairing.data import Application, BearingMaterial
+from calc.bearings.pairing.data import Application, BearingMaterial, application
 from calc.bearings.pairing.formulas import film_duty, load_cycles, load_times_speed
 from calc.bearings.pairing.pairing import (
     DEFAULT_APPLICATION,
@@ -254,3 +254,8 @@ def test_the_tables_are_read_without_numpy():
         "list(checks('front', bearing_materials()['AlSn6Cu'], 1e6, 8e6, 120.)); print('numpy' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=ROOT, check=True).stdout.strip() == "False"
+
+
+@pytest.mark.parametrize("name", applications())
+def test_one_application_is_read_as_all_of_them_are(name):
+    assert application(name) == applications()[name]
