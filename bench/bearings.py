@@ -5,14 +5,13 @@ The thermal balance of many bearings at once against one after the other, and th
 np.exp of 100 000 numbers in the same run.
 """
 
-import time
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from bench.film import best
 from calc.bearings import solve as bearings
 from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_warm
@@ -21,17 +20,6 @@ from calc.solve import solve
 
 DESIGN = Path(__file__).parents[1] / "designs" / "r753ie4_gamma.toml"
 MANY, FEW = 20_000, 100
-
-
-def best(task: Callable[[], object], repeats: int, rounds: int = 7) -> float:
-    """Seconds of one call, the best round."""
-    times = []
-    for _ in range(rounds):
-        start = time.perf_counter()
-        for _ in range(repeats):
-            task()
-        times.append((time.perf_counter() - start) / repeats)
-    return min(times)
 
 
 def main() -> None:
