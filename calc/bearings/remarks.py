@@ -57,6 +57,7 @@ def notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results: Map
     if surface is None:
         found.append(f"What a journal may carry on bare {inputs.housing_material} is not known here.")
     found += [words for place, r in results.items() if (words := r.sweep.why(place))]
+    found += [words for place, r in results.items() if (words := r.sweep.gaps(place))]
     if any(r.sweep.bench and r.thinnest_film is not None and r.thinnest_film > r.film * (1 + 1e-6) for r in results.values()):
         found.append(
             "The film at the design's own supply is thinner than anywhere on the bench run, whose oil is cooler or whose load is smaller: "

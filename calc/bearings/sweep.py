@@ -33,6 +33,14 @@ class Sweep:
     rated: float
     bench: bool  # its rows are those of the engine's bench run
 
+    def gaps(self, place: str) -> str:
+        """The speeds without a film in the range of the table; empty where each has one."""
+        missing = [n for n, film in zip(self.speeds, self.films) if not np.isfinite(film)]
+        if not missing:
+            return ""
+        span = f"from {min(missing) * 60:.0f} to {max(missing) * 60:.0f} rpm" if len(missing) > 1 else f"at {missing[0] * 60:.0f} rpm"
+        return f"At {len(missing)} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the others."
+
     def why(self, place: str) -> str:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
         if self.thinnest is None or self.thinnest_speed is None or self.thinnest_film is None:

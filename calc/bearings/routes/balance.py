@@ -18,12 +18,13 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.trace import untraced
 from ..film.table import FilmRangeError
+from . import supply
 from .routes import Route, own_cold, own_warm
 from .states import Duty, Film, OutsideBalance, Seat, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
-PROBES = (10.0, 50.0, 150.0)  # K: rises at which a film is looked for whose oil is too thick without any
+PROBES = (10.0, 50.0, 100.0, 150.0, 175.0, HOTTEST)  # K: rises at which a film is looked for whose oil is too thick without any
 HALVINGS = 20
 ITERATION_LIMIT = 60
 
@@ -44,23 +45,25 @@ def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> 
             high = min(low + 2 * excess(low) + 1e-6, HOTTEST)
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
-            raise NoSolution(*_reason(duty, error)) from None
+            raise NoSolution(*_reason(seat, duty, error)) from None
     return route(seat, duty, rise)
 
 
-def _reason(duty: Duty, error: ValueError) -> tuple[str, str, str]:
+def _reason(seat: Seat, duty: Duty, error: ValueError) -> tuple[str, str, str]:
     """What was looked for, what came out, and what to do: too much load, too little, or a bearing too short or long."""
     at = f"{duty.load:.4g} N at {duty.speed * 60:.4g} rpm"
     if duty.effective_speed < duty.speed * (1 - 1e-9):
         at += f" (as dragged between load and surfaces, {duty.effective_speed * 60:.4g} rpm)"
     if isinstance(error, OutsideBalance):
-        return (
-            f"the heat of the film under {at} is not carried away",
-            str(error),
-            "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil",
-        )
+        remedy = "lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil"
+        if not isinstance(error.end, FilmRangeError):
+            remedy = "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil"
+        return f"the heat of the film under {at} is not carried away", str(error), remedy
     if isinstance(error, Seized):
         return str(error), f"under {at}", "give it more clearance"
+    if isinstance(error, FilmRangeError) and "l/d" in error.quantity and supply.lands(seat.inputs) == 2:
+        advice = "a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long"
+        return f"the film of the lands beside the groove is not in the table ({error})", f"under {at}", advice
     if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
         return f"the film of this bearing is not in the table ({error})", f"under {at}", "choose a length between 0.1 and 2 diameters"
     if isinstance(error, FilmRangeError) and error.value > error.high:
@@ -102,6 +105,7 @@ def _answers(excess: Callable[[float], float], rise: float) -> bool:
 
 def _reachable(excess: Callable[[float], float], low: float, high: float) -> float:
     """An upper end of the bracket at which the route still has an answer and the excess is negative."""
+    end: ValueError | None = None
     for _ in range(40):
         try:
             if excess(high) <= 0:
@@ -109,9 +113,9 @@ def _reachable(excess: Callable[[float], float], low: float, high: float) -> flo
             low, high = high, min(2 * high, HOTTEST)
             if low == HOTTEST:
                 raise OutsideBalance(f"the oil would warm by more than {HOTTEST:g} K")
-        except (FilmRangeError, Seized):
-            high = (low + high) / 2
-    raise OutsideBalance("the film is gone before its heat and the oil's flow are in balance")
+        except (FilmRangeError, Seized) as gone:
+            high, end = (low + high) / 2, gone
+    raise OutsideBalance("the film is gone before its heat and the oil's flow are in balance", end)
 
 
 def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-7) -> Film:
@@ -132,7 +136,9 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
 
     with untraced(), np.errstate(all="ignore"):
         low = np.zeros(shape)
-        low, f_low = _first(excess, low, excess(low))
+        f_low = excess(low)
+        opened: Any = np.asarray(film.clearance) > 0  # a journal that is seized before it turns does not come to turn
+        low, f_low = _first(excess, low, f_low, opened)
         high = np.minimum(low + 2 * f_low + 1e-6, HOTTEST)
         f_high = excess(high)
         short = f_high > 0
@@ -160,9 +166,9 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-
         return _only(film, ~lost & (np.abs(f_x) <= 1e-3 * (1 + x)))
 
 
-def _first(excess: Callable[[Array], Array], low: Array, f_low: Array) -> tuple[Array, Array]:
+def _first(excess: Callable[[Array], Array], low: Array, f_low: Array, opened: Any) -> tuple[Array, Array]:
     """The same lower ends as `_begins` for all points at once; nan stays where there is none."""
-    missing = ~np.isfinite(f_low)
+    missing = ~np.isfinite(f_low) & opened
     above, f_above = np.full(low.shape, np.nan), np.full(low.shape, np.nan)
     if missing.any():
         for rise in PROBES:

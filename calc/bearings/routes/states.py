@@ -75,4 +75,8 @@ class Seized(ValueError):
 
 
 class OutsideBalance(ValueError):
-    """The heat of the film is not carried away at any temperature that is looked at."""
+    """The heat of the film is not carried away at any temperature that is looked at.  `end`: what ends the film above, if it ends."""
+
+    def __init__(self, words: str, end: ValueError | None = None) -> None:
+        super().__init__(words)
+        self.end = end

@@ -111,3 +111,38 @@ def test_shear_thinning_is_a_matter_of_multigrades():
     plain = {c.id for c in solve(design(alone())).outcomes["bearings"].checks}
     multi = {c.id for c in solve(design(alone(oil="10W-40"))).outcomes["bearings"].checks}
     assert "bearings.front.shear_rate" in multi - plain
+
+
+def test_a_balance_far_above_the_supply_is_found_too():
+    """−20 °C, 30 N: a rise of 175.9 K, found by a scan of all rises."""
+    found = solve(design(alone(supply_temperature_C=-20.0, front__load_N=30.0))).outcomes["bearings"]
+    assert found.state == "solved" and found.result.bearings["front"].temperature_rise == pytest.approx(175.9, abs=0.5)
+
+
+def test_thin_oil_asks_for_less_load_or_clearance_and_not_for_more_clearance():
+    small = dict(diameter_mm=20.0, length_mm=12.0, load_N=4000.0, clearance_um=90.0)
+    heavy = {f"{place}__{key}": value for place in ("front", "rear") for key, value in small.items()}
+    heavy |= dict(
+        oil="SAE 20", supply_temperature_C=27.0, supply_pressure_bar=1.0, hole_diameter_mm=2.0, speed_rpm=800.0, load_speed_ratio=1.0
+    )
+    reason = solve(design(alone(**heavy))).outcomes["bearings"].reason
+    assert "less clearance" in reason and "more clearance" not in reason
+
+
+def test_a_corner_that_is_seized_at_its_supply_has_no_film():
+    """A steel journal in aluminium at −40 °C: a clearance of 30 µm at 20 °C is −6 µm, alone and as a corner."""
+    cold = dict(housing_material="EN AC-43100", supply_temperature_C=-40.0, speed_rpm=300.0, front__load_N=6000.0, rear__load_N=6000.0)
+    tight = solve(design(alone(**cold, front__clearance_um=30.0, rear__clearance_um=30.0))).outcomes["bearings"]
+    assert "seized" in tight.reason
+    wider = solve(design(alone(**cold, front__clearance_um=60.0, rear__clearance_um=60.0))).outcomes["bearings"]
+    assert wider.state == "solved" and wider.result.bearings["front"].corners.film is None
+
+
+def test_lands_that_are_too_short_ask_for_a_narrower_groove():
+    grooved = alone(supply="groove", groove_width_mm=22.0)
+    assert "narrower groove" in solve(design(grooved)).outcomes["bearings"].reason
+
+
+def test_speeds_without_a_film_are_told():
+    found = solve(design(alone(speed_range_rpm=[5.0, 3000.0]))).outcomes["bearings"]
+    assert any("no film of the front bearing is found" in note and "5 rpm" in note for note in found.notes)
