@@ -147,22 +147,28 @@ def neighbours_table(found: Found) -> Table:
         for one in neighbours(row, found.tasks, found.variants, found.slopes_of_row(number)):
             c = one.instead.governing
             if one.instead.margin < 0:
-                value = f"{short(c.value)} {c.unit}".rstrip() if c.value == c.value else "no film"
+                digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
+                value = f"{short(c.value, digits)} {c.unit}".rstrip() if c.value == c.value else "no film"
                 rule = c.id.rsplit(".", 1)[1]
-                rows.append((str(number), one.place, one.change, rule, value, c.limit_text(), _corner(one.instead)))
+                rows.append((str(number), one.place, _brief(one.change), rule, value, c.limit_text(), _corner(one.instead)))
                 continue
             bound = outside(one)
             words = f"passes, {abs(one.more):.2g} W {'more' if one.more >= 0 else 'less'}"
             wanted = (one.oil, row.variant.supply)
             same = (n for n, other in enumerate(found.rows, 1) if (other.variant.oil, other.variant.supply) == wanted)
             words += f" (row {n})" if (n := next(same, 0)) else ""
-            rows.append((str(number), one.place, one.change, "end of the search" if bound else "", words, bound, ""))
+            rows.append((str(number), one.place, _brief(one.change), "end of the search" if bound else "", words, bound, ""))
     columns = (("no.", ""), ("bearing", ""), ("one step", ""), ("stopped by", ""), ("value", ""), ("needs", ""), ("corner", ""))
     note = (
         "One thing changed at a time. A step that passes is not offered where it costs power, or goes further from the design, or past the "
         "end of the search; with a thinner oil other sizes are better still: see its row."
     )
     return Table("neighbours", f"The neighbours of the first {len(shown)} rows", columns, tuple(rows), note)
+
+
+def _brief(change: str) -> str:
+    """With the letters of the first table."""
+    return change.replace("length ", "l ").replace("clearance ", "g ").replace("diameter ", "d ")
 
 
 def _corner(one: Pick) -> str:
