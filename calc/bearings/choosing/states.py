@@ -18,9 +18,8 @@ from ...sheet.units import UNITS, Metre, Radian
 from .. import formulas as f
 from ..corners import widths
 from ..routes import supply
-from ..routes.balance import settled
+from ..routes.balance import HOTTEST, settled
 from ..routes.states import Duty, Seat
-from .closing import closed
 from .room import Room
 from .rules import Judged, Rule, judged
 
@@ -40,6 +39,7 @@ NARROWEST = 3
 ROUGHNESSES = (0.6e-6, 0.4e-6, 0.3e-6, 0.2e-6)  # Ra; rule of this program
 SAME = 1e-10  # m
 BALANCED = 1e-5  # relative, of the rise: enough for a film to seven digits
+HOT = 45.0  # K: three times the rise that may be chosen; what lies between is still needed to draw a curve through
 
 
 @record
@@ -121,7 +121,7 @@ def solved(task: Task, length: Any, clearance: Any, *, all_rises: bool = True) -
     load: Any = duty.load * times
     at = replace(seat, bearing=replace(seat.bearing, length=lengths), clearance=clearances, viscosity_factor=factor)
     with np.errstate(all="ignore"):
-        film = (settled if all_rises else closed)(at, replace(duty, load=load), tolerance=BALANCED)
+        film = settled(at, replace(duty, load=load), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED)
     power: Any = film.friction_power
     flow: Any = film.oil_flow
     return States(

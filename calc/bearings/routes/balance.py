@@ -5,6 +5,7 @@ The difference of the two falls with the assumed rise, so that a bracket finds t
 closes one bearing by any route and traces its last state; `settled` closes any number of bearings at once by the own solution.
 """
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
@@ -14,7 +15,7 @@ import numpy as np
 
 from ...lubricant import State
 from ...root import root
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, IndexArray
 from ...sheet.errors import NoSolution
 from ...sheet.trace import untraced
 from ..film.table import FilmRangeError
@@ -27,6 +28,7 @@ BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was fo
 PROBES = (10.0, 50.0, 100.0, 150.0, 175.0, HOTTEST)  # K: rises at which a film is looked for whose oil is too thick without any
 HALVINGS = 20
 ITERATION_LIMIT = 60
+ALMOST = 1e-3  # relative, of a rise: what is closed in on to no more has no balance
 
 
 def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> Film:
@@ -76,7 +78,7 @@ def _reason(seat: Seat, duty: Duty, error: ValueError) -> tuple[str, str, str]:
 
 
 def _begins(excess: Callable[[float], float]) -> float:
-    """The lowest rise that has an answer with heat left over: none, else where oil that is too thick for the table has warmed enough."""
+    """A rise that has an answer with heat left over: none, else where oil that is too thick for the table has warmed enough."""
     try:
         excess(0.0)
         return 0.0
@@ -88,11 +90,11 @@ def _begins(excess: Callable[[float], float]) -> float:
             raise
         below = 0.0
         for _ in range(HALVINGS):
+            if excess(above) > 0:
+                return above
             middle = (below + above) / 2
             below, above = (below, middle) if _answers(excess, middle) else (middle, above)
-        if excess(above) <= 0:  # what the thick oil makes of heat is carried away before it is in the table
-            raise
-        return above
+        raise  # what the thick oil makes of heat is carried away before it is in the table
 
 
 def _answers(excess: Callable[[float], float], rise: float) -> bool:
@@ -118,74 +120,84 @@ def _reachable(excess: Callable[[float], float], low: float, high: float) -> flo
     raise OutsideBalance("the film is gone before its heat and the oil's flow are in balance", end)
 
 
-def settled(seat: Seat, duty: Duty, *, warm: bool = True, tolerance: float = 1e-7) -> Film:
+def settled(seat: Seat, duty: Duty, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7) -> Film:
     """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there is no film.
 
-    Regula falsi after Anderson & Björck 1973 on all points at once; a point without film at the upper end of its bracket is
-    closed in on from below.
+    Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of its bracket is
+    closed in on from below.  `hottest`: no rise beyond is looked for.
     """
     route = own_warm if warm else own_cold
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
-    film: Film
+    seat, duty = _each(seat, duty, lambda x: np.broadcast_to(x, shape).ravel())
+    every = np.arange(math.prod(shape))
 
-    def excess(rise: Array) -> Array:
-        nonlocal film
-        film = route(seat, duty, rise)  # type: ignore[arg-type]
-        made: Any = film.temperature_rise
+    def film_at(rise: Array, some: IndexArray) -> Film:
+        asked = (seat, duty) if some.size == every.size else _each(seat, duty, lambda x: x[some])
+        return route(*asked, rise)  # type: ignore[arg-type]
+
+    def excess(rise: Array, some: IndexArray) -> Array:
+        made: Any = film_at(rise, some).temperature_rise
         return np.asarray(made - rise)
 
+    low, high = np.zeros(every.size), np.full(every.size, hottest)
+    f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
+    rise = np.full(every.size, np.nan)
     with untraced(), np.errstate(all="ignore"):
-        low = np.zeros(shape)
-        f_low = excess(low)
-        opened: Any = np.asarray(film.clearance) > 0  # a journal that is seized before it turns does not come to turn
-        low, f_low = _first(excess, low, f_low, opened)
-        high = np.minimum(low + 2 * f_low + 1e-6, HOTTEST)
-        f_high = excess(high)
-        short = f_high > 0
-        if short.any():
-            high = np.where(short, HOTTEST, high)
-            f_high = excess(high)
-        lost = ~np.isfinite(f_low) | (f_low <= 0) | (f_high > 0)
-        before = np.full(shape, None)
+        film: Any = film_at(low, every)
+        f_low = np.array(film.temperature_rise - low)
+        opened = film.clearance > 0  # a journal that is seized before it turns does not come to turn
+        thick = every[~np.isfinite(f_low) & opened]
+        low[thick], f_low[thick] = _first(excess, thick, hottest)
+        live = every[f_low > 0]
+        high[live] = np.minimum(low[live] + 2 * f_low[live] + 1e-6, hottest)
+        f_high[live] = excess(high[live], live)
+        short = live[f_high[live] > 0]
+        high[short] = hottest
+        f_high[short] = excess(high[short], short)
+        left = live[~(f_high[live] > 0)]
         for _ in range(ITERATION_LIMIT):
-            finite = np.isfinite(f_high)
-            secant = high - f_high * (high - low) / (f_high - f_low)
-            x = np.where(finite & (secant > low) & (secant < high), secant, 0.5 * (low + high))
-            f_x = excess(x)
-            lost = lost | (~np.isfinite(f_high) & (high - low <= BREAKS_DOWN))
-            done = lost | (np.abs(f_x) <= tolerance * (1 + x)) | (high - low <= tolerance)
-            if done.all():
+            if not left.size:
                 break
-            above = f_x > 0
-            shrink = np.where(above, 1 - f_x / f_low, 1 - f_x / f_high)
+            a, b, f_a, f_b = low[left], high[left], f_low[left], f_high[left]
+            secant = b - f_b * (b - a) / (f_b - f_a)
+            x = np.where((secant > a) & (secant < b), secant, 0.5 * (a + b))
+            f_x = excess(x, left)
+            rise[left] = x
+            up = f_x > 0  # the lower end moves up
+            side = np.where(up, 1.0, -1.0)
+            shrink = np.where(up, 1 - f_x / f_a, 1 - f_x / f_b)
             shrink = np.where(np.isfinite(shrink) & (shrink > 0), shrink, 0.5)
-            shrink = np.where(above == before, shrink, 1.0)  # an end that stays twice has its value scaled down
-            before = above
-            f_low, f_high = np.where(above, f_x, f_low * shrink), np.where(above, f_high * shrink, f_x)
-            low, high = np.where(above, x, low), np.where(above, high, x)
-        return _only(film, ~lost & (np.abs(f_x) <= 1e-3 * (1 + x)))
+            shrink = np.where(side == before[left], shrink, 1.0)  # an end that stays twice has its value scaled down
+            before[left] = side
+            low[left], high[left] = np.where(up, x, a), np.where(up, b, x)
+            f_low[left], f_high[left] = np.where(up, f_x, f_a * shrink), np.where(up, f_b * shrink, f_x)
+            gone = ~np.isfinite(f_high[left]) & (high[left] - low[left] <= BREAKS_DOWN)
+            left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
+        film = film_at(rise, every)
+        there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
+    return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
 
 
-def _first(excess: Callable[[Array], Array], low: Array, f_low: Array, opened: Any) -> tuple[Array, Array]:
-    """The same lower ends as `_begins` for all points at once; nan stays where there is none."""
-    missing = ~np.isfinite(f_low) & opened
-    above, f_above = np.full(low.shape, np.nan), np.full(low.shape, np.nan)
-    if missing.any():
-        for rise in PROBES:
-            f = excess(np.where(missing, rise, low))
-            found = missing & np.isnan(above) & np.isfinite(f)
-            above, f_above = np.where(found, rise, above), np.where(found, f, f_above)
-    there = np.isfinite(above)
-    if not there.any():
-        return low, f_low
-    below = np.zeros(low.shape)
-    for _ in range(HALVINGS):
-        middle = (below + above) / 2
-        f = excess(np.where(there, middle, low))
-        answers = there & np.isfinite(f)
-        above, f_above = np.where(answers, middle, above), np.where(answers, f, f_above)
-        below = np.where(answers, below, middle)
-    return np.where(there, above, low), np.where(there, f_above, f_low)
+def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hottest: float) -> tuple[Array, Array]:
+    """The same as `_begins` for all points whose oil is too thick without a rise, with their excess; not above zero: there is none."""
+    above, f_above = np.full(thick.size, np.nan), np.full(thick.size, np.nan)
+    for rise in (*(rise for rise in PROBES if rise < hottest), hottest):
+        todo = np.flatnonzero(np.isnan(above))
+        if not todo.size:
+            break
+        f = excess(np.full(todo.size, rise), thick[todo])
+        above[todo], f_above[todo] = np.where(np.isfinite(f), rise, np.nan), f
+    below = np.zeros(thick.size)
+    for _ in range(HALVINGS):  # the balance lies below the probe: look for heat left over between there and where oil is too thick
+        todo = np.flatnonzero(f_above <= 0)
+        if not todo.size:
+            break
+        middle = (below[todo] + above[todo]) / 2
+        f = excess(middle, thick[todo])
+        answers = np.isfinite(f)
+        above[todo], f_above[todo] = np.where(answers, middle, above[todo]), np.where(answers, f, f_above[todo])
+        below[todo] = np.where(answers, below[todo], middle)
+    return above, f_above
 
 
 def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:
@@ -205,19 +217,8 @@ def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:
         ),
     )  # fmt: skip
     ends = np.cumsum(sizes)
-    return [_slice(film, slice(end - size, end), int(ends[-1])) for size, end in zip(sizes, ends.tolist())]
-
-
-def _slice(film: Film, part: slice, size: int) -> Film:
-    """Some of the points of a film."""
-
-    def cut(number: Any) -> Any:
-        return None if number is None else np.broadcast_to(number, (size,))[part]
-
-    names = [name for name in film.__dataclass_fields__ if name != "oil"]
-    oil = State(*(cut(x) for x in (film.oil.nu, film.oil.mu, film.oil.rho, film.oil.cp)))
-    numbers: dict[str, Any] = {name: cut(getattr(film, name)) for name in names}
-    return Film(oil=oil, **numbers)
+    parts = [slice(end - size, end) for size, end in zip(sizes, ends.tolist())]
+    return [_over(film, lambda x, part=part: x[part]) for part in parts]  # type: ignore[misc]
 
 
 def _factor(seat: Seat) -> float:
@@ -229,8 +230,18 @@ def _numbers(seat: Seat, duty: Duty) -> tuple[Any, ...]:
     return b.diameter, b.length, seat.clearance, _factor(seat), duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
 
 
-def _only(film: Film, there: Any) -> Film:
-    """The film with nan where it is not there."""
-    names = ("eccentricity", "film", "friction_coefficient", "friction_power", "oil_flow", "temperature_rise", "mean_temperature")
-    numbers: dict[str, Any] = {name: np.where(there, getattr(film, name), np.nan) for name in names}
-    return replace(film, **numbers)
+def _each(seat: Seat, duty: Duty, change: Callable[[Any], Any]) -> tuple[Seat, Duty]:
+    """Seat and duty with their arrays changed; numbers stay."""
+
+    def changed(x: Any) -> Any:
+        return change(x) if np.ndim(x) else x
+
+    bearing = replace(seat.bearing, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
+    asked = {name: changed(x) for name, x in vars(duty).items()}
+    return replace(seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=changed(seat.viscosity_factor)), Duty(**asked)
+
+
+def _over(film: Film, change: Callable[[Any], Any]) -> Film:
+    """A film with its arrays changed, those of its oil too; what it does not have stays None."""
+    numbers: dict[str, Any] = {name: None if x is None else change(x) for name, x in vars(film).items() if name != "oil"}
+    return Film(oil=State(*(change(x) for x in vars(film.oil).values())), **numbers)
