@@ -74,6 +74,7 @@ UNIT_WORDS: dict[str, dict[str, Any]] = {
     "g/kWh": {"g/kWh": 1e-3 / 3.6e6, "kg/kWh": 1 / 3.6e6},
     "g/h": {"g/h": 1e-3 / 3600, "kg/h": 1 / 3600},
     "h": {"h": 3600.0, "min": 60.0, "s": 1.0, "d": 86400.0},
+    "HV": {"HV": 1.0},
     "€": {"€": 1.0, "EUR": 1.0, "k€": 1e3, "kEUR": 1e3},
     "‰": SHARE, "%": SHARE, "": SHARE,
 }

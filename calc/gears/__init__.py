@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The helical gear train: geometry, measures, backlash."""
+"""The gear train: geometry, measures, backlash, its place in the engine, profile, and the rating of its teeth."""

@@ -5,8 +5,8 @@ import math
 
 from ..sheet.check import Check, check
 from ..sheet.units import Number
-from . import measures as m
 from .formulas import diameter_at
+from .measures import formulas as m
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 ISO = "ISO 21771:2007, as generally published"

@@ -6,7 +6,7 @@ import numpy as np
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series
 from . import formulas as f
-from .profile import Outline, outline, regions
+from .profile.outline import Outline, outline, regions
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 MM = 1e3

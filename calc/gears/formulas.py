@@ -36,9 +36,21 @@ def base_pitch(m_t: Metre, alpha_t: Radian) -> Metre:
     return pi * m_t * cos(alpha_t)
 
 
+@formula("h_fP", f"{ISO}: dedendum of the finished teeth; a tool that leaves stock on the flanks is held back from the root by q/sin α_n")
+def finished_dedendum(h_aP0: Number, q: Metre, m_n: Metre, alpha_n: Radian) -> Number:
+    return h_aP0 - q / (m_n * sin(alpha_n))
+
+
+@formula("s_pr", f"{ISO}: undercut that the protuberance leaves under the finished flank", unit="mm")
+def residual_undercut(pr_P0: Metre, q: Metre) -> Metre:
+    return pr_P0 - q
+
+
 @formula("u_c", "straight-sided tool with round corners: half distance of the corner centres, transverse; must not be negative", unit="mm")
-def tool_corner_position(m_t: Metre, h_aP0: Number, rho_aP0: Number, m_n: Metre, alpha_t: Radian, alpha_n: Radian, beta: Radian) -> Metre:
-    return pi * m_t / 4 - (h_aP0 - rho_aP0) * m_n * tan(alpha_t) - rho_aP0 * m_n / (cos(alpha_n) * cos(beta))
+def tool_corner_position(
+    m_t: Metre, h_fP: Number, rho_aP0: Number, m_n: Metre, alpha_t: Radian, alpha_n: Radian, beta: Radian, s_pr: Metre
+) -> Metre:
+    return pi * m_t / 4 - (h_fP - rho_aP0) * m_n * tan(alpha_t) - (rho_aP0 * m_n - s_pr) / (cos(alpha_n) * cos(beta))
 
 
 # --- one wheel -------------------------------------------------------------------------------------------------------------
@@ -58,18 +70,18 @@ def tip_diameter(d: Metre, m_n: Metre, x: Number, k: Metre) -> Metre:
 
 
 @formula("d_f", f"{ISO}: root diameter made by the tool", unit="mm")
-def root_diameter(d: Metre, m_n: Metre, x: Number, h_aP0: Number) -> Metre:
-    return d + 2 * m_n * (x - h_aP0)
+def root_diameter(d: Metre, m_n: Metre, x: Number, h_fP: Number) -> Metre:
+    return d + 2 * m_n * (x - h_fP)
 
 
 @formula("x_min", f"{ISO}: smallest shift without undercut, tool with tip radius")
-def undercut_limit(h_aP0: Number, rho_aP0: Number, alpha_n: Radian, z: Number, alpha_t: Radian, beta: Radian) -> Number:
-    return h_aP0 - rho_aP0 * (1 - sin(alpha_n)) - z * sin(alpha_t) ** 2 / (2 * cos(beta))
+def undercut_limit(h_fP: Number, rho_aP0: Number, alpha_n: Radian, z: Number, alpha_t: Radian, beta: Radian) -> Number:
+    return h_fP - rho_aP0 * (1 - sin(alpha_n)) - z * sin(alpha_t) ** 2 / (2 * cos(beta))
 
 
 @formula("h_F", f"{ISO}: depth of the end of the tool's straight flank below the reference circle", unit="mm")
-def straight_flank_depth(m_n: Metre, h_aP0: Number, rho_aP0: Number, alpha_n: Radian, x: Number) -> Metre:
-    return m_n * (h_aP0 - rho_aP0 * (1 - sin(alpha_n)) - x)
+def straight_flank_depth(m_n: Metre, h_fP: Number, rho_aP0: Number, alpha_n: Radian, x: Number) -> Metre:
+    return m_n * (h_fP - rho_aP0 * (1 - sin(alpha_n)) - x)
 
 
 @formula("d_Ff", f"{ISO}: form diameter, where the fillet begins; holds for x ≥ x_min", unit="mm")

@@ -7,8 +7,8 @@ from ..sheet.errors import NoSolution
 from ..sheet.trace import about
 from ..sheet.units import Metre
 from . import formulas as f
-from .backlash import Pair, backlash, tolerance_of_contributors
 from .inputs import Mesh
+from .play.backlash import Pair, backlash, tolerance_of_contributors
 from .result import MeshResult, ToothSystem, WheelResult
 
 

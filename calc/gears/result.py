@@ -13,11 +13,14 @@ class ToothSystem:
     transverse_pressure_angle: Radian = value("Transverse pressure angle", "°", "α_t")
     base_helix_angle: Radian = value("Helix angle at the base circle", "°", "β_b")
     base_pitch: Metre = value("Transverse base pitch", "mm", "p_bt")
+    h_fP: Number = value("Dedendum of the finished teeth, in modules", "", "h_fP")
+    s_pr: Metre = value("Undercut left by the protuberance", "mm", "s_pr")
     m_n: Metre
     alpha_n: Radian
     beta: Radian
-    h_aP0: Number
+    h_aP0: Number  # of the tool
     rho_aP0: Number
+    stock: Metre
 
 
 @result

@@ -10,13 +10,13 @@ from dataclasses import replace
 from ..sheet.step import Erratum, Outcome
 from ..sheet.trace import about, trace
 from ..sheet.units import NewtonMetre, Number, RevPerSecond
-from .backlash import backlash_at_shaft
-from .backlash import residual_couple as _couple_of_phase_error
 from .checks import checks, speed_ratio
 from .finite import finite
 from .inputs import GearsInputs
 from .pair import solve_mesh
-from .rating import RatingResult, rating
+from .play.backlash import backlash_at_shaft
+from .play.backlash import residual_couple as _couple_of_phase_error
+from .rating.rating import RatingResult, rating
 from .result import TrainResult
 from .train import Train, mesh_key, settle, speeds, tooth_system
 from .wheel import solve_wheel

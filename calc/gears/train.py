@@ -26,7 +26,9 @@ def tooth_system(gears: GearsInputs) -> ToothSystem:
     with about("tooth system"):
         m_t = f.transverse_module(m_n, beta)
         alpha_t = f.transverse_pressure_angle(alpha_n, beta)
-        corner = f.tool_corner_position(m_t, gears.tool_addendum, gears.tool_tip_radius, m_n, alpha_t, alpha_n, beta)
+        h_fP = f.finished_dedendum(gears.tool_addendum, gears.stock, m_n, alpha_n)
+        s_pr = f.residual_undercut(gears.protuberance, gears.stock)
+        corner = f.tool_corner_position(m_t, h_fP, gears.tool_tip_radius, m_n, alpha_t, alpha_n, beta, s_pr)
         if corner < -1e-9 * m_n:
             raise NoSolution(
                 f"gears.tool_tip_radius = {gears.tool_tip_radius:g} with gears.tool_addendum = {gears.tool_addendum:g}: "
@@ -35,8 +37,8 @@ def tooth_system(gears: GearsInputs) -> ToothSystem:
             )
         return ToothSystem(
             transverse_module=m_t, transverse_pressure_angle=alpha_t, base_helix_angle=f.base_helix_angle(beta, alpha_n),
-            base_pitch=f.base_pitch(m_t, alpha_t), m_n=m_n, alpha_n=alpha_n, beta=beta,
-            h_aP0=gears.tool_addendum, rho_aP0=gears.tool_tip_radius,
+            base_pitch=f.base_pitch(m_t, alpha_t), h_fP=h_fP, s_pr=s_pr, m_n=m_n, alpha_n=alpha_n, beta=beta,
+            h_aP0=gears.tool_addendum, rho_aP0=gears.tool_tip_radius, stock=gears.stock,
         )  # fmt: skip
 
 

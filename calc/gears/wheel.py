@@ -9,9 +9,9 @@ from ..sheet.record import record
 from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
-from . import measures as m
 from .inputs import GearsInputs, Wheel
-from .profile import Cut, form_diameter_of_undercut
+from .measures import formulas as m
+from .profile.outline import Cut, form_diameter_of_undercut
 from .result import ToothSystem, WheelResult
 
 
@@ -32,8 +32,8 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
     alpha_t, alpha_n = system.transverse_pressure_angle, system.alpha_n
     with about(f"wheel {wheel.name}"):
         d_a = f.tip_diameter(d, system.m_n, x, wheel.tip_shortening)
-        d_f = f.root_diameter(d, system.m_n, x, system.h_aP0)
-        x_min = f.undercut_limit(system.h_aP0, system.rho_aP0, alpha_n, wheel.teeth, alpha_t, system.beta)
+        d_f = f.root_diameter(d, system.m_n, x, system.h_fP)
+        x_min = f.undercut_limit(system.h_fP, system.rho_aP0, alpha_n, wheel.teeth, alpha_t, system.beta)
         d_Ff = _form_diameter(bare, x, x_min)
         _must_be_a_tooth(wheel, x, d_a, d_f, d_Ff)
         s_t = f.reference_thickness(system.m_n, x, alpha_n, system.beta)
@@ -59,9 +59,9 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
 
 def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
     s = bare.system
-    if x < x_min:
+    if x < x_min or s.s_pr > 0:
         return form_diameter_of_undercut(Cut(s, bare.wheel.teeth, x))
-    depth = f.straight_flank_depth(s.m_n, s.h_aP0, s.rho_aP0, s.alpha_n, x)
+    depth = f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x)
     return f.form_diameter(bare.d, s.transverse_pressure_angle, depth, bare.d_b)
 
 
@@ -121,7 +121,7 @@ def _limits(bare: _Bare, ball: Metre, x_min: Number) -> dict[str, Any]:
         with about(f"wheel {bare.wheel.name}, {'thickest' if end == 'max' else 'thinnest'} tooth"):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
-            d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_aP0)
+            d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_fP)
             if s_t <= 0 or d_f <= 0:
                 raise NoSolution(f"{place} = {E_W * 1e6:g}: takes away the whole tooth", advice="−20 to −50 µm is usual")
             found[f"root_diameter_{end}"] = d_f

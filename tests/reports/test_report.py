@@ -96,7 +96,7 @@ def test_every_formula_stands_in_it_and_can_be_copied(example: Solved, engineer:
         for line in outcome.lines:
             formula, numbers = spoken_line(shown(line))
             assert formula in all_said and numbers in all_said
-            if (line.value.any() if hasattr(line.value, "any") else line.value != 0):
+            if line.value.any() if hasattr(line.value, "any") else line.value != 0:
                 assert formula in said
                 assert squeezed(line.formula.source) in read
                 assert squeezed(line.formula.symbol) in read
@@ -193,4 +193,3 @@ def test_headings_are_never_last_on_a_page(example: Solved) -> None:
     for page in pages:
         assert not page.blocks[-1][1].keep
         assert page.filled <= HEIGHT + 1e-6
-

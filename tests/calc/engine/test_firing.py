@@ -79,7 +79,9 @@ def test_a_four_stroke_crank_may_fire_in_another_order_unevenly():
     assert np.degrees(found.intervals) == pytest.approx((120, 120, 480))
 
 
-@pytest.mark.parametrize("crank_angles, verdict", [(angles(0, 240, 120), "pass"), (angles(0, 230, 120), "warn"), (angles(0, 239.5, 120), "pass")])
+@pytest.mark.parametrize(
+    "crank_angles, verdict", [(angles(0, 240, 120), "pass"), (angles(0, 230, 120), "warn"), (angles(0, 239.5, 120), "pass")]
+)
 def test_uneven_firing_is_a_warning(crank_angles, verdict):
     outcome = engine.solve(EngineInputs(**{**R753, "crank_angles": crank_angles, "firing_order": None}))
     assert {c.id: c.verdict for c in outcome.checks}["engine.firing.even"] == verdict
@@ -133,7 +135,9 @@ def test_a_vee_twelve_is_listed_on_common_pins():
     assert len({one.order for one in found}) == len(found)
     for one in found:
         assert np.allclose(np.exp(1j * one.crank_angles[:6]), np.exp(1j * one.crank_angles[6:]))
-    assert next(one for one in found if one.order == V12["firing_order"]).left == pytest.approx(found[0].left, abs=1e-6 * e.reciprocating_mass)
+    assert next(one for one in found if one.order == V12["firing_order"]).left == pytest.approx(
+        found[0].left, abs=1e-6 * e.reciprocating_mass
+    )
 
 
 @pytest.mark.parametrize("changes", [

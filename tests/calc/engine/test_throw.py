@@ -182,7 +182,9 @@ def test_notch_stress_is_that_of_the_fillet():
         assert p.journal.notch_stress == pytest.approx(math.hypot(bending, math.sqrt(3) * torsion))
     advice = {c.id: c for c in checks if c.kind == "advice"}
     places = ("pin", "journal")
-    assert set(advice) - {"engine.throw.span"} == {f"engine.throw.{what}_{place}" for what in ("notch_stress", "fillet") for place in places}
+    assert set(advice) - {"engine.throw.span"} == {
+        f"engine.throw.{what}_{place}" for what in ("notch_stress", "fillet") for place in places
+    }
 
 
 @pytest.mark.parametrize("sizes, id, verdict", [

@@ -181,7 +181,9 @@ def test_peaks_are_the_largest_of_a_fine_scan():
     engine, e, fires = engine_of()
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, None)
-    T_G, T_I = (part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None])[:2])
+    T_G, T_I = (
+        part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, np.linspace(0, 4 * np.pi, 72001)[:, None])[:2]
+    )
     assert found.gas_torque_peak == pytest.approx(np.abs(T_G).max(), rel=1e-6)
     assert found.torque_peak == pytest.approx(np.abs(T_G + T_I).max(), rel=1e-6)
 

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 from calc.catalogue import materials
 from calc.gears import formulas as f
-from calc.gears import measures as m
 from calc.gears import solve
+from calc.gears.measures import formulas as m
 from calc.gears.result import MeshResult, WheelResult
 
 from .trains import SPEED, mesh, train, wheel

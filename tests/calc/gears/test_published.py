@@ -5,12 +5,12 @@ import math
 import pytest
 
 from calc.gears import formulas as f
-from calc.gears import measures as m
-from calc.gears import source_sheet as sheet
-from calc.gears import stress as s
-from calc.gears.backlash import tolerance_of_contributors
+from calc.gears.measures import formulas as m
+from calc.gears.play.backlash import tolerance_of_contributors
+from calc.gears.rating import source_sheet as sheet
+from calc.gears.rating import stress as s
+from calc.gears.rating.tooth_form import section, tooth_form
 from calc.gears.solve import geometry
-from calc.gears.tooth_form import section, tooth_form
 
 from .trains import SPEED, mesh, pair_1, reference, shown, solved, train, wheel
 

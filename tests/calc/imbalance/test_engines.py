@@ -19,6 +19,7 @@ from .test_properties import motion
 
 ROWS = tomllib.loads((Path(__file__).parents[2] / "reference" / "balance.toml").read_text(encoding="utf-8"))["row"]
 
+
 @pytest.mark.parametrize("row", ROWS, ids=[r["engine"] for r in ROWS])
 def test_published_engine(row):
     changes = dict(

@@ -20,7 +20,10 @@ def test_two_shafts_leave_nothing_of_their_order():
     _, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0))
     first, second = i.orders["order_1"], i.orders["order_2"]
     pair, fast = i.remedy["first_order_pair"], i.remedy["second_order_shafts"]
-    for order, shafts in ((first, (pair.shafts["forward"], pair.shafts["backward"])), (second, (fast.shafts["forward_2"], fast.shafts["backward_2"]))):
+    for order, shafts in (
+        (first, (pair.shafts["forward"], pair.shafts["backward"])),
+        (second, (fast.shafts["forward_2"], fast.shafts["backward_2"])),
+    ):
         for vector, shaft in zip(order.vectors[2:], shafts):
             own = supplied_couple(
                 i=shaft.speed_ratio, omega=e.angular_speed, P=shaft.unbalance_product, gamma=shaft.unbalance_product_phase
@@ -53,7 +56,9 @@ def test_two_term_shafts_leave_091_percent_of_the_exact_motion():
     _inputs, e, i = solved(ImbalanceInputs(crank_balance_fraction=0.0, kinematics="two_term"), rod_length=0.0535 / 0.28, **SINGLE)
     turn = np.linspace(0, 2 * np.pi, 721)
     sine = e.lambda_ * np.sin(turn)
-    exact = np.cos(turn) + e.lambda_ * np.cos(2 * turn) / np.sqrt(1 - sine**2) + e.lambda_ * sine**2 * np.cos(turn) ** 2 / (1 - sine**2) ** 1.5
+    exact = (
+        np.cos(turn) + e.lambda_ * np.cos(2 * turn) / np.sqrt(1 - sine**2) + e.lambda_ * sine**2 * np.cos(turn) ** 2 / (1 - sine**2) ** 1.5
+    )
     force = i.one_force * exact
     for name, n in (("forward", 1), ("backward", -1), ("forward_2", 2), ("backward_2", -2)):
         shaft = i.remedy["four_shafts"].shafts[name]

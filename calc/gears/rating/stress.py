@@ -7,9 +7,9 @@ outer point of single contact; all lengths of the virtual spur wheel (index n) a
 
 import math
 
-from ..sheet.formula import formula
-from ..sheet.functions import acos, cos, inv, pi, sin, smallest, sqrt, tan
-from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian
+from ...sheet.formula import formula
+from ...sheet.functions import acos, cos, inv, pi, sin, smallest, sqrt, tan
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian
 
 CONTACT = "ISO 6336-2:2006, the same in 2019, as generally published"
 ROOT = "ISO 6336-3:2006, method B, the same in 2019, as generally published"
@@ -65,14 +65,14 @@ def virtual_contact_ratio(eps_alpha: Number, beta_b: Radian) -> Number:
     return eps_alpha / cos(beta_b) ** 2
 
 
-@formula("E", f"{ROOT}: half width of the tool at its corner centre; no protuberance", unit="mm")
-def tool_half_width(m_n: Metre, h_aP0: Number, alpha_n: Radian, rho_aP0: Number) -> Metre:
-    return m_n * (pi / 4 - h_aP0 * tan(alpha_n) - (1 - sin(alpha_n)) * rho_aP0 / cos(alpha_n))
+@formula("E", f"{ROOT}: half width of the tool at its corner centre", unit="mm")
+def tool_half_width(m_n: Metre, h_fP: Number, alpha_n: Radian, s_pr: Metre, rho_aP0: Number) -> Metre:
+    return m_n * (pi / 4 - h_fP * tan(alpha_n) - (1 - sin(alpha_n)) * rho_aP0 / cos(alpha_n)) + s_pr / cos(alpha_n)
 
 
 @formula("G", f"{ROOT}: height of the corner centre against the reference circle")
-def tool_corner_height(rho_aP0: Number, h_aP0: Number, x: Number) -> Number:
-    return rho_aP0 - h_aP0 + x
+def tool_corner_height(rho_aP0: Number, h_fP: Number, x: Number) -> Number:
+    return rho_aP0 - h_fP + x
 
 
 @formula("H", f"{ROOT}")

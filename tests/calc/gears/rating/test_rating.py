@@ -6,9 +6,9 @@ import pytest
 
 from calc.catalogue import Material, materials
 from calc.gears import solve
-from calc.gears import stress as s
+from calc.gears.rating import stress as s
 
-from .trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
+from ..trains import SPEED, mesh, pair_1, r753, shown, solved, train, wheel
 
 TORQUE = 1350 / (2 * math.pi * SPEED)  # 1.35 kW at 2600 rpm
 
@@ -103,7 +103,7 @@ def test_contact_ratio_factor_at_its_ends(eps_beta, Z_eps):
 def test_where_the_sheet_has_no_value_there_is_no_erratum(monkeypatch):
     gears = pair_1()
     t = solved(gears)
-    monkeypatch.setattr("calc.gears.source_sheet.load_diameter", lambda m_n, z_n, d_D, d: 0.5 * m_n * z_n)
+    monkeypatch.setattr("calc.gears.rating.source_sheet.load_diameter", lambda m_n, z_n, d_D, d: 0.5 * m_n * z_n)
     rated = solve.rating(gears, t, TORQUE, materials())
     assert [e.about for e in rated.errata] == ["gears.central_idler.contact_stress"]
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The form and stress correction factors of one wheel, from its tool and the contact ratio of its mesh."""
 
-from ..sheet.errors import NoSolution
-from ..sheet.record import record
-from ..sheet.units import Metre, Number, Radian
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.units import Metre, Number, Radian
+from ..result import ToothSystem, WheelResult
 from . import stress as s
-from .result import ToothSystem, WheelResult
 
 
 @record
@@ -28,8 +28,8 @@ class Section:
 
 def section(system: ToothSystem, wheel: WheelResult) -> Section:
     z_n = s.virtual_teeth(wheel.teeth, system.base_helix_angle, system.beta)
-    E = s.tool_half_width(system.m_n, system.h_aP0, system.alpha_n, system.rho_aP0)
-    G = s.tool_corner_height(system.rho_aP0, system.h_aP0, wheel.profile_shift)
+    E = s.tool_half_width(system.m_n, system.h_fP, system.alpha_n, system.s_pr, system.rho_aP0)
+    G = s.tool_corner_height(system.rho_aP0, system.h_fP, wheel.profile_shift)
     theta = s.tangent_angle(G, z_n, s.tool_corner_angle(z_n, E, system.m_n))
     chord = s.root_chord(z_n, theta, G, system.rho_aP0)
     rho_F = s.fillet_radius(system.rho_aP0, G, theta, z_n)

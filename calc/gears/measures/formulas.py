@@ -7,9 +7,9 @@ shift x_E carries; so the measures of a thinned tooth are those of a tooth with 
 
 import math
 
-from ..sheet.formula import formula
-from ..sheet.functions import cos, inv, pi, sin, sqrt, tan
-from ..sheet.units import Metre, Number, Radian
+from ...sheet.formula import formula
+from ...sheet.functions import cos, inv, pi, sin, sqrt, tan
+from ...sheet.units import Metre, Number, Radian
 
 ISO = "ISO 21771:2007, as generally published"
 STEEPEST: Radian = 1.5  # no ball touches a flank further out than this pressure angle of its centre

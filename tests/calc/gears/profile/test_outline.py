@@ -7,9 +7,9 @@ import pytest
 
 from calc.gears import formulas as f
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile import Cut, outline, regions, tooth
+from calc.gears.profile.outline import Cut, outline, regions, tooth
 
-from .trains import mesh, r753, solved, train, wheel
+from ..trains import mesh, r753, solved, train, wheel
 
 TOOTH = [(36, 0.014, 21.916, (1.41, 0.2)), (25, 0.0142, 21.916, (1.41, 0.2)), (20, 0.0, 0.0, (1.25, 0.38)), (80, -0.4, 10.0, (1.25, 0.0))]
 UNDERCUT = [(10, 0.0, 0.0, (1.25, 0.38)), (8, -0.3, 15.0, (1.25, 0.2)), (12, 0.0, 0.0, (1.25, 0.0)), (16, -0.02, 0.0, (1.25, 0.3))]
@@ -57,7 +57,8 @@ def test_the_tool_rolls_through_the_space_and_cuts_nothing_more(case):
     h_a, rho, m_n = system.h_aP0 * system.m_n, system.rho_aP0 * system.m_n, system.m_n
     phi = np.linspace(-np.pi / 2, -system.alpha_n, 60)
     alpha_t = system.transverse_pressure_angle
-    corner = f.tool_corner_position(system.transverse_module, system.h_aP0, system.rho_aP0, m_n, alpha_t, system.alpha_n, system.beta)
+    s = system
+    corner = f.tool_corner_position(s.transverse_module, s.h_fP, s.rho_aP0, m_n, alpha_t, s.alpha_n, s.beta, s.s_pr)
     v_round = w.profile_shift * m_n - h_a + rho + rho * np.sin(phi)
     u_round = corner + rho / np.cos(system.beta) * np.cos(phi)
     v_flank = np.linspace(v_round[-1], w.profile_shift * m_n + m_n, 60)

@@ -3,17 +3,17 @@
 
 from collections.abc import Mapping
 
-from ..catalogue import Material
-from ..sheet.check import Check, check
-from ..sheet.errors import NoSolution
-from ..sheet.quantity import Described, Stated, group, result
-from ..sheet.step import Erratum, Outcome
-from ..sheet.trace import about, trace
-from ..sheet.units import UNITS, Newton, NewtonMetre, Number, Pascal
+from ...catalogue import Material
+from ...sheet.check import Check, check
+from ...sheet.errors import NoSolution
+from ...sheet.quantity import Described, Stated, group, result
+from ...sheet.step import Erratum, Outcome
+from ...sheet.trace import about, trace
+from ...sheet.units import UNITS, Newton, NewtonMetre, Number, Pascal
+from ..finite import finite
+from ..inputs import GearsInputs
+from ..result import MeshRating, MeshResult, ToothSystem, TrainResult, WheelResult
 from . import stress as s
-from .finite import finite
-from .inputs import GearsInputs
-from .result import MeshRating, MeshResult, ToothSystem, TrainResult, WheelResult
 from .source_sheet import sheet_contact, sheet_root
 from .tooth_form import tooth_form
 

@@ -4,12 +4,12 @@
 Wheel 1 is the driver, u = z_2/z_1 also below 1.  It reproduces Tables 4.5 and 4.6.
 """
 
-from ..sheet.formula import formula
-from ..sheet.functions import cos, pi, sin, sqrt
-from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond, Watt
-from . import formulas as f
+from ...sheet.formula import formula
+from ...sheet.functions import cos, pi, sin, sqrt
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond, Watt
+from .. import formulas as f
+from ..result import MeshResult, ToothSystem, WheelResult
 from . import stress as s
-from .result import MeshResult, ToothSystem, WheelResult
 from .tooth_form import ToothForm, lever, section
 
 SHEET = "Finotti 2013, sheet of Tables 4.5 and 4.6"

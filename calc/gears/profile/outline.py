@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray
-from ..sheet.errors import NoSolution
-from ..sheet.formula import formula
-from ..sheet.functions import inv
-from ..sheet.record import record
-from ..sheet.units import Metre
-from .result import ToothSystem, WheelResult
+from ...sheet.arrays import Array, ComplexArray
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import inv
+from ...sheet.record import record
+from ...sheet.units import Metre
+from ..result import ToothSystem, WheelResult
 
 Outline = ComplexArray
 
@@ -50,7 +50,7 @@ class Cut:
         s = self.system
         r = self.pitch_radius
         rho = s.rho_aP0 * s.m_n
-        v_c = (s.rho_aP0 + self.shift - s.h_aP0) * s.m_n
+        v_c = (s.rho_aP0 + self.shift - s.h_fP) * s.m_n
         u = self._corner + rho / np.cos(s.beta) * np.cos(phi)
         v = v_c + rho * np.sin(phi)
         X = v * np.cos(phi) * np.cos(s.beta) / np.sin(phi)  # where the normal passes through the pitch point
@@ -61,8 +61,8 @@ class Cut:
         """Distance of the corner's centre from the middle of the tool's tooth."""
         s = self.system
         alpha_t = s.transverse_pressure_angle
-        straight = np.pi * s.transverse_module / 4 - (s.h_aP0 - s.rho_aP0) * s.m_n * np.tan(alpha_t)
-        return float(straight - s.rho_aP0 * s.m_n / (np.cos(s.alpha_n) * np.cos(s.beta)))
+        straight = np.pi * s.transverse_module / 4 - (s.h_fP - s.rho_aP0) * s.m_n * np.tan(alpha_t)
+        return float(straight - (s.rho_aP0 * s.m_n - s.s_pr) / (np.cos(s.alpha_n) * np.cos(s.beta)))
 
     def end_of_fillet(self) -> float:
         """φ where the fillet leaves the outline: at the flank, or where it crosses the involute of an undercut tooth."""
@@ -80,7 +80,7 @@ class Cut:
 
 
 def _undercut_limit(s: ToothSystem, teeth: int) -> float:
-    straight = s.h_aP0 - s.rho_aP0 * (1 - np.sin(s.alpha_n))
+    straight = s.h_fP - s.rho_aP0 * (1 - np.sin(s.alpha_n))
     return float(straight - teeth * np.sin(s.transverse_pressure_angle) ** 2 / (2 * np.cos(s.beta)))
 
 

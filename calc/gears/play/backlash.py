@@ -7,15 +7,15 @@ the span acts on it micrometre for micrometre.  Runout and temperature are not p
 
 from collections.abc import Mapping
 
-from ..sheet.errors import NoSolution
-from ..sheet.formula import formula
-from ..sheet.functions import cos, pi, rss, sin
-from ..sheet.record import record
-from ..sheet.trace import about
-from ..sheet.units import Metre, NewtonMetre, Number, Radian
-from . import formulas as f
-from .measures import generating_shift
-from .result import MeshResult, ToothSystem, WheelResult
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import cos, pi, rss, sin
+from ...sheet.record import record
+from ...sheet.trace import about
+from ...sheet.units import Metre, NewtonMetre, Number, Radian
+from .. import formulas as f
+from ..measures.formulas import generating_shift
+from ..result import MeshResult, ToothSystem, WheelResult
 
 DUST: Metre = 1e-12  # a backlash below this is none
 ISO = "ISO 21771:2007, as generally published"
