@@ -19,8 +19,10 @@ from ..sheet.trace import about
 from ..sheet.units import (
     CubicMetre,
     Kilogram,
+    KilogramMetre2,
     KilogramPerMetre3,
     Metre,
+    Metre4,
     Number,
     PhasorCubicMetre,
     PhasorNewton,
@@ -112,6 +114,11 @@ def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) ->
 @formula("z_S", "centre of gravity of the pieces and the further elements", unit="mm")
 def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogram, z_m: Metre, m_S: Kilogram) -> Metre:
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
+
+
+@formula("J_S", "moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²")
+def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
+    return rho * resultant(I_p * l) + resultant(m * e**2)
 
 
 @formula("sin γ/γ", f"{s.SECTOR}: e over its value for a narrow sector")
@@ -335,6 +342,18 @@ def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | Eccent
         return m_S, pieces_centre(rho=rho, A=A, l=l, z=z, m_S=m_S)
     m_S = shaft_mass(rho=rho, A=A, l=l, m=m)
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
+
+
+def turning_inertia(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> KilogramMetre2:
+    """Moment of inertia of the whole shaft about its axis."""
+    full: Any = np.array([piece.half_angle is None for piece in found.pieces])
+    gamma: Any = np.array([math.pi if piece.half_angle is None else piece.half_angle for piece in found.pieces])
+    core: Any = np.where(full, 0.0, found.each("core_radius"))
+    l, _ = _extent(found)
+    m: Any = np.array([x.mass for x in extras])
+    e: Any = np.array([x.radius for x in extras])
+    I_p = s.polar_moment(gamma=gamma, R=found.each("outer_radius"), r_0=core)
+    return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e)
 
 
 @formula("F_O", "force of the pieces of the outline and the further elements")

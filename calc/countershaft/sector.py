@@ -60,3 +60,8 @@ def cylinder_area(R: Metre) -> SquareMetre:
 @formula("I", "second moment of a full cylinder", unit="mm⁴")
 def cylinder_inertia(R: Metre) -> Metre4:
     return pi * R**4 / 4
+
+
+@formula("I_p", "polar moment of sector and core about the axis; a full cylinder: γ = π", unit="mm⁴")
+def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
+    return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2

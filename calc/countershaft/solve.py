@@ -19,7 +19,7 @@ from .bending.shaft import checks as bending_checks
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .judgement import checks, notes
 from .making.parts import Gathered, making
-from .outline import NoOutline, Outline, assembled, given, known, sectors_of, vectors_of, weighed
+from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
 from .pictures import pictures
 from .result import CountershaftResult, SupportResult
 from .standing import Gear
@@ -59,7 +59,8 @@ def solve(
         if drawn is not None:
             points: tuple[Any, ...] = (*shaft.extras, *(masses if drawn.plain else ()))  # what the outline itself does not hold
             m_S, z_S = weighed(drawn, steel.density, points)
-            found = replace(found, outline=drawn, mass=m_S, centre_of_gravity=z_S)
+            J_S = turning_inertia(drawn, steel.density, points)
+            found = replace(found, outline=drawn, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
             if not drawn.derived:
                 to.values |= _beside(points, drawn, steel, omega_S, F_S, C_S)
             bent = bending(drawn, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
