@@ -85,6 +85,8 @@ class Design:
                     yield key, "needed where there is no [bearings] table to take it from"
         if self.gears is not None and self.engine is None and self.gears.speed is None:
             yield "gears.speed_rpm", "needed where there is no [engine] table to take it from"
+        if self.gears is not None and self.engine is None and self.gears.speed_irregularity and self.gears.irregularity_order is None:
+            yield "gears.irregularity_order", "needed where there is no [engine] table whose firing order it is"
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
 
@@ -159,6 +161,8 @@ class Design:
             yield "bearings.housing_material", self.bearings.housing_material, solids
             yield "bearings.journal_material", self.bearings.journal_material, solids
         if self.gears is not None:
+            yield "gears.housing_material", self.gears.housing_material, solids
+            yield "gears.support_material", self.gears.support_material, solids
             for i, wheel in enumerate(self.gears.wheels):
                 yield f"gears.wheels.{i}.material", wheel.material, solids
         if self.friction is not None:

@@ -94,6 +94,31 @@ def reference_thickness(m_n: Metre, x: Number, alpha_n: Radian, beta: Radian) ->
     return m_n * (pi / 2 + 2 * x * tan(alpha_n)) / cos(beta)
 
 
+@formula("s_n", f"{ISO}: normal tooth thickness at the reference circle", unit="mm")
+def reference_normal_thickness(s_t: Metre, beta: Radian) -> Metre:
+    return s_t * cos(beta)
+
+
+@formula("h", f"{ISO}: tooth depth", unit="mm")
+def tooth_depth(d_a: Metre, d_f: Metre) -> Metre:
+    return (d_a - d_f) / 2
+
+
+@formula("inv α_p", f"{ISO}: pressure angle where the flanks of a tooth meet")
+def pointed_involute(s_t: Metre, d: Metre, alpha_t: Radian) -> Number:
+    return s_t / d + inv(alpha_t)
+
+
+@formula("d_p", f"{ISO}: circle on which the tooth is pointed", unit="mm")
+def pointed_diameter(d_b: Metre, alpha_p: Radian) -> Metre:
+    return d_b / cos(alpha_p)
+
+
+@formula("d", "a diameter with its tolerance", unit="mm")
+def with_tolerance(d: Metre, T: Metre) -> Metre:
+    return d + T
+
+
 @formula("α_yt", f"{ISO}: transverse pressure angle at a circle")
 def pressure_angle_at(d_b: Metre, d_y: Metre) -> Radian:
     return acos(d_b / d_y)
@@ -138,6 +163,21 @@ def working_helix_angle(beta_b: Radian, alpha_wt: Radian) -> Radian:
 @formula("d_w", f"{ISO}: working diameter; z is the wheel's, z_m its mate's", unit="mm")
 def working_diameter(a_w: Metre, z: Number, z_m: Number) -> Metre:
     return 2 * a_w * z / (z + z_m)
+
+
+@formula("m_wt", f"{ISO}: transverse module at the working circles", unit="mm")
+def working_module(a_w: Metre, z_1: Number, z_2: Number) -> Metre:
+    return 2 * a_w / (z_1 + z_2)
+
+
+@formula("y", f"{ISO}: centre distance modification, in normal modules")
+def centre_modification(a_w: Metre, d_1: Metre, d_2: Metre, m_n: Metre) -> Number:
+    return (a_w - (d_1 + d_2) / 2) / m_n
+
+
+@formula("Σx", f"{ISO}: sum of the shifts of both wheels")
+def sum_of_shifts(x_1: Number, x_2: Number) -> Number:
+    return x_1 + x_2
 
 
 @formula("x", "rule of this program: the first wheel whose shift nothing gives has none", shows="0")
@@ -226,6 +266,17 @@ def total_contact_ratio(eps_alpha: Number, eps_beta: Number) -> Number:
 def lowest_single_contact(T: Metre, rho_Am: Metre, p_bt: Metre) -> Metre:
     """One base pitch before the end of contact, which is where the mate's begins."""
     return T - rho_Am - p_bt
+
+
+@formula("ρ_D", f"{ISO}: highest point of single contact; exists where 1 ≤ ε_α < 2", unit="mm")
+def highest_single_contact(rho_A: Metre, p_bt: Metre) -> Metre:
+    """One base pitch after its own start of contact."""
+    return rho_A + p_bt
+
+
+@formula("c_F", f"{ISO}: how far above the fillet contact begins", unit="mm")
+def form_margin(d_Nf: Metre, d_Ff: Metre) -> Metre:
+    return (d_Nf - d_Ff) / 2
 
 
 @formula("ζ", f"{ISO}: specific sliding, negative below the working circle", names={"T": "T_1T_2"})

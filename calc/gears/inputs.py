@@ -227,6 +227,18 @@ class GearsInputs:
     power: float = quantity(
         "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Left out: from the closed power balance."
     )
+    speed_irregularity: float = quantity(
+        "Irregularity of the first driver's speed", optional=True, low=0, high=1, symbol="delta_s", step=0.005,
+        help="(largest − smallest)/mean. Left out: the engine's, where its gas and flywheel_inertia_kgm2 are given.",
+    )  # fmt: skip
+    irregularity_order: float = quantity(
+        "Order of the irregularity",
+        optional=True,
+        above=0,
+        high=50,
+        symbol="i",
+        help="Of the first driver. Left out: the engine's firing order.",
+    )
     tooth_angle: float = quantity(
         "Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
         help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.",

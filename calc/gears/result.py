@@ -32,12 +32,18 @@ class WheelResult:
     pitch_diameter: Metre = value("Reference diameter", "mm", "d")
     base_diameter: Metre = value("Base diameter", "mm", "d_b")
     tip_diameter: Metre = value("Tip diameter", "mm", "d_a")
+    tip_diameter_min: Metre | None = value("Tip diameter, smallest by its tolerance", "mm", "d_a", default=None)
+    tip_diameter_max: Metre | None = value("Tip diameter, largest by its tolerance", "mm", "d_a", default=None)
+    pointed_diameter: Metre = value("Circle on which the tooth would be pointed", "mm", "d_p")
     root_diameter: Metre = value("Root diameter", "mm", "d_f")
     root_diameter_min: Metre | None = value("Root diameter, thinnest tooth", "mm", "d_f", default=None)
     root_diameter_max: Metre | None = value("Root diameter, thickest tooth", "mm", "d_f", default=None)
     form_diameter: Metre = value("Form diameter: the fillet begins", "mm", "d_Ff")
     form_diameter_min: Metre | None = value("Form diameter, thinnest tooth", "mm", "d_Ff", default=None)
     form_diameter_max: Metre | None = value("Form diameter, thickest tooth", "mm", "d_Ff", default=None)
+    tooth_depth: Metre = value("Tooth depth", "mm", "h")
+    reference_thickness: Metre = value("Tooth thickness at the reference circle, transverse", "mm", "s_t")
+    normal_thickness: Metre = value("Tooth thickness at the reference circle, normal", "mm", "s_n")
     tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
     tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
     speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
@@ -55,7 +61,6 @@ class WheelResult:
     face_width: Metre
     material: str
     allowance: tuple[Metre, Metre] | None  # (upper, lower) change of the span
-    reference_thickness: Metre  # s_t
     span_length: Metre  # W_K
     tip_curvature: Metre  # ρ_a
     form_curvature: Metre  # ρ_F
@@ -76,20 +81,36 @@ class MeshResult:
     """One mesh."""
 
     centre_distance: Metre = value("Centre distance", "mm", "a_w")
+    centre_modification: Number = value("Centre distance modification, in modules", "", "y")
+    shift_sum: Number = value("Sum of the profile shifts", "", "Σx")
+    working_module: Metre = value("Transverse module at the working circles", "mm", "m_wt")
     working_pressure_angle: Radian = value("Working transverse pressure angle", "°", "α_wt")
     working_helix_angle: Radian = value("Helix angle at the working circle", "°", "β_w")
     working_diameter_driver: Metre = value("Working diameter, driver", "mm", "d_w1")
     working_diameter_driven: Metre = value("Working diameter, driven", "mm", "d_w2")
+    working_thickness_driver: Metre = value("Tooth thickness at the working circle, driver", "mm", "s_wt1")
+    working_thickness_driven: Metre = value("Tooth thickness at the working circle, driven", "mm", "s_wt2")
     standard_tip_shortening: Metre = value("Standard tip shortening (not applied)", "mm", "k*·m_n")
     transverse_contact_ratio: Number = value("Transverse contact ratio", "", "ε_α")
     overlap_ratio: Number = value("Overlap ratio", "", "ε_β")
     total_contact_ratio: Number = value("Total contact ratio", "", "ε_γ")
+    transverse_contact_ratio_min: Number | None = value(
+        "Transverse contact ratio, shortest tips and widest centres", "", "ε_α,min", default=None
+    )
     sap_diameter_driver: Metre = value("Start of active profile, driver", "mm", "d_Nf1")
     sap_diameter_driven: Metre = value("Start of active profile, driven", "mm", "d_Nf2")
+    form_margin_driver: Metre = value("Contact begins above the fillet, driver", "mm", "c_F1")
+    form_margin_driven: Metre = value("Contact begins above the fillet, driven", "mm", "c_F2")
+    lpstc_diameter_driver: Metre | None = value("Lowest single contact, driver", "mm", "d_B1", default=None)
+    lpstc_diameter_driven: Metre | None = value("Lowest single contact, driven", "mm", "d_B2", default=None)
+    hpstc_diameter_driver: Metre | None = value("Highest single contact, driver", "mm", "d_D1", default=None)
+    hpstc_diameter_driven: Metre | None = value("Highest single contact, driven", "mm", "d_D2", default=None)
     tip_clearance_driver: Metre = value("Tip clearance at the driver's root", "mm", "c_1")
     tip_clearance_driven: Metre = value("Tip clearance at the driven wheel's root", "mm", "c_2")
     specific_sliding_driver: Number = value("Specific sliding at the start of contact, driver", "", "ζ_A1")
     specific_sliding_driven: Number = value("Specific sliding at the start of contact, driven", "", "ζ_A2")
+    specific_sliding_tip_driver: Number = value("Specific sliding at the end of contact, driver", "", "ζ_E1")
+    specific_sliding_tip_driven: Number = value("Specific sliding at the end of contact, driven", "", "ζ_E2")
     specific_sliding_lpstc_driver: Number | None = value("Specific sliding at the lowest single contact, driver", "", "ζ_B1", default=None)
     specific_sliding_lpstc_driven: Number | None = value("Specific sliding at the lowest single contact, driven", "", "ζ_B2", default=None)
     backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min")

@@ -46,14 +46,17 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
         ball = gears.ball_diameter or ideal
+        pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
         return WheelResult(
+            tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed,
+            normal_thickness=f.reference_normal_thickness(s_t, system.beta),
             profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
             form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
             ideal_ball=ideal, ball_diameter=ball, over_balls=_over_balls(bare, s_t, ball),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
             allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
-            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b), **_limits(bare, ball, x_min),
+            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b), **_limits(bare, ball, x_min), **_tips(wheel, d_a),
         )  # fmt: skip
 
 
@@ -111,20 +114,32 @@ def _over_balls(bare: _Bare, s_t: Metre, ball: Metre) -> Metre | None:
     return m.over_balls_odd(d_K, z, ball) if z % 2 else m.over_balls_even(d_K, ball)
 
 
+def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Metre]:
+    """The tip diameter at both ends of its tolerance."""
+    if wheel.tip_diameter_tolerance is None:
+        return {}
+    upper, lower = wheel.tip_diameter_tolerance
+    return {"tip_diameter_min": f.with_tolerance(d=d_a, T=lower), "tip_diameter_max": f.with_tolerance(d=d_a, T=upper)}
+
+
 def _limits(bare: _Bare, ball: Metre, x_min: Number) -> dict[str, Any]:
     """The sizes at both ends of the allowance."""
+    roots = bare.wheel.root_diameter_tolerance
     if (allowance := _allowance(bare.wheel)) is None:
-        return {}
+        if roots is None:
+            return {}
+        d_f = f.root_diameter(bare.d, bare.system.m_n, bare.x, bare.system.h_fP)
+        return {f"root_diameter_{end}": f.with_tolerance(d=d_f, T=T) for end, T in zip(("max", "min"), roots)}
     s, place = bare.system, f"gears.wheels.{bare.wheel.name}.span_allowance_um"
     found: dict[str, Any] = {}
-    for end, E_W in zip(("max", "min"), allowance):
+    for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
         with about(f"wheel {bare.wheel.name}, {'thickest' if end == 'max' else 'thinnest'} tooth"):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
             d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_fP)
             if s_t <= 0 or d_f <= 0:
                 raise NoSolution(f"{place} = {E_W * 1e6:g}: takes away the whole tooth", advice="−20 to −50 µm is usual")
-            found[f"root_diameter_{end}"] = d_f
+            found[f"root_diameter_{end}"] = d_f if T is None else f.with_tolerance(d=d_f, T=T)
             found[f"form_diameter_{end}"] = _form_diameter(bare, x_E, x_min)
             found[f"over_balls_{end}"] = _over_balls(bare, s_t, ball)
     return found
