@@ -1,16 +1,26 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The calculation sheet of Finotti 2013 for one pair, exactly as it computes, for the values that are wrong in it.
+"""The calculation sheet of Finotti 2013 for one pair, exactly as it computes: a result to compare with, beside what is wrong in it.
 
-Wheel 1 is the driver, u = z_2/z_1 also below 1.  It reproduces Tables 4.5 and 4.6.
+Wheel 1 is the driver, u = z_2/z_1 also below 1.  It reproduces Fig. 4.20 and 4.22 and Tables 4.5 and 4.6.
 """
 
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import cos, pi, sin, sqrt
-from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond, Watt
+from ...sheet.quantity import result, value
+from ...sheet.step import Table
+from ...sheet.trace import about
+from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond, Watt
 from .. import formulas as f
-from ..result import MeshResult, ToothSystem, WheelResult
 from . import stress as s
 from .tooth_form import ToothForm, lever, section
+
+if TYPE_CHECKING:
+    from ..result import MeshResult, ToothSystem, WheelResult
 
 SHEET = "Finotti 2013, sheet of Tables 4.5 and 4.6"
 E_OF_SHEET: Pascal = 2.1e12  # 210000 daN/mm², ten times that of steel
@@ -44,6 +54,11 @@ def form_factor(h: Number, alpha_en: Radian, gamma_e: Radian, s: Number, alpha_t
     return 6 * h * cos(alpha_en - gamma_e) / (s**2 * cos(alpha_t))
 
 
+@formula("η", "Finotti 2013, Fig. 4.22: half angle of the tooth space at the working circle")
+def space_angle(z: Number, s_w: Metre, d_w: Metre) -> Radian:
+    return pi / z - s_w / d_w
+
+
 @formula("α_tr", "Finotti 2013, Fig. 4.22 (wrong: the product of two angles in degrees stands for their sum); in degrees")
 def ball_angle(alpha_wt: Radian, eta: Radian) -> Number:
     return (180 / pi) ** 2 * alpha_wt * eta
@@ -54,7 +69,7 @@ def ball(d_w: Metre, beta_b: Radian, eta: Radian, alpha_tr: Radian) -> Metre:
     return d_w * cos(beta_b) * sin(eta) / cos(alpha_tr)
 
 
-def sheet_contact(system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, F_t: Newton) -> Pascal:
+def sheet_contact(system: "ToothSystem", mesh: "MeshResult", driver: "WheelResult", driven: "WheelResult", F_t: Newton) -> Pascal:
     """σ_H of the sheet."""
     Z_eps = s.contact_ratio_factor(mesh.transverse_contact_ratio, mesh.overlap_ratio)
     u = driven.teeth / driver.teeth
@@ -62,7 +77,7 @@ def sheet_contact(system: ToothSystem, mesh: MeshResult, driver: WheelResult, dr
     return contact_stress(system.beta, alpha_wt, alpha_t, Z_eps, F_t, driver.pitch_diameter, mesh.face_width, u)
 
 
-def sheet_tooth_form(system: ToothSystem, wheel: WheelResult, sap_curvature: Metre) -> ToothForm:
+def sheet_tooth_form(system: "ToothSystem", wheel: "WheelResult", sap_curvature: Metre) -> ToothForm:
     """Y_F and Y_S of the sheet; ρ at the outer single contact is that at the start of contact plus one base pitch."""
     cut = section(system, wheel)
     d_D = f.diameter_at(wheel.base_diameter, sap_curvature + system.base_pitch)
@@ -71,8 +86,88 @@ def sheet_tooth_form(system: ToothSystem, wheel: WheelResult, sap_curvature: Met
     return ToothForm(Y_F, s.stress_correction(s.slenderness(cut.chord, arm), cut.q_s), cut.q_s)
 
 
-def sheet_root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, sap_curvature: Metre, F_t: Newton) -> Pascal:
+def sheet_root(system: "ToothSystem", mesh: "MeshResult", wheel: "WheelResult", sap_curvature: Metre, F_t: Newton) -> Pascal:
     """σ_F of the sheet."""
     form = sheet_tooth_form(system, wheel, sap_curvature)
     Y_beta = s.helix_factor_root(mesh.overlap_ratio, system.beta)
     return s.root_stress(F_t, mesh.face_width, system.m_n, form.Y_F, form.Y_S, Y_beta)
+
+
+# --- the sheet as a result -------------------------------------------------------------------------------------------------
+@result
+class SheetResult:
+    """What the sheet gives for one mesh."""
+
+    tangential_force: Newton = value("Source's sheet: tangential force", "N", "F_t")
+    contact_stress: Pascal = value("Source's sheet: contact stress", "MPa", "σ_H,F")
+    helix_factor: Number = value("Source's sheet: helix angle factor of the root", "", "Y_β")
+    form_factor_driver: Number | None = value("Source's sheet: form factor, driver", "", "Y_F,F", default=None)
+    form_factor_driven: Number | None = value("Source's sheet: form factor, driven", "", "Y_F,F", default=None)
+    notch_parameter_driver: Number | None = value("Source's sheet: notch parameter, driver", "", "q_s", default=None)
+    notch_parameter_driven: Number | None = value("Source's sheet: notch parameter, driven", "", "q_s", default=None)
+    stress_correction_driver: Number | None = value("Source's sheet: stress correction factor, driver", "", "Y_S", default=None)
+    stress_correction_driven: Number | None = value("Source's sheet: stress correction factor, driven", "", "Y_S", default=None)
+    root_stress_driver: Pascal | None = value("Source's sheet: root stress, driver", "MPa", "σ_F,F", default=None)
+    root_stress_driven: Pascal | None = value("Source's sheet: root stress, driven", "MPa", "σ_F,F", default=None)
+    ball_angle_driver: Number = value("Source's sheet: pressure angle at the ball, driver, in degrees", "", "α_tr")
+    ball_angle_driven: Number = value("Source's sheet: pressure angle at the ball, driven, in degrees", "", "α_tr")
+    ideal_ball_driver: Metre | None = value("Source's sheet: theoretical ball, driver", "mm", "D_F", default=None)
+    ideal_ball_driven: Metre | None = value("Source's sheet: theoretical ball, driven", "mm", "D_F", default=None)
+
+
+def sheet(system: "ToothSystem", mesh: "MeshResult", wheels: "tuple[WheelResult, WheelResult]", T: NewtonMetre) -> SheetResult:
+    """The whole sheet of one mesh, T at its driver as the sheet takes it: that of the train's first driver, whatever its speed."""
+    driver, driven = wheels
+    found: dict[str, Any] = {}
+    with about(f"source's sheet, mesh {mesh.driver}–{mesh.driven}"):
+        F_t = s.tangential_force(T, driver.pitch_diameter)
+        found["contact_stress"] = sheet_contact(system, mesh, driver, driven, F_t)
+        found["helix_factor"] = s.helix_factor_root(mesh.overlap_ratio, system.beta)
+        for end, wheel, rho, s_w, d_w in (
+            ("driver", driver, mesh.sap_curvature_driver, mesh.working_thickness_driver, mesh.working_diameter_driver),
+            ("driven", driven, mesh.sap_curvature_driven, mesh.working_thickness_driven, mesh.working_diameter_driven),
+        ):
+            try:
+                form = sheet_tooth_form(system, wheel, rho)
+                found[f"root_stress_{end}"] = s.root_stress(F_t, mesh.face_width, system.m_n, form.Y_F, form.Y_S, found["helix_factor"])
+                found |= {f"form_factor_{end}": form.Y_F, f"stress_correction_{end}": form.Y_S, f"notch_parameter_{end}": form.q_s}
+            except NoSolution:  # its load circle can miss the tooth where the right one does not: then it has no value
+                pass
+            eta = space_angle(wheel.teeth, s_w, d_w)
+            angle = found[f"ball_angle_{end}"] = ball_angle(mesh.working_pressure_angle, eta)
+            if 0 < angle < 90:
+                found[f"ideal_ball_{end}"] = ball(d_w, system.base_helix_angle, eta, math.radians(angle))
+    return SheetResult(tangential_force=F_t, **found)
+
+
+WRONG = {
+    "tangential_force": "the speed of the train's first wheel is entered for every driver",
+    "contact_stress": "E = 210000 daN/mm² is ten times steel: √10 too high; β for β_b in Z_H, √cos β for Z_β",
+    "form_factor": "height of the outer single contact carried to the virtual wheel without 1/cos² β_b; cos α_t for cos α_n",
+    "stress_correction": "follows from the lever arm of its form factor",
+    "root_stress": "follows from its form factor, stress correction and force",
+    "ideal_ball": "α_wt·η in degrees stands for the sum of both angles; the usual form is 2 % high at this helix",
+}
+
+
+def comparison(rows: "Iterator[tuple[str, str, SheetResult, dict[str, float | None]]]") -> Table:
+    """The sheet's values beside the right ones: (mesh, driver and driven by name, what the sheet gives, what is right)."""
+    made: list[tuple[str | float | None, ...]] = []
+    for mesh, names, given, right in rows:
+        ends = dict(zip(("driver", "driven"), names.split("–")))
+        for key, ours in right.items():
+            theirs = getattr(given, key)
+            if theirs is None or ours is None:
+                continue
+            stem, _, end = key.rpartition("_")
+            what = f"{stem.replace('_', ' ')} of {ends[end]}" if end in ends else key.replace("_", " ")
+            unit = {"tangential_force": "N", "contact_stress": "MPa", "root_stress": "MPa", "ideal_ball": "mm"}.get(
+                stem if end in ends else key, ""
+            )
+            shown = UNITS[unit].shown
+            made.append((mesh, what, unit, shown(theirs), shown(ours), WRONG[stem if end in ends else key]))
+    return Table(
+        "source_sheet", "The sheet of Finotti 2013 for this load, beside ISO 6336 with K = 1",
+        (("Mesh", ""), ("Quantity", ""), ("Unit", ""), ("Sheet", ""), ("Right", ""), ("What is wrong in the sheet", "")), tuple(made),
+        "A result to compare with, not to design by: it reproduces the source's printed values when its power and speed are given.",
+    )  # fmt: skip
