@@ -114,3 +114,39 @@ def chordal_thickness(z_v: Number, m_n: Metre, psi: Radian) -> Metre:
 @formula("h_c", f"{ISO}: height of the tip above the chord", unit="mm")
 def chordal_height(z_v: Number, m_n: Metre, psi: Radian, d_a: Metre, d: Metre) -> Metre:
     return z_v * m_n * (1 - cos(psi)) / 2 + (d_a - d) / 2
+
+
+@formula(
+    "s_cc",
+    f"{ISO}: constant chord, between the points where the basic rack touches both flanks; the same for any number of teeth",
+    unit="mm",
+)
+def constant_chord(m_n: Metre, alpha_n: Radian, x: Number) -> Metre:
+    """Exact for helical teeth too, in the normal section through the middle of the tooth at the reference circle."""
+    return m_n * (pi / 2 * cos(alpha_n) ** 2 + x * sin(2 * alpha_n))
+
+
+@formula("h_cc", f"{ISO}: height of the tip above the constant chord", unit="mm")
+def constant_chord_height(d_a: Metre, d: Metre, s_cc: Metre, alpha_n: Radian) -> Metre:
+    return (d_a - d) / 2 - s_cc * tan(alpha_n) / 2
+
+
+@formula("d_cc", "rack and tooth at the pitch point: circle on which the ends of the constant chord lie", unit="mm")
+def constant_chord_diameter(d: Metre, s_cc: Metre, alpha_n: Radian, beta: Radian) -> Metre:
+    return sqrt((d + s_cc * tan(alpha_n)) ** 2 + (s_cc * cos(beta)) ** 2)
+
+
+# --- tooth thickness and its allowance -----------------------------------------------------------------------------------------
+@formula("s_n", f"{ISO}: normal tooth thickness at the reference circle", unit="mm")
+def normal_thickness(m_n: Metre, x: Number, alpha_n: Radian) -> Metre:
+    return m_n * (pi / 2 + 2 * x * tan(alpha_n))
+
+
+@formula("E_sn", f"{ISO}: normal tooth thickness allowance of a change of the span", unit="µm")
+def thickness_allowance(E_W: Metre, alpha_n: Radian) -> Metre:
+    return E_W / cos(alpha_n)
+
+
+@formula("E_st", f"{ISO}: transverse tooth thickness allowance at the reference circle", unit="µm")
+def transverse_allowance(E_sn: Metre, beta: Radian) -> Metre:
+    return E_sn / cos(beta)

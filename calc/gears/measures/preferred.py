@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Preferred diameters of measuring balls and pins, and the one that suits a wheel best."""
+
+import math
+from typing import TYPE_CHECKING
+
+from ...sheet.trace import untraced
+from ...sheet.units import Metre, Number
+from ..formulas import angle_of_involute
+from . import formulas as m
+
+if TYPE_CHECKING:
+    from ..result import ToothSystem
+
+SOURCE = "DIN 3977, measuring pieces for cylindrical gears, as generally published, from memory"
+MILLIMETRES = (
+    1, 1.1, 1.25, 1.4, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4, 4.25, 4.5, 5, 5.25, 5.5, 6, 6.5, 7, 7.5, 8, 9, 10, 10.5, 11,
+    12, 14, 16, 18, 20, 22, 25, 28, 30, 35, 40, 45, 50,
+)  # fmt: skip
+PREFERRED: tuple[Metre, ...] = tuple(d / 1000 for d in MILLIMETRES)
+
+
+def preferred_ball(
+    system: "ToothSystem", z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, ideal: Metre
+) -> Metre | None:
+    """The preferred diameter nearest to `ideal` that touches between the circles `flank` and stands clear of the root and proud of the tip.
+
+    None where there is no such diameter.
+    """
+    with untraced():
+        for D in sorted(PREFERRED, key=lambda D: abs(D - ideal)):
+            if suits(system, z, s_t, d, d_b, flank, d_f, D):
+                return D
+            if not ideal / 3 < D < 3 * ideal:  # nothing beyond touches the flank near its middle
+                return None
+    return None
+
+
+def suits(system: "ToothSystem", z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, D_M: Metre) -> bool:
+    """Whether a ball touches both flanks between these circles, clear of the root and proud of the tip."""
+    beta_b = system.base_helix_angle
+    involute = m.ball_involute(s_t, d, system.transverse_pressure_angle, D_M, d_b, beta_b, z)
+    if involute <= 0:
+        return False
+    alpha_K = angle_of_involute(involute)
+    if d_b * math.tan(alpha_K) <= D_M * math.cos(beta_b):  # it would touch below the base circle
+        return False
+    d_K, d_y = m.ball_centre_diameter(d_b, alpha_K), m.ball_contact_diameter(d_b, alpha_K, D_M, beta_b)
+    return flank[0] < d_y < flank[1] and d_K + D_M > flank[1] and d_K - D_M > d_f
