@@ -77,7 +77,9 @@ def _tooth(system: "ToothSystem", wheel: "WheelResult", key: str, size: Metre, x
     m_n, alpha_n = system.m_n, system.alpha_n
     s_n = m.normal_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n)
     if not 0 < s_n < math.pi * m_n:
-        raise _no_tooth(wheel, key, size, f"its teeth would be {s_n * 1e3:.4g} mm thick, at a pitch of {math.pi * m_n * 1e3:.4g} mm")
+        fits = round(wheel.span_teeth + (size - wheel.span_length) / (math.pi * m_n * math.cos(alpha_n)))
+        hint = f"it is near a span over {fits} teeth, not {wheel.span_teeth:g}" if key == "measured_span" and fits > 0 else ""
+        raise _no_tooth(wheel, key, size, f"its teeth would be {s_n * 1e3:.4g} mm thick, at a pitch of {math.pi * m_n * 1e3:.4g} mm", hint)
     E_W = back.span_change(x_E=x_E, x=wheel.profile_shift, m_n=m_n, alpha_n=alpha_n)
     return Measured(
         generating_shift=x_E,
@@ -88,10 +90,10 @@ def _tooth(system: "ToothSystem", wheel: "WheelResult", key: str, size: Metre, x
     )
 
 
-def _no_tooth(wheel: "WheelResult", key: str, size: Metre, why: str) -> NoSolution:
+def _no_tooth(wheel: "WheelResult", key: str, size: Metre, why: str, hint: str = "") -> NoSolution:
     return NoSolution(
         f"gears.wheels.{wheel.name}.{key}_mm = {size * 1e3:g}: {why}",
-        advice=f"compare it with the computed {NAMES[key]}, and the {wheel.span_teeth:g} teeth spanned or the ball with those measured",
+        advice=hint or f"compare it with the computed {NAMES[key]}, and the ball or pin with the one that was used",
     )
 
 

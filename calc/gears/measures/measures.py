@@ -152,6 +152,8 @@ def _ideal_balls(system: "ToothSystem", wheel: "WheelResult", working: Iterable[
         with about(f"wheel {wheel.name}, working circle with {mate}"):
             alpha_wt = f.pressure_angle_at(d_b=d_b, d_y=d_w)
             D = m.ball_for_contact(s_t=s_t, d=d, alpha_t=alpha_t, z=wheel.teeth, d_b=d_b, beta_b=beta_b, alpha_yt=alpha_wt)
+        if D <= 0:  # the flanks meet further out: no ball reaches this circle
+            continue
         found[f"ideal_ball_at_{mate}"] = Stated(Described(f"Ball that touches at the working circle with {mate}", "mm", "D_w"), D)
     return found
 

@@ -45,6 +45,18 @@ def test_ball_at_the_working_circle(name, exact):
     assert found.ideal_balls["ideal_ball_at_mate"].number * 1e3 == pytest.approx(exact, abs=0.5e-3)
 
 
+def test_no_ball_touches_where_the_flanks_have_met():
+    gears = pair_1()
+    found = geometry(gears, SPEED).result
+    idler, low = found.wheels["idler"], ("deep", found.wheels["idler"].base_diameter * 1.001)
+    deep, _, _ = measures(found.system, gears.wheels[1], idler, [low])
+    assert deep.ideal_balls["ideal_ball_at_deep"].number > 0
+    thick = train([wheel("a", 12, 2.2), wheel("mate", 40)], [mesh("a", "mate")], beta=0.0)
+    a = geometry(thick, SPEED).result.wheels["a"]
+    none, _, _ = measures(geometry(thick, SPEED).result.system, thick.wheels[0], a, [("deep", a.base_diameter * 1.001)])
+    assert none.ideal_balls == {}
+
+
 def test_allowances_are_thickness_over_the_cosines():
     """E_sn = E_W/cos α_n, and transverse at d the same as E_W/(cos α_t·cos β_b)."""
     found, _, _ = of(pair_1(), "idler")
