@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What film and flash temperature have in common: the load per length, the two bodies, the oil's friction factor, the way it arrives."""
+
+from collections.abc import Mapping
+from typing import Annotated
+
+from ....catalogue import Material
+from ....lubricant import Lubricant
+from ....sheet.formula import formula
+from ....sheet.functions import cos
+from ....sheet.record import record
+from ....sheet.trace import about
+from ....sheet.units import (
+    Celsius,
+    JoulePerKilogramKelvin,
+    KilogramPerMetre3,
+    Metre,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    Radian,
+    WattPerMetreKelvin,
+)  # fmt: skip
+
+ThermalProduct = Annotated[float, "W²·s/(m⁴·K²)"]
+
+CONDUCTIVITY: WattPerMetreKelvin = 45.0  # of steel, ISO/TR 15144-1:2014, Table 2, as in public code
+SPECIFIC_HEAT: JoulePerKilogramKelvin = 440.0  # the same
+MICROMETRE: Metre = 1e-6
+MILLIMETRE: Metre = 1e-3
+NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
+MILLIPASCAL_SECOND: PascalSecond = 1e-3
+
+# Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
+# only (1.3): other esters count as mineral oil by a rule of this program.
+LUBRICANT_FACTOR = {"mineral": 1.0, "PAO": 0.8, "PAG": 0.7}
+# Lubrication factor X_S, ISO/TR 13989-1:2000 (22) and ISO/TR 15144-1:2014 (84), as generally published.
+LUBRICATION_FACTOR = {"spray": 1.2, "dip": 1.0, "submerged": 0.2}
+
+
+@formula(
+    "w_Bt", "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors", unit="N/mm", names={"K": "K_A·K_V·K_Hβ·K_Hα"}
+)
+def line_load(K: Number, F_t: Newton, b: Metre) -> NewtonPerMetre:
+    return K * F_t / b
+
+
+@formula("w_t", "load per width in the plane of action", unit="N/mm")
+def load_in_plane_of_action(w_Bt: NewtonPerMetre, alpha_t: Radian) -> NewtonPerMetre:
+    return w_Bt / cos(alpha_t)
+
+
+@formula(
+    "K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90), as in public code: more friction by more lines of contact",
+    shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on",
+)  # fmt: skip
+def helical_load_factor(eps_gamma: Number) -> Number:
+    return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * float((eps_gamma - 2) * (5 - eps_gamma)) ** 0.5
+
+
+@formula("E_r", "ISO/TR 15144-1:2014 (6), ISO/TR 13989-1:2000 (A.10): reduced modulus of elasticity", unit="MPa")
+def reduced_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
+    return 2 / ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2)
+
+
+@formula(
+    "B_M²", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"}
+)
+def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePerKilogramKelvin) -> ThermalProduct:
+    return lam * rho * c
+
+
+@formula("Ra", "ISO/TR 15144-1:2014 (3): mean roughness of both flanks", unit="µm")
+def mean_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
+    return (Ra_1 + Ra_2) / 2
+
+
+@record
+class Load:
+    """A mesh under its load: what is the same at all points of the path."""
+
+    F_t: Newton
+    w_Bt: NewtonPerMetre
+    w_t: NewtonPerMetre
+    K: Number
+    K_A: Number
+    K_Bgamma: Number
+    E_r: Pascal
+    b_1: ThermalProduct
+    b_2: ThermalProduct
+    Ra: Metre
+
+
+@record
+class OilBath:
+    """The oil that reaches the teeth: the same for all meshes of a train."""
+
+    lubricant: Lubricant
+    T_oil: Celsius
+    eta: PascalSecond  # at that temperature
+    alpha_38: PerPascal
+    X_L: Number
+    X_S: Number
+
+
+def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = "spray") -> OilBath:
+    """`lubrication` "spray", "dip" or "submerged".
+
+    The pressure-viscosity coefficient is that of ISO/TR 15144-1:2014 (9) to (11), which AGMA 925-A03 writes in other units.
+    """
+    with about("oil of the gears"):
+        eta = lubricant.at(oil_temperature).mu
+        alpha_38 = lubricant.alpha(lubricant.at(38.0).mu)
+    X_L, X_S = LUBRICANT_FACTOR.get(lubricant.oil.base, 1.0), LUBRICATION_FACTOR[lubrication]
+    return OilBath(lubricant, oil_temperature, eta, alpha_38, X_L, X_S)
+
+
+def load_of(
+    F_t: Newton, K: Number, K_A: Number, b: Metre, alpha_t: Radian, eps_gamma: Number, pair: tuple[str, str],
+    materials: Mapping[str, Material], Ra: tuple[Metre, Metre],
+) -> Load:  # fmt: skip
+    one, two = (materials[name] for name in pair)
+    w_Bt = line_load(K=K, F_t=F_t, b=b)
+    return Load(
+        F_t=F_t, w_Bt=w_Bt, w_t=load_in_plane_of_action(w_Bt=w_Bt, alpha_t=alpha_t), K=K, K_A=K_A,
+        K_Bgamma=helical_load_factor(eps_gamma=eps_gamma),
+        E_r=reduced_modulus(nu_1=one.poisson, E_1=one.E, nu_2=two.poisson, E_2=two.E),
+        b_1=thermal_product(lam=CONDUCTIVITY, rho=one.density, c=SPECIFIC_HEAT),
+        b_2=thermal_product(lam=CONDUCTIVITY, rho=two.density, c=SPECIFIC_HEAT),
+        Ra=mean_roughness(Ra_1=Ra[0], Ra_2=Ra[1]),
+    )  # fmt: skip

@@ -1,0 +1,233 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""The oil film against micropitting, ISO/TR 15144-1:2014 and ISO/TS 6336-22:2018, method B: its thickness over the roughness.
+
+The film is that of Dowson and Higginson with the oil at the temperature of the teeth, corrected for the heat of sliding (S_GF).  Unmodified
+profiles, external wheels.  Tests behind it: modules 3 to 11 mm, 8 to 60 m/s; results agree with others above 2 m/s (scope of
+ISO/TS 6336-22:2018).
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ....lubricant import Lubricant
+from ....sheet.arrays import Array
+from ....sheet.formula import formula
+from ....sheet.functions import cos, modulus, pi, sqrt
+from ....sheet.record import record
+from ....sheet.trace import untraced
+from ....sheet.units import (
+    Celsius,
+    Kelvin,
+    Metre,
+    MetrePerSecond,
+    Newton,
+    NewtonPerMetre,
+    Number,
+    Pascal,
+    PascalSecond,
+    PerPascal,
+    Radian,
+    RevPerSecond,
+    Watt,
+)  # fmt: skip
+from .load import MICROMETRE, MILLIMETRE, MILLIPASCAL_SECOND, NEWTON_PER_MILLIMETRE, Load, OilBath, ThermalProduct
+from .path import Path, Place
+
+ISO = "ISO/TR 15144-1:2014"
+AS_FOUND = "as generally published"
+METRE_PER_SECOND: MetrePerSecond = 1.0
+KILOWATT: Watt = 1e3
+ZERO: Celsius = 273.0  # as the standard rounds it
+THIRTY_EIGHT: Celsius = 311.0
+FALL: Celsius = 516.0
+RISE: Kelvin = 7400.0
+HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
+
+
+# --- friction and the temperature of the teeth ----------------------------------------------------------------------------------
+@formula("v_Σ,C", f"{ISO} (13), {AS_FOUND}: sum of the rolling speeds at the pitch point, where both are the same")
+def sum_of_speeds(v_C: MetrePerSecond) -> MetrePerSecond:
+    return 2 * v_C
+
+
+@formula("X_R", f"{ISO} (87), {AS_FOUND}: roughness factor", names={"rho_nC": "ρ_n,C"})
+def roughness_factor(Ra: Metre, rho_nC: Metre) -> Number:
+    return 2.2 * (Ra / MICROMETRE / (rho_nC / MILLIMETRE)) ** 0.25
+
+
+@formula(
+    "μ_m",
+    f"{ISO} (86), {AS_FOUND}: mean coefficient of friction",
+    names={"v_SumC": "v_Σ,C", "rho_nC": "ρ_n,C", "eta": "η_oil", "K_Bgamma": "K_Bγ"},
+)
+def mean_friction(
+    w_t: NewtonPerMetre, K_Bgamma: Number, v_SumC: MetrePerSecond, rho_nC: Metre, eta: PascalSecond, X_R: Number, X_L: Number
+) -> Number:
+    return (
+        0.045 * (w_t / NEWTON_PER_MILLIMETRE * K_Bgamma / (v_SumC / METRE_PER_SECOND * rho_nC / MILLIMETRE)) ** 0.2
+        * (eta / MILLIPASCAL_SECOND) ** -0.05 * X_R * X_L
+    )  # fmt: skip
+
+
+@formula("H_v", f"{ISO} (91), {AS_FOUND}: load losses factor, ε_α below 2 (Ohlendorf 1958)")
+def load_losses_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
+    return (eps_1**2 + eps_2**2 + 1 - eps_alpha) * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
+
+
+@formula("H_v", f"{ISO} (92), {AS_FOUND}: load losses factor, ε_α of 2 and more")
+def load_losses_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
+    return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
+
+
+@formula("P", "definition of power")
+def power(F_t: Newton, d: Metre, n: RevPerSecond) -> Watt:
+    return F_t * pi * d * modulus(n)
+
+
+@formula("Θ_M", f"{ISO} (84), {AS_FOUND}: bulk temperature, no tip relief (X_Ca = 1)", names={"T_oil": "Θ_oil"})
+def bulk_temperature(T_oil: Celsius, P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number) -> Celsius:
+    return T_oil + RISE * (P / KILOWATT * mu_m * H_v / (a / MILLIMETRE * b / MILLIMETRE)) ** 0.72 * X_S / 1.2
+
+
+# --- the film ----------------------------------------------------------------------------------------------------------------------
+@formula("α_Θ", f"{ISO} (8), {AS_FOUND}: pressure-viscosity coefficient at a temperature", names={"alpha_38": "α_38", "T": "Θ"})
+def pressure_viscosity_at(alpha_38: PerPascal, T: Celsius) -> PerPascal:
+    return alpha_38 * (1 + FALL * (1 / (T + ZERO) - 1 / THIRTY_EIGHT))
+
+
+@formula("G_M", f"{ISO} (5), {AS_FOUND}: material parameter")
+def material_parameter(alpha_M: PerPascal, E_r: Pascal) -> Number:
+    return alpha_M * E_r
+
+
+@formula("U_Y", f"{ISO} (12), {AS_FOUND}: velocity parameter", names={"eta_M": "η_M"})
+def velocity_parameter(eta_M: PascalSecond, v_1: MetrePerSecond, v_2: MetrePerSecond, E_r: Pascal, rho_n: Metre) -> Number:
+    return eta_M * (v_1 + v_2) / (2 * E_r * rho_n)
+
+
+@formula("p_dyn", f"{ISO} (24) to (26), {AS_FOUND}: Hertzian pressure with all load factors", unit="MPa")
+def hertz_pressure(E_r: Pascal, w_t: NewtonPerMetre, X: Number, rho_n: Metre, beta_b: Radian) -> Pascal:
+    return sqrt(E_r * w_t * X / (2 * pi * rho_n * cos(beta_b)))
+
+
+@formula("W_Y", f"{ISO} (22), {AS_FOUND}: load parameter")
+def load_parameter(p_dyn: Pascal, E_r: Pascal) -> Number:
+    return 2 * pi * p_dyn**2 / E_r**2
+
+
+@formula("Θ_fl", f"{ISO} (80), {AS_FOUND}: local flash temperature", names={"b_1": "B_M1²", "b_2": "B_M2²"})
+def local_flash_temperature(
+    mu_m: Number,
+    p_dyn: Pascal,
+    v_1: MetrePerSecond,
+    v_2: MetrePerSecond,
+    b_1: ThermalProduct,
+    b_2: ThermalProduct,
+    rho_n: Metre,
+    E_r: Pascal,
+) -> Kelvin:
+    return (
+        sqrt(pi) / 2 * mu_m * p_dyn * modulus(v_1 - v_2) / (sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(8 * rho_n * p_dyn / E_r)
+    )  # fmt: skip
+
+
+@formula("Θ_B", f"{ISO} (79), {AS_FOUND}: local contact temperature", names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
+def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
+    return T_M + T_fl
+
+
+@formula("S_GF", f"{ISO} (27), {AS_FOUND}: sliding parameter", names={"eta_B": "η_B", "eta_M": "η_M"})
+def sliding_parameter(alpha_B: PerPascal, eta_B: PascalSecond, alpha_M: PerPascal, eta_M: PascalSecond) -> Number:
+    return alpha_B * eta_B / (alpha_M * eta_M)
+
+
+@formula("h_Y", f"{ISO} (4), {AS_FOUND}: film thickness (there 1600, from mm to µm)", unit="µm")
+def film_thickness(rho_n: Metre, G_M: Number, U_Y: Number, W_Y: Number, S_GF: Number) -> Metre:
+    return 1.6 * rho_n * G_M**0.6 * U_Y**0.7 * W_Y**-0.13 * S_GF**0.22
+
+
+@formula("λ_GF", f"{ISO} (2), {AS_FOUND}: specific film thickness")
+def specific_film(h_Y: Metre, Ra: Metre) -> Number:
+    return h_Y / Ra
+
+
+@record
+class Film:
+    """The film of one mesh."""
+
+    mu_m: Number
+    T_M: Celsius
+    place: str  # where it is thinnest, of the seven points
+    h: Metre | None  # there; None: beside the range of the oil's laws
+    p_dyn: Pascal | None  # Hertzian pressure there
+    lam: Number | None
+    along: Array | None  # λ_GF at the samples of the path
+
+
+@record
+class Teeth:
+    """The oil at the temperature of the teeth."""
+
+    lubricant: Lubricant
+    mu_m: Number
+    T_M: Celsius
+    alpha_38: PerPascal
+    alpha_M: PerPascal
+    eta_M: PascalSecond
+    G_M: Number
+
+
+def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int], places: Place) -> Film:
+    """The specific film thickness at the points of method B, the least of which counts, and along the path.
+
+    d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the path.
+    """
+    teeth, marks = _teeth(path, load, oil, a, b, d, z), path.marks()
+    with untraced():
+        thickness, _ = _local(path, load, teeth, places)
+    if thickness is None:
+        return Film(mu_m=teeth.mu_m, T_M=teeth.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
+    along: Any = thickness
+    place = list(marks)[int(np.argmin(along[: len(marks)]))]
+    h, p_dyn = _local(path, load, teeth, path.at(marks[place]))
+    assert h is not None
+    lam = specific_film(h_Y=h, Ra=load.Ra)
+    return Film(mu_m=teeth.mu_m, T_M=teeth.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
+
+
+def _teeth(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> Teeth:
+    """Friction, bulk temperature, and the oil at that temperature."""
+    X_R = roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC)
+    mu_m = mean_friction(
+        w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=sum_of_speeds(v_C=path.v_C), rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
+    )  # fmt: skip
+    if path.eps_alpha < 2:
+        H_v = load_losses_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+    else:
+        H_v = load_losses_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+    P = power(F_t=load.F_t, d=d, n=path.n_1)
+    T_M = bulk_temperature(T_oil=oil.T_oil, P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S)
+    alpha_M = pressure_viscosity_at(alpha_38=oil.alpha_38, T=T_M)
+    eta_M = oil.lubricant.at(T_M).mu
+    return Teeth(oil.lubricant, mu_m, T_M, oil.alpha_38, alpha_M, eta_M, material_parameter(alpha_M=alpha_M, E_r=load.E_r))
+
+
+def _local(path: Path, load: Load, teeth: Teeth, at: Place) -> tuple[Metre | None, Pascal]:
+    """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the oil."""
+    p_dyn = hertz_pressure(E_r=load.E_r, w_t=load.w_t, X=at.X, rho_n=at.rho_n, beta_b=path.beta_b)
+    T_fl = local_flash_temperature(
+        mu_m=teeth.mu_m, p_dyn=p_dyn, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, rho_n=at.rho_n, E_r=load.E_r
+    )  # fmt: skip
+    T_B = contact_temperature(T_M=teeth.T_M, T_fl=T_fl)
+    if np.max(T_B) > HOTTEST:
+        return None, p_dyn
+    with untraced():
+        eta_B = teeth.lubricant.at(T_B).mu
+    S_GF = sliding_parameter(
+        alpha_B=pressure_viscosity_at(alpha_38=teeth.alpha_38, T=T_B), eta_B=eta_B, alpha_M=teeth.alpha_M, eta_M=teeth.eta_M
+    )  # fmt: skip
+    U_Y = velocity_parameter(eta_M=teeth.eta_M, v_1=at.v_1, v_2=at.v_2, E_r=load.E_r, rho_n=at.rho_n)
+    W_Y = load_parameter(p_dyn=p_dyn, E_r=load.E_r)
+    return film_thickness(rho_n=at.rho_n, G_M=teeth.G_M, U_Y=U_Y, W_Y=W_Y, S_GF=S_GF), p_dyn

@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""The points on the path of contact: curvatures, speeds, and the share of the load that one pair of teeth carries there.
+
+A place is told by ρ_1, the radius of curvature of the driver's flank: 0 where the line of action touches its base circle, T_1T_2 at
+that of the driven wheel.  A: contact begins; B: the pair before leaves; C: pitch point; D: the next pair comes; E: contact ends.
+The pair is loaded alone from B to D.
+"""
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ....sheet.arrays import Array
+from ....sheet.formula import formula
+from ....sheet.functions import cos, largest, modulus, pi, sin, smallest
+from ....sheet.record import record
+from ....sheet.units import Metre, MetrePerSecond, Number, Radian, RevPerSecond
+
+if TYPE_CHECKING:
+    from ...result import MeshResult, ToothSystem, WheelResult
+
+ISO_PATH = "ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014, as generally published"
+GEOMETRY = "ISO 21771:2007, as generally published"
+POINTS = 21  # samples of each of the three parts of the path
+BESIDE = 1e-12  # how far beside B and D, of their place, the samples of the shared load stand
+FINEST: Number = 7.0  # the finest accuracy grade of which the load sharing still takes notice
+BUTTRESS: Number = 0.2  # of sin β_b, in radii of curvature at the pitch point
+
+
+@formula("ρ_B", "geometry: one base pitch before the end of contact", unit="mm")
+def sole_contact_begins(rho_E: Metre, p_bt: Metre) -> Metre:
+    return rho_E - p_bt
+
+
+@formula("ρ_D", "geometry: one base pitch after the beginning of contact", unit="mm")
+def sole_contact_ends(rho_A: Metre, p_bt: Metre) -> Metre:
+    return rho_A + p_bt
+
+
+@formula("ρ_C", f"{GEOMETRY}: the driver's radius of curvature at the pitch point", unit="mm", names={"T": "T_1T_2"})
+def pitch_point(T: Metre, z_1: Number, z_2: Number) -> Metre:
+    return T * z_1 / (z_1 + z_2)
+
+
+@formula("ρ_E", f"{GEOMETRY}: the driver's radius of curvature at the end of contact", unit="mm", names={"T": "T_1T_2", "rho_A2": "ρ_A2"})
+def end_of_contact(T: Metre, rho_A2: Metre) -> Metre:
+    return T - rho_A2
+
+
+@formula("ρ_2", f"{GEOMETRY}: radius of curvature of the driven flank", unit="mm", names={"T": "T_1T_2"})
+def driven_curvature(T: Metre, rho_1: Metre) -> Metre:
+    return T - rho_1
+
+
+@formula("ρ_rel", "ISO/TR 13989-1:2000 (6): relative radius of curvature, transverse", unit="mm")
+def relative_radius(rho_1: Metre, rho_2: Metre) -> Metre:
+    return rho_1 * rho_2 / (rho_1 + rho_2)
+
+
+@formula("ρ_n", "ISO/TR 15144-1:2014 (45): relative radius of curvature, normal section", unit="mm")
+def normal_relative_radius(rho_rel: Metre, beta_b: Radian) -> Metre:
+    return rho_rel / cos(beta_b)
+
+
+@formula("v_r", "rolling speed of a flank: radius of curvature times angular velocity; ISO/TR 15144-1:2014 (14), (15)")
+def rolling_speed(n: RevPerSecond, rho: Metre) -> MetrePerSecond:
+    return 2 * pi * modulus(n) * rho
+
+
+@formula("ε_1", "ISO/TR 15144-1:2014: contact ratio of the driver's addendum", names={"rho_E": "ρ_E", "rho_C": "ρ_C"})
+def recess_contact_ratio(rho_E: Metre, rho_C: Metre, p_bt: Metre) -> Number:
+    return (rho_E - rho_C) / p_bt
+
+
+@formula("ε_2", "ISO/TR 15144-1:2014: contact ratio of the driven wheel's addendum")
+def approach_contact_ratio(rho_C: Metre, rho_A: Metre, p_bt: Metre) -> Number:
+    return (rho_C - rho_A) / p_bt
+
+
+@formula(
+    "X_Γ", f"{ISO_PATH}: unmodified profile; two pairs share the load as their accuracy lets them",
+    shows="(Q − 2)/15 + 1/3·way from A to B; 1 from B to D; (Q − 2)/15 + 1/3·way from E to D; Q the accuracy grade, at least 7; at most 1",
+)  # fmt: skip
+def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Metre, Q: Number) -> Number:
+    """Of spur and narrow helical wheels (ε_γ below 2).  Transverse contact ratios of 2 and more are outside the method: 1."""
+    base = (max(Q, FINEST) - 2) / 15
+    if not rho_A < rho_B <= rho_D:
+        return 1.0 + 0.0 * rho_1
+    before, after = base + (rho_1 - rho_A) / (rho_B - rho_A) / 3, base + (rho_E - rho_1) / (rho_E - rho_D) / 3
+    if isinstance(rho_1, float):
+        return min(before if rho_1 < rho_B else after if rho_1 > rho_D else 1.0, 1.0)
+    share: Any = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, 1.0))
+    return np.minimum(share, 1.0)
+
+
+@formula(
+    "ρ_AU − ρ_A", "ISO/TR 13989-1:2000 (49): way on which the ends of oblique contact lines are stiffer; ρ_C of the smaller wheel",
+    unit="mm",
+)  # fmt: skip
+def buttressed_way(rho_C: Metre, beta_b: Radian) -> Metre:
+    return BUTTRESS * sin(beta_b) * rho_C
+
+
+@formula(
+    "X_but", "ISO/TR 13989-1:2000 (51) to (56): buttressing of helical teeth at the ends of the path",
+    shows="1 + 0.3·min(ε_β, 1) at A and E, falling to 1 over the way ρ_AU − ρ_A",
+)  # fmt: skip
+def buttressing(rho_1: Metre, rho_A: Metre, rho_E: Metre, way: Metre, eps_beta: Number) -> Number:
+    near = largest(1 - (rho_1 - rho_A) / way, 0.0) + largest(1 - (rho_E - rho_1) / way, 0.0)
+    return 1 + 0.3 * min(eps_beta, 1.0) * smallest(near, 1.0)
+
+
+@formula("X_Γ", "ISO/TR 13989-1:2000, narrow helical wheels (ε_γ below 2)", names={"X": "X_Γ,spur"})
+def narrow_helical_share(X: Number, X_but: Number) -> Number:
+    return X * X_but
+
+
+@formula("X_Γ", "ISO/TR 13989-1:2000 (76), wide helical wheels (ε_γ of 2 and more): the mean load of a pair")
+def wide_helical_share(X_but: Number, eps_alpha: Number) -> Number:
+    return X_but / eps_alpha
+
+
+@record
+class Place:
+    """One point of the path, or many: curvatures, rolling speeds, load share."""
+
+    rho_1: Metre
+    rho_2: Metre
+    rho_rel: Metre
+    rho_n: Metre
+    v_1: MetrePerSecond
+    v_2: MetrePerSecond
+    X: Number
+
+
+class Path:
+    """The path of contact of a mesh; Q the accuracy grade."""
+
+    def __init__(self, system: "ToothSystem", mesh: "MeshResult", driver: "WheelResult", driven: "WheelResult", Q: Number) -> None:
+        self.beta_b, self.n_1, self.n_2, self.Q = system.base_helix_angle, driver.speed, driven.speed, Q
+        self.T, self.eps_alpha, self.eps_beta = mesh.line_of_action, mesh.transverse_contact_ratio, mesh.overlap_ratio
+        self.A = mesh.sap_curvature_driver
+        self.C = pitch_point(T=self.T, z_1=driver.teeth, z_2=driven.teeth)
+        self.E = end_of_contact(T=self.T, rho_A2=mesh.sap_curvature_driven)
+        self.B = sole_contact_begins(rho_E=self.E, p_bt=system.base_pitch)
+        self.D = sole_contact_ends(rho_A=self.A, p_bt=system.base_pitch)
+        self.wide = system.beta > 0 and mesh.total_contact_ratio >= 2
+        self.eps_1 = recess_contact_ratio(rho_E=self.E, rho_C=self.C, p_bt=system.base_pitch)
+        self.eps_2 = approach_contact_ratio(rho_C=self.C, rho_A=self.A, p_bt=system.base_pitch)
+        rho_2C = driven_curvature(T=self.T, rho_1=self.C)
+        smaller = self.C if driver.teeth <= driven.teeth else rho_2C
+        self.way = buttressed_way(rho_C=smaller, beta_b=self.beta_b) if system.beta else 0.0
+        self.rho_relC = relative_radius(rho_1=self.C, rho_2=rho_2C)
+        self.rho_nC = normal_relative_radius(rho_rel=self.rho_relC, beta_b=self.beta_b)
+        self.v_C = rolling_speed(n=self.n_1, rho=self.C)  # of both flanks: there they roll
+
+    @property
+    def shared_by_two(self) -> bool:
+        """Whether the load sharing of the methods holds: one pair, then two, then one."""
+        return self.wide or self.eps_alpha < 2
+
+    def marks(self) -> dict[str, Metre]:
+        """A, AB, B, C, D, DE, E: the points of method B, those that lie on the path."""
+        A, B, D, E = self.A, self.B, self.D, self.E
+        places = {"A": A, "AB": (A + B) / 2, "B": B, "C": self.C, "D": D, "DE": (D + E) / 2, "E": E}
+        return {name: rho for name, rho in places.items() if A <= rho <= E}
+
+    def samples(self) -> Array:
+        """Places from A to E, close beside B and D on both sides, where the load jumps."""
+        inner = sorted((min(max(self.B, self.A), self.E), min(max(self.D, self.A), self.E)))
+        ends = (self.A, *inner, self.E)
+        steps = np.arange(POINTS) / (POINTS - 1)
+        parts = [a + (b - a) * steps for a, b in pairwise(ends)]
+        for part, end in zip(parts, ends[1:]):
+            part[-1] = end  # to its last digit: on which side of B and D a sample stands decides its load
+        parts[0][-1] *= 1 - BESIDE
+        parts[2][0] *= 1 + BESIDE
+        return np.concatenate(parts)
+
+    def at(self, rho_1: Any) -> Place:
+        """A point, or an array of them."""
+        rho_2 = driven_curvature(T=self.T, rho_1=rho_1)
+        rho_rel = relative_radius(rho_1=rho_1, rho_2=rho_2)
+        rho_n = normal_relative_radius(rho_rel=rho_rel, beta_b=self.beta_b)
+        v_1, v_2 = rolling_speed(n=self.n_1, rho=rho_1), rolling_speed(n=self.n_2, rho=rho_2)
+        return Place(rho_1, rho_2, rho_rel, rho_n, v_1, v_2, self._share(rho_1))
+
+    def _share(self, rho_1: Any) -> Number:
+        if not self.way:
+            return load_share(rho_1=rho_1, rho_A=self.A, rho_B=self.B, rho_D=self.D, rho_E=self.E, Q=self.Q)
+        X_but = buttressing(rho_1=rho_1, rho_A=self.A, rho_E=self.E, way=self.way, eps_beta=self.eps_beta)
+        if self.wide:
+            return wide_helical_share(X_but=X_but, eps_alpha=self.eps_alpha)
+        X = load_share(rho_1=rho_1, rho_A=self.A, rho_B=self.B, rho_D=self.D, rho_E=self.E, Q=self.Q)
+        return narrow_helical_share(X=X, X_but=X_but)

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, since then ISO/TS 6336-20: the hottest contact against the oil's limit.
+
+The flash temperature is written with the load, the speeds and the radii of the point itself; with equal materials it is the standard's
+μ_m·X_M·X_J·X_G·(X_Γ·w_Bt)^0.75·v_t^0.5/a^0.25 with X_M = E_r^0.25/B_M and the full angle factor of part 2.  K_Bγ multiplies the load as in
+DIN 3990-4 and in part 2, on the safe side.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ....sheet.arrays import Array
+from ....sheet.formula import formula
+from ....sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
+from ....sheet.record import record
+from ....sheet.trace import untraced
+from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
+from .load import MICROMETRE, MILLIMETRE, MILLIPASCAL_SECOND, NEWTON_PER_MILLIMETRE, Load, OilBath, ThermalProduct
+from .path import Path, Place
+
+ISO = "ISO/TR 13989-1:2000"
+AS_FOUND = "as generally published"
+NOTHING: Metre = 0.0
+METRE_PER_SECOND: MetrePerSecond = 1.0
+ONE_KELVIN: Kelvin = 1.0
+EIGHTY: Celsius = 80.0
+FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
+DEFLECTION: Metre = 50e-6
+STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, as generally published
+LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
+
+
+@formula(
+    "X_L", f"{ISO} (27), {AS_FOUND}: lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", names={"X": "X_base", "eta": "η_oil"}
+)
+def lubricant_factor(X: Number, eta: PascalSecond) -> Number:
+    return X * (eta / MILLIPASCAL_SECOND) ** -0.05
+
+
+@formula("X_R", f"{ISO} (28), {AS_FOUND}: roughness factor")
+def roughness_factor(Ra: Metre) -> Number:
+    return (Ra / MICROMETRE) ** 0.25
+
+
+@formula("v_gΣC", f"{ISO} (26), {AS_FOUND}: sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s")
+def sum_of_speeds(v_C: MetrePerSecond, alpha_wt: Radian) -> MetrePerSecond:
+    return 2 * smallest(v_C, FASTEST * sin(alpha_wt))
+
+
+@formula("μ_m", f"{ISO} (25), {AS_FOUND}: mean coefficient of friction", names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})
+def mean_friction(w_Bt: NewtonPerMetre, v: MetrePerSecond, rho_relC: Metre, X_L: Number, X_R: Number) -> Number:
+    return 0.060 * (w_Bt / NEWTON_PER_MILLIMETRE / (v / METRE_PER_SECOND * rho_relC / MILLIMETRE)) ** 0.2 * X_L * X_R
+
+
+@formula("C_eff", f"{ISO} (B.1), {AS_FOUND}: tip relief that the load calls for", unit="µm", names={"c_gamma": "c_γ"})
+def deflection(K_A: Number, F_t: Newton, b: Metre, alpha_t: Radian, c_gamma: Pascal) -> Metre:
+    return K_A * F_t / (b * cos(alpha_t) * c_gamma)
+
+
+@formula("X_J", f"{ISO} (45) to (48), {AS_FOUND}: approach factor, no tip relief: the shock before the pitch point")
+def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) -> Number:
+    return 1 + C_eff / DEFLECTION * (largest(rho_C - rho_1, NOTHING) / g_alpha) ** 3
+
+
+@formula("w", "load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"})
+def local_load(X: Number, K_Bgamma: Number, w_t: NewtonPerMetre) -> NewtonPerMetre:
+    return X * K_Bgamma * w_t
+
+
+@formula("b_H", "Hertz: half the width of the contact", unit="µm")
+def hertz_half_width(w: NewtonPerMetre, rho_n: Metre, E_r: Pascal) -> Metre:
+    return sqrt(8 * w * rho_n / (pi * E_r))
+
+
+@formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "B_M1²", "b_2": "B_M2²"})
+def flash_temperature(
+    mu_m: Number,
+    X_J: Number,
+    w: NewtonPerMetre,
+    v_1: MetrePerSecond,
+    v_2: MetrePerSecond,
+    b_1: ThermalProduct,
+    b_2: ThermalProduct,
+    b_H: Metre,
+) -> Kelvin:
+    return 1.11 * mu_m * X_J * w * modulus(v_1 - v_2) / ((sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(2 * b_H))
+
+
+@formula("Θ_flm", f"{ISO} (24), {AS_FOUND}: mean flash temperature", shows="mean of Θ_fl along the path of contact, from A to E")
+def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
+    flash, place = np.asarray(T_fl), np.asarray(rho_1)
+    area = np.dot(flash[1:] + flash[:-1], np.diff(place)) / 2
+    return float(area / (place[-1] - place[0]))
+
+
+@formula("X_mp", f"{ISO} (23), from memory: a wheel with more than one mate is heated by each", names={"n_p": "n_p"})
+def multiple_path_factor(n_p: Number) -> Number:
+    return (1 + n_p) / 2
+
+
+@formula("Θ_M", f"{ISO} (22), {AS_FOUND}: bulk temperature", names={"T_oil": "Θ_oil", "T_flm": "Θ_flm"})
+def bulk_temperature(T_oil: Celsius, X_S: Number, X_mp: Number, T_flm: Kelvin) -> Celsius:
+    return T_oil + 0.47 * X_S * X_mp * T_flm
+
+
+@formula("Θ_B,max", f"{ISO} (2), {AS_FOUND}: highest contact temperature", names={"T_M": "Θ_M", "T_fl": "Θ_fl,max"})
+def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
+    return T_M + T_fl
+
+
+@formula("Θ_S", f"{ISO} (99), {AS_FOUND}: scuffing temperature from the load stage of the FZG test A/8.3/90", names={"S": "S_FZG"})
+def scuffing_temperature(X_W: Number, X_L: Number, S: Number) -> Celsius:
+    return EIGHTY + (0.85 + 1.4 * X_W) * X_L * S**2 * ONE_KELVIN
+
+
+@formula("S_B", f"{ISO} (100), {AS_FOUND}: safety against scuffing", names={"T_S": "Θ_S", "T_oil": "Θ_oil", "T_B": "Θ_B,max"})
+def safety(T_S: Celsius, T_oil: Celsius, T_B: Celsius) -> Number:
+    return (T_S - T_oil) / (T_B - T_oil)
+
+
+@formula("ΔΘ_S", f"{ISO}, 10.5, {AS_FOUND}: the margin as a difference", names={"T_S": "Θ_S", "T_B": "Θ_B,max"})
+def margin(T_S: Celsius, T_B: Celsius) -> Kelvin:
+    return T_S - T_B
+
+
+@record
+class Flash:
+    """Temperatures of one mesh."""
+
+    mu_m: Number
+    T_fl: Kelvin  # the highest
+    T_M: Celsius
+    T_B: Celsius  # the highest
+    T_S: Celsius
+    S_B: Number
+    margin: Kelvin
+    rho_1: Metre  # where the flash temperature is highest
+    along: Array  # Θ_fl at the samples of the path
+
+
+def flash(
+    path: Path, load: Load, oil: OilBath, b: Metre, alpha_wt: Radian, alpha_t: Radian, places: Place,
+    n_p: Number, S_FZG: Number, X_W: Number, c_gamma: Pascal,
+) -> Flash:  # fmt: skip
+    """The flash temperature along the path, and once more where it is highest; `places` are the points, then the samples of the path."""
+    X_L = lubricant_factor(X=oil.X_L, eta=oil.eta)
+    X_R = roughness_factor(Ra=load.Ra)
+    v = sum_of_speeds(v_C=path.v_C, alpha_wt=alpha_wt)
+    mu_m = mean_friction(w_Bt=load.w_Bt, v=v, rho_relC=path.rho_relC, X_L=X_L, X_R=X_R)
+    C_eff = deflection(K_A=load.K_A, F_t=load.F_t, b=b, alpha_t=alpha_t, c_gamma=c_gamma)
+    with untraced():
+        along: Any = _local(path, load, mu_m, C_eff, places)
+    along = along[len(path.marks()) :]
+    rho_1: Any = places.rho_1
+    rho_1 = rho_1[len(path.marks()) :]
+    hottest = float(rho_1[int(np.argmax(along))])
+    T_fl = _local(path, load, mu_m, C_eff, path.at(hottest))
+    T_flm = mean_flash_temperature(T_fl=along, rho_1=rho_1)
+    T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)
+    T_B = contact_temperature(T_M=T_M, T_fl=T_fl)
+    T_S = scuffing_temperature(X_W=X_W, X_L=X_L, S=S_FZG)
+    S_B = safety(T_S=T_S, T_oil=oil.T_oil, T_B=T_B)
+    return Flash(
+        mu_m=mu_m, T_fl=T_fl, T_M=T_M, T_B=T_B, T_S=T_S, S_B=S_B, margin=margin(T_S=T_S, T_B=T_B), rho_1=hottest, along=along
+    )  # fmt: skip
+
+
+def _local(path: Path, load: Load, mu_m: Number, C_eff: Metre, at: Place) -> Kelvin:
+    X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=path.E - path.A)
+    w = local_load(X=at.X, K_Bgamma=load.K_Bgamma, w_t=load.w_t)
+    b_H = hertz_half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)
+    return flash_temperature(mu_m=mu_m, X_J=X_J, w=w, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, b_H=b_H)
