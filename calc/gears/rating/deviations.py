@@ -14,6 +14,8 @@ from ...sheet.units import Metre, MetrePerSecond, Number, Pascal, Radian, RevPer
 ISO_1328 = "ISO 1328-1:2013, clause 5, compared with public code"
 RUN_IN = "ISO 6336-1:2006, 8.3.5, the same in 2019, compared with public code"
 RUN_IN_BETA = "ISO 6336-1:2006, 7.5.2.1, the same in 2019, compared with public code"
+SLOPES = {"f_Hbeta1": "f_Hβ1", "f_Hbeta2": "f_Hβ2"}
+F_BETA = {"F_betax": "F_βx"}
 MILLIMETRE: Metre = 1e-3
 MICROMETRE: Metre = 1e-6
 MEGAPASCAL: Pascal = 1e6
@@ -53,7 +55,9 @@ def base_pitch_deviation(f_pT: Metre, alpha_t: Radian) -> Metre:
     return f_pT * cos(alpha_t)
 
 
-@formula("f_ma", "ISO 6336-1:2019, 7.5, as public code gives it: helix slopes of both wheels, no helix modification", unit="µm")
+@formula(
+    "f_ma", "ISO 6336-1:2019, 7.5, as public code gives it: helix slopes of both wheels, no helix modification", unit="µm", names=SLOPES
+)
 def mesh_misalignment(f_Hbeta1: Metre, f_Hbeta2: Metre) -> Metre:
     return sqrt(f_Hbeta1**2 + f_Hbeta2**2)
 
@@ -89,17 +93,18 @@ def run_in_iron(f: Metre) -> Metre:
     return 0.275 * f
 
 
-@formula("y_β", f"{RUN_IN_BETA}: hardened and nitrided flanks, up to 6 µm", unit="µm")
+@formula("y_β", f"{RUN_IN_BETA}: hardened and nitrided flanks, up to 6 µm", unit="µm", names=F_BETA)
 def run_in_beta_hard(F_betax: Metre) -> Metre:
     return smallest(0.15 * F_betax, MOST_RUN_IN_BETA)
 
 
-@formula("y_β", f"{RUN_IN_BETA}: structural, quenched and tempered steel, pearlitic and bainitic iron; never more than F_βx", unit="µm")
+@formula("y_β", f"{RUN_IN_BETA}: structural, quenched and tempered steel, pearlitic and bainitic iron", unit="µm", names=F_BETA)
 def run_in_beta_steel(F_betax: Metre, sigma_Hlim: Pascal) -> Metre:
+    """Never more than F_βx itself."""
     return smallest(320 * MEGAPASCAL / sigma_Hlim, 1.0) * F_betax
 
 
-@formula("y_β", f"{RUN_IN_BETA}: grey and ferritic nodular iron", unit="µm")
+@formula("y_β", f"{RUN_IN_BETA}: grey and ferritic nodular iron", unit="µm", names=F_BETA)
 def run_in_beta_iron(F_betax: Metre) -> Metre:
     return 0.55 * F_betax
 

@@ -10,6 +10,10 @@ from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Pascal, PerPas
 
 CLAUSE_7 = "ISO 6336-1:2006, clause 7, method C, compared with public code"
 CLAUSE_8 = "ISO 6336-1:2006, clause 8, method B, the same in 2019, compared with public code"
+NAMES = {
+    "w_m": "(F_m/b)", "f_Hbeta": "f_Hβ", "F_betax": "F_βx", "F_betay": "F_βy", "c_gamma_beta": "c_γβ", "c_gamma_alpha": "c_γα",
+    "K_Hbeta": "K_Hβ", "f": "f_α",
+}  # fmt: skip
 LEAST_BEND: PerPascal = 5e-12  # 0.005 mm·µm/N
 LEAST_SLENDER = 3.0  # b/h
 
@@ -20,7 +24,7 @@ def mean_load(w: NewtonPerMetre, K_V: Number) -> NewtonPerMetre:
     return w * K_V
 
 
-@formula("F_βx,min", f"{CLAUSE_7}: smallest misalignment to reckon with", unit="µm")
+@formula("F_βx,min", f"{CLAUSE_7}: smallest misalignment to reckon with", unit="µm", names=NAMES)
 def least_misalignment(w_m: NewtonPerMetre, f_Hbeta: Metre) -> Metre:
     return largest(LEAST_BEND * w_m, 0.5 * f_Hbeta)
 
@@ -30,12 +34,12 @@ def initial_misalignment(f_sh: Metre, f_ma: Metre, F_min: Metre) -> Metre:
     return largest(1.33 * f_sh + f_ma, F_min)
 
 
-@formula("F_βy", f"{CLAUSE_7}: misalignment after running in", unit="µm")
+@formula("F_βy", f"{CLAUSE_7}: misalignment after running in", unit="µm", names=NAMES)
 def effective_misalignment(F_betax: Metre, y_beta: Metre) -> Metre:
     return F_betax - y_beta
 
 
-@formula("ξ_β", f"{CLAUSE_7}: misalignment in terms of the deflection of the teeth, F_βy·c_γβ/(2·F_m/b)", names={"w_m": "(F_m/b)"})
+@formula("ξ_β", f"{CLAUSE_7}: misalignment in terms of the deflection of the teeth, F_βy·c_γβ/(2·F_m/b)", names=NAMES)
 def relative_misalignment(F_betay: Metre, c_gamma_beta: Pascal, w_m: NewtonPerMetre) -> Number:
     return F_betay * c_gamma_beta / (2 * w_m)
 
@@ -65,13 +69,13 @@ def slenderness(b: Metre, d_a: Metre, d_f: Metre) -> Number:
     return largest(2 * b / (d_a - d_f), LEAST_SLENDER)
 
 
-@formula("K_Fβ", f"{CLAUSE_7}: at the root")
+@formula("K_Fβ", f"{CLAUSE_7}: at the root", names=NAMES)
 def face_factor_root(K_Hbeta: Number, N_F: Number) -> Number:
     return K_Hbeta**N_F
 
 
 # --- between tooth pairs ---------------------------------------------------------------------------------------------------
-@formula("q_α", f"{CLAUSE_8}: deviation in terms of the deflection of the teeth", names={"f": "f_α", "w_m": "(F_m/b)"})
+@formula("q_α", f"{CLAUSE_8}: deviation in terms of the deflection of the teeth", names=NAMES)
 def relative_deviation(c_gamma_alpha: Pascal, f: Metre, y_alpha: Metre, w_m: NewtonPerMetre, K_Hbeta: Number) -> Number:
     """The larger of f_pb and f_fα counts; the load that decides is F_t·K_A·K_V·K_Hβ."""
     return c_gamma_alpha * (f - y_alpha) / (w_m * K_Hbeta)

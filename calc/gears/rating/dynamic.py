@@ -32,7 +32,7 @@ def pitch_parameter(c: Pascal, f_pb: Metre, y_p: Metre, w: NewtonPerMetre) -> Nu
     return c * (f_pb - y_p) / w
 
 
-@formula("B_f", f"{CLAUSE_6}: effect of the profile, after running in", names={"c": "c'"})
+@formula("B_f", f"{CLAUSE_6}: effect of the profile, after running in", names={"c": "c'", "f_falpha": "f_fα"})
 def profile_parameter(c: Pascal, f_falpha: Metre, y_f: Metre, w: NewtonPerMetre) -> Number:
     return c * (f_falpha - y_f) / w
 

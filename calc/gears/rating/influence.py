@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The influence factors of one mesh, ISO 6336-1: K_V and K_Hα, K_Fα by method B, K_Hβ, K_Fβ by method C.
 
-The formulas are those of 2006 and of 2019 alike; the misalignment f_ma from the grade is that of 2019, the larger one, for both.  Below about 100 N/mm the factors grow because small deviations meet a
-small load; they stay finite, but they are no longer what the standard was made for, and a check says so.
+The formulas are those of 2006 and of 2019 alike; the misalignment f_ma from the grade is that of 2019, the larger one, for both.  Below
+about 100 N/mm the factors grow because small deviations meet a small load; they stay finite, but they are no longer what the standard was
+made for, and a check says so.
 """
 
 from typing import TYPE_CHECKING
@@ -117,7 +118,8 @@ def influence(
     if not F_t > 0 or not K_A > 0:
         raise NoSolution(f"{name}: no load, so no influence factors", tried=f"F_t = {F_t:g} N, K_A = {K_A:g}", advice="give a torque")
     eps_alpha, eps_gamma = mesh.transverse_contact_ratio, mesh.total_contact_ratio
-    speed = d.pitch_line_velocity(d=one.pitch_diameter, n=one.speed)
+    with about(name):
+        speed = d.pitch_line_velocity(d=one.pitch_diameter, n=one.speed)
     dev = _deviations(system, mesh, small, large, grade, f_ma, speed)
     with about(f"{name}, stiffness"):
         w = k.line_load(F_t=F_t, K_A=K_A, b=mesh.face_width)

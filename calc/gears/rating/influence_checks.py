@@ -34,8 +34,8 @@ def influence_checks(key: str, mesh: "MeshResult", found: Influence) -> list[Che
             kind="advice",
         ),
         check(
-            f"{id}.resonance", f"Speed of {pair} over its main resonance, {found.speed_range}", found.resonance_ratio, "<=" if below else ">=",
-            slower if below else faster, "", f"{CLAUSE_6}: the main resonance lies from N_S to 1.15",
+            f"{id}.resonance", f"Speed of {pair} over its main resonance, {found.speed_range}", found.resonance_ratio,
+            "<=" if below else ">=", slower if below else faster, "", f"{CLAUSE_6}: the main resonance lies from N_S to 1.15",
             "Change the number of teeth, or the mass of the wheels, so that the teeth do not meet at the natural frequency of the pair.",
             kind="advice",
         ),

@@ -10,6 +10,7 @@ from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, NewtonPer
 
 CLAUSE_9 = "ISO 6336-1:2006, clause 9, the same in 2019, compared with public code"
 CLAUSE_6 = "ISO 6336-1:2006, clause 6, the same in 2019, compared with public code"
+C_GAMMA = {"c_gamma_alpha": "c_γα"}
 UNIT_COMPLIANCE: PerPascal = 1e-9  # 1 mm·µm/N
 E_STEEL: Pascal = 206e9
 C_M = 0.8  # measured over calculated stiffness
@@ -61,7 +62,7 @@ def mesh_stiffness(c: Pascal, eps_alpha: Number) -> Pascal:
     return c * (0.75 * eps_alpha + 0.25)
 
 
-@formula("c_γβ", f"{CLAUSE_9}: mesh stiffness along the face width", unit="GPa")
+@formula("c_γβ", f"{CLAUSE_9}: mesh stiffness along the face width", unit="GPa", names=C_GAMMA)
 def face_stiffness(c_gamma_alpha: Pascal) -> Pascal:
     return 0.85 * c_gamma_alpha
 
@@ -87,7 +88,7 @@ def reduced_mass(m_1: KilogramPerMetre, m_2: KilogramPerMetre) -> KilogramPerMet
     return m_1 * m_2 / (m_1 + m_2)
 
 
-@formula("n_E1", f"{CLAUSE_6}: speed of wheel 1 at the main resonance", unit="rpm")
+@formula("n_E1", f"{CLAUSE_6}: speed of wheel 1 at the main resonance", unit="rpm", names=C_GAMMA)
 def resonance_speed(z_1: Number, c_gamma_alpha: Pascal, m_red: KilogramPerMetre) -> RevPerSecond:
     return sqrt(c_gamma_alpha / m_red) / (2 * pi * z_1)
 
