@@ -6,8 +6,9 @@ from dataclasses import replace
 from .bearings.choosing.case import Case
 from .bearings.inputs import BearingsInputs
 from .design import Design
+from .handing import shaft_gear
 from .sheet.errors import NoSolution
-from .solve import Results, shaft_gear, solve
+from .solve import Results, solve
 
 
 def bearings_case(design: Design, results: Results | None = None) -> Case:

@@ -7,19 +7,18 @@ loss, and only then is the torque known that loads the gears.
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
-from math import pi
 from typing import Any
 
+from . import handing as h
 from .bearings import solve as bearings
 from .bearings.standing import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
-from .countershaft.standing import Drive, Gear, with_standing
+from .countershaft.standing import with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
 from .friction import train as friction
 from .gears import solve as gears
 from .gears.curves import curves
-from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
 from .sheet.errors import NoSolution
@@ -90,34 +89,34 @@ def solve(design: Design, before: Results | None = None) -> Results:
 
     e = part("engine", design.engine, engine.solve, design.engine, materials)
     i = part(
-        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, takes_first_order(design),
-        shaft_teeth(design), shaft_axis(design), after=(e,),
+        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, h.takes_first_order(design),
+        h.shaft_teeth(design), h.shaft_axis(design), after=(e,),
     )  # fmt: skip
-    first_speed = _first_speed(design)
+    first_speed = h.first_speed(design)
     g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
     omega = e.result.angular_speed if e.result else None
     slopes = design.bearings.slope if design.bearings else None
-    gear = shaft_gear(design, geometry.result)
+    gear = h.shaft_gear(design, geometry.result)
     c = part(
-        "countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, materials, journals(design), gear,
+        "countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, materials, h.journals(design), gear,
         slopes, after=(e, i),
     )  # fmt: skip
-    if c.result is not None and design.imbalance is not None and takes_first_order(design):
+    if c.result is not None and design.imbalance is not None and h.takes_first_order(design):
         i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
     b = part(
-        "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(_name(design.bearings, "oil")),
-        materials.get(_name(design.bearings, "journal_material") or _name(design.countershaft, "material")),
-        materials.get(_name(design.bearings, "housing_material")), after=_asked(e, i, c),
+        "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(h.name_of(design.bearings, "oil")),
+        materials.get(h.name_of(design.bearings, "journal_material") or h.name_of(design.countershaft, "material")),
+        materials.get(h.name_of(design.bearings, "housing_material")), after=_asked(e, i, c),
     )  # fmt: skip
-    oil, law, temperature = _mesh_oil(design)
+    oil, law, temperature = h.mesh_oil(design)
     f = part(
         "friction", design.friction, friction.solve, design.friction, design.gears, geometry.result, b.result, first_speed,
         oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
     )  # fmt: skip
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, _shaft_drive(design, geometry.result, f))
+        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, geometry.result, f))
         b = bearings_with_standing(b, c.result.standing)
-    torque = _torque(design, geometry, f, first_speed)
+    torque = h.torque(design, geometry, f, first_speed)
     if torque is not None:
         rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
         g = gears.merge(g, rated) if rated.state == "solved" else rated
@@ -134,79 +133,3 @@ def solve(design: Design, before: Results | None = None) -> Results:
 def _asked(*outcomes: Outcome) -> tuple[Outcome, ...]:
     """Those that a part may wait for: where a step is not asked, its inputs are given otherwise."""
     return tuple(outcome for outcome in outcomes if outcome.state != "not_asked")
-
-
-def _first_speed(design: Design) -> float | None:
-    """The speed of the train's first driver: given, or the crank's."""
-    if design.gears is not None and design.gears.speed is not None:
-        return design.gears.speed
-    return design.engine.rated_speed if design.engine is not None else None
-
-
-def takes_first_order(design: Design) -> bool:
-    """Whether a shaft of the design turns at −1 times crank speed."""
-    return design.countershaft is not None and design.countershaft.speed_ratio == -1
-
-
-def shaft_teeth(design: Design) -> int | None:
-    """The teeth of the wheel on the counter-shaft: the last of the train."""
-    return design.gears.wheels[-1].teeth if design.countershaft is not None and design.gears is not None and design.gears.wheels else None
-
-
-def shaft_axis(design: Design) -> complex | None:
-    """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
-    place = design.countershaft.axis if design.countershaft is not None else None
-    return complex(*place) if place is not None else None
-
-
-def journals(design: Design) -> tuple[tuple[float, float], ...]:
-    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they are not known."""
-    if design.countershaft is not None and design.countershaft.journals:
-        return tuple((j.diameter, j.length) for j in design.countershaft.journals)
-    own = design.bearings
-    return ((own.front.diameter, own.front.length), (own.rear.diameter, own.rear.length)) if own is not None else ()
-
-
-def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
-    """The wheel on the counter-shaft: the last of the train."""
-    if train is None or design.gears is None or design.countershaft is None:
-        return None
-    wheel = train.wheels[design.gears.wheels[-1].name]
-    return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
-
-
-def _mesh_oil(design: Design) -> tuple[str, str, float | None]:
-    """Name, viscosity law and temperature of the oil on the teeth: given, or that of the bearings."""
-    own, there = design.friction, design.bearings
-    oil = _name(own, "oil") or _name(there, "oil")
-    law = there.viscosity_law if there is not None else "walther"
-    given = own.oil_temperature if own is not None else None
-    return oil, law, given if given is not None else there.supply_temperature if there is not None else None
-
-
-def _torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | None) -> Any:
-    """The torque that loads the teeth: of the given power, else of each mesh in the closed balance; None where neither is known."""
-    if geometry.state != "solved" or design.gears is None or not first_speed:
-        return None
-    if design.gears.power is not None:
-        return design.gears.power / (2 * pi * first_speed)
-    if f.state != "solved":
-        return None
-    train = geometry.result
-    return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
-
-
-def _shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive | None:
-    """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
-    if train is None or design.gears is None:
-        return None
-    power = design.gears.power
-    if power is None and f.state == "solved":
-        power = list(f.result.meshes.values())[-1].power_out
-    speed = abs(train.wheels[design.gears.wheels[-1].name].speed)
-    return Drive(power, speed) if power is not None and speed else None
-
-
-def _name(inputs: Any, attribute: str) -> str:
-    """The name of an oil or material that a step asks for; empty where the step is not asked."""
-    return getattr(inputs, attribute, None) or ""

@@ -16,13 +16,14 @@ from .design import Design
 from .design_file import Document, address, design, quantity_of
 from .engine import solve as engine
 from .engine.inputs import EngineInputs
+from .handing import shaft_axis, shaft_teeth
 from .imbalance import judgement
 from .imbalance import solve as imbalance
 from .imbalance.inputs import ImbalanceInputs
 from .sheet.check import worst
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import keys, published
-from .solve import Results, shaft_axis, shaft_teeth, solve
+from .solve import Results, solve
 
 MOST_ROWS = 1_000_000
 SHOWN_ERRORS = 20

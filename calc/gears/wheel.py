@@ -56,7 +56,8 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
             allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
-            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b), **_limits(bare, ball, x_min), **_tips(wheel, d_a),
+            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b),
+            **_limits(bare, ball, x_min), **_tips(wheel, d_a),
         )  # fmt: skip
 
 

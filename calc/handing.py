@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the next."""
+
+from math import pi
+from typing import Any
+
+from .countershaft.standing import Drive, Gear
+from .design import Design
+from .gears.rating.load import Irregularity, firing_order
+from .gears.result import TrainResult
+from .sheet.step import Outcome
+
+
+def first_speed(design: Design) -> float | None:
+    """The speed of the train's first driver: given, or the crank's."""
+    if design.gears is not None and design.gears.speed is not None:
+        return design.gears.speed
+    return design.engine.rated_speed if design.engine is not None else None
+
+
+def takes_first_order(design: Design) -> bool:
+    """Whether a shaft of the design turns at −1 times crank speed."""
+    return design.countershaft is not None and design.countershaft.speed_ratio == -1
+
+
+def shaft_teeth(design: Design) -> int | None:
+    """The teeth of the wheel on the counter-shaft: the last of the train."""
+    return design.gears.wheels[-1].teeth if design.countershaft is not None and design.gears is not None and design.gears.wheels else None
+
+
+def shaft_axis(design: Design) -> complex | None:
+    """Where the counter-shaft stands beside the crank: real up, imaginary 90° further in the sense of rotation."""
+    place = design.countershaft.axis if design.countershaft is not None else None
+    return complex(*place) if place is not None else None
+
+
+def journals(design: Design) -> tuple[tuple[float, float], ...]:
+    """Diameter and length of the shaft's journals, front to rear: its own, or those of the bearings; empty where they are not known."""
+    if design.countershaft is not None and design.countershaft.journals:
+        return tuple((j.diameter, j.length) for j in design.countershaft.journals)
+    own = design.bearings
+    return ((own.front.diameter, own.front.length), (own.rear.diameter, own.rear.length)) if own is not None else ()
+
+
+def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
+    """The wheel on the counter-shaft: the last of the train."""
+    if train is None or design.gears is None or design.countershaft is None:
+        return None
+    wheel = train.wheels[design.gears.wheels[-1].name]
+    return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
+
+
+def mesh_oil(design: Design) -> tuple[str, str, float | None]:
+    """Name, viscosity law and temperature of the oil on the teeth: given, or that of the bearings."""
+    own, there = design.friction, design.bearings
+    oil = name_of(own, "oil") or name_of(there, "oil")
+    law = there.viscosity_law if there is not None else "walther"
+    given = own.oil_temperature if own is not None else None
+    return oil, law, given if given is not None else there.supply_temperature if there is not None else None
+
+
+def torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | None) -> Any:
+    """The torque that loads the teeth: of the given power, else of each mesh in the closed balance; None where neither is known."""
+    if geometry.state != "solved" or design.gears is None or not first_speed:
+        return None
+    if design.gears.power is not None:
+        return design.gears.power / (2 * pi * first_speed)
+    if f.state != "solved":
+        return None
+    train = geometry.result
+    return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
+
+
+def shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive | None:
+    """What drives the shaft's gear: the given power, else what the last mesh passes on in the closed balance."""
+    if train is None or design.gears is None:
+        return None
+    power = design.gears.power
+    if power is None and f.state == "solved":
+        power = list(f.result.meshes.values())[-1].power_out
+    speed = abs(train.wheels[design.gears.wheels[-1].name].speed)
+    return Drive(power, speed) if power is not None and speed else None
+
+
+def name_of(inputs: Any, attribute: str) -> str:
+    """The name of an oil or material that a step asks for; empty where the step is not asked."""
+    return getattr(inputs, attribute, None) or ""
+
+
+def irregularity(design: Design, engine: Outcome, shaft: Outcome) -> Irregularity | None:
+    """How unevenly the first driver turns: given, else the engine's with gas and flywheel; None where neither is known."""
+    gears = design.gears
+    if gears is None:
+        return None
+    torque = engine.result.torque if engine.result is not None else None
+    delta_s = gears.speed_irregularity if gears.speed_irregularity is not None else torque and torque.speed_irregularity
+    order = gears.irregularity_order or (firing_order(design.engine.cylinders, design.engine.strokes) if design.engine else None)
+    if delta_s is None or order is None:
+        return None
+    outline = shaft.result.outline if shaft.result is not None else None
+    J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
+    with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
+    return Irregularity(delta_s, order, J_S, with_wheel)
