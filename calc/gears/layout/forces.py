@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Forces between the teeth and on the axes of a train, once the torque of every mesh is known.
+
+At the working circles, by the torque that is handed in: the mean one, or a peak.  Thrust is + along the axis of the crank's rotation,
+which points towards the flywheel where the crank turns clockwise seen from its front end.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ...sheet.errors import NoSolution
+from ...sheet.number import short
+from ...sheet.step import Outcome, Table
+from ...sheet.trace import about, trace
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, PhasorNewton, Radian
+from ..inputs import GearsInputs
+from . import formulas as f
+from .result import ForcesResult, LayoutResult, MeshForces, WheelForces
+
+if TYPE_CHECKING:
+    from ..result import MeshResult, TrainResult
+
+
+class Share(NamedTuple):
+    """What one mesh does to one of its wheels."""
+
+    force: PhasorNewton | None  # None: the line of centres is not known
+    transverse: Newton
+    thrust: Newton
+    arm: Metre  # working diameter
+    psi: Radian | None  # direction of the pitch point from the wheel's axis
+
+
+def hands(gears: GearsInputs) -> dict[str, str]:
+    """The hand of every wheel: they alternate from any that is given, else the first driver is right-handed; empty for spur wheels."""
+    if not gears.helix_angle:
+        return {}
+    depth = {gears.meshes[0].driver: 0}
+    for mesh in gears.meshes:
+        depth[mesh.driven] = depth[mesh.driver] + 1
+    given = {w.name: ("left", "right").index(w.hand) for w in gears.wheels if w.hand is not None}
+    firsts = {name: (hand + depth[name]) % 2 for name, hand in given.items()}  # the hand of the first driver that each asks for
+    if len(set(firsts.values())) > 1:
+        raise NoSolution(
+            "hands of the helix: " + ", ".join(f"{name} {('left', 'right')[hand]}" for name, hand in given.items()) + " do not alternate",
+            advice="wheels in mesh have opposite hands: give gears.wheels.NAME.hand of one wheel only, the others follow",
+        )
+    first = next(iter(firsts.values()), 1)
+    return {name: ("left", "right")[(first + n) % 2] for name, n in depth.items()}
+
+
+def forces(gears: GearsInputs, train: "TrainResult", layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome:
+    """An outcome whose result is a ForcesResult.  `torques`: of the driver of every mesh, by the mesh ("a_b")."""
+    hand = hands(gears)
+    shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
+    turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
+    meshes = {}
+    with trace() as lines:
+        for key, mesh in train.meshes.items():
+            turns[mesh.driven] = -turns[mesh.driver]
+            h = 1.0 if hand.get(mesh.driver) == "right" else -1.0
+            meshes[key] = _mesh(mesh, layout.meshes[key].line_of_centres, torques[key], turns[mesh.driver], h if hand else 0.0, shares)
+        wheels = {name: _wheel(name, hand.get(name, ""), parts) for name, parts in shares.items()}
+    result = ForcesResult(wheels=wheels, meshes=meshes)
+    return Outcome("gears", result=result, lines=tuple(lines), tables=_tables(result), notes=_notes(gears, result, turns))
+
+
+def _mesh(mesh: "MeshResult", gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]) -> MeshForces:
+    """`s` +1: the driver turns as the crank; `h` +1: it is right-handed, 0: the wheels are spur."""
+    d_w1, d_w2 = mesh.working_diameter_driver, mesh.working_diameter_driven
+    with about(f"mesh {mesh.driver}–{mesh.driven}, forces"):
+        F_tw = f.tangential_force(T_1=T_1, d_w1=d_w1)
+        F_rw = f.radial_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
+        F_bt = f.transverse_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
+        F_a, on_1, on_2 = 0.0, 0.0, 0.0
+        if h:
+            F_a = f.axial_force(F_tw=F_tw, beta_w=mesh.working_helix_angle)
+            on_2 = f.thrust_on_driven(F_a=F_a, s=s, h=h)
+            on_1 = f.thrust_on_driver(F_x2=on_2)
+        F_1 = F_2 = None
+        if gamma is not None:
+            F_2 = f.force_on_driven(F_rw=F_rw, F_tw=F_tw, gamma=gamma, s=s)
+            F_1 = f.force_on_driver(F_2=F_2)
+    shares[mesh.driver].append(Share(F_1, F_bt, on_1, d_w1, gamma))
+    shares[mesh.driven].append(Share(F_2, F_bt, on_2, d_w2, None if gamma is None else gamma + math.pi))
+    return MeshForces(working_tangential_force=F_tw, working_radial_force=F_rw, axial_force=F_a if h else None)
+
+
+def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
+    found: dict[str, Any] = {}
+    placed = all(part.force is not None for part in parts)
+    with about(f"wheel {name}, forces"):
+        if placed:
+            F_W = _sum(f.wheel_force, [part.force for part in parts])
+            found["bearing_force"], found["bearing_force_direction"] = f.bearing_force(F_W=F_W), f.force_direction(F_W=F_W)
+        elif len(parts) == 1:
+            found["bearing_force"] = parts[0].transverse
+        elif len(parts) == 2:
+            one, two = (part.transverse for part in parts)
+            found["bearing_force_min"] = f.bearing_force_least(F_bt1=one, F_bt2=two)
+            found["bearing_force_max"] = f.bearing_force_most(F_bt1=one, F_bt2=two)
+        if hand:
+            thrusts = tuple(part.thrust for part in parts)
+            found["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]
+            found |= _tilting(parts, placed)
+    return WheelForces(**found, hand=hand)
+
+
+def _tilting(parts: list[Share], placed: bool) -> dict[str, NewtonMetre]:
+    if len(parts) == 1:
+        return {"tilting_couple": f.tilting_of_one(F_x=parts[0].thrust, d_w=parts[0].arm)}
+    if placed:
+        couples = [f.tilting(F_x=part.thrust, d_w=part.arm, psi=part.psi) for part in parts if part.psi is not None]
+        return {"tilting_couple": f.tilting_couple(C_K=_sum(f.tilting_sum, couples))}
+    if len(parts) > 2:
+        return {}
+    one, two = (f.tilting_of_one(F_x=part.thrust, d_w=part.arm) for part in parts)
+    return {"tilting_couple_min": f.tilting_least(M_1=one, M_2=two), "tilting_couple_max": f.tilting_most(M_1=one, M_2=two)}
+
+
+def _sum(formula: Any, vectors: Iterable[Any]) -> Any:
+    """Two by two, so that every step is a line."""
+    first, *rest = vectors
+    for vector in rest:
+        first = formula(first, vector)
+    return first
+
+
+def _tables(result: ForcesResult) -> tuple[Table, ...]:
+    teeth = tuple(
+        (key.replace("_", "–"), m.working_tangential_force, m.working_radial_force, m.axial_force) for key, m in result.meshes.items()
+    )
+    rows: list[tuple[str | float | None, ...]] = []
+    for name, w in result.wheels.items():
+        least = w.bearing_force if w.bearing_force is not None else w.bearing_force_min
+        most = w.bearing_force if w.bearing_force is not None else w.bearing_force_max
+        couple = w.tilting_couple if w.tilting_couple is not None else w.tilting_couple_max
+        direction = None if w.bearing_force_direction is None else math.degrees(w.bearing_force_direction)
+        rows.append((name, w.hand or None, least, most, direction, w.thrust, couple))
+    covers = tuple(f"gears.{name}.{part}" for name in result.wheels for part in ("bearing_force", "thrust", "tilting_couple"))
+    return (
+        Table(
+            "tooth_forces", "Forces between the teeth, at the working circles",
+            (("mesh", ""), ("F_tw", "N"), ("F_rw", "N"), ("F_a", "N")), teeth,
+            covers=tuple(f"gears.{key}.{part}" for key in result.meshes for part in ("working_tangential", "working_radial", "axial_")),
+        ),
+        Table(
+            "bearing_forces", "Forces on the bearings of the wheels",
+            (("wheel", ""), ("hand", ""), ("least", "N"), ("most", "N"), ("direction", "°"), ("thrust", "N"), ("tilting couple", "N·m")),
+            tuple(rows),
+            "Least and most differ where the included angle is not known; the tilting couple is then the largest. Direction from up in the "
+            "sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen from its front end.",
+            covers,
+        ),
+    )  # fmt: skip
+
+
+def _notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> tuple[str, ...]:
+    if not gears.helix_angle:
+        return ()
+    notes = []
+    if all(w.hand is None for w in gears.wheels):
+        notes.append(f"Hands of the helix: not given; chosen: {gears.meshes[0].driver} right-handed, the others in turn.")
+    last = gears.meshes[-1].driven
+    wheel = result.wheels[last]
+    assert wheel.thrust is not None
+    if wheel.thrust:
+        where, sense = ("the flywheel" if wheel.thrust > 0 else "the front"), ("as" if turns[last] > 0 else "against")
+        notes.append(
+            f"{last}, {wheel.hand}-handed and turning {sense} the crank, is pushed {short(abs(wheel.thrust))} N towards {where} (the crank "
+            "turning clockwise seen from its front end): its shaft must be held there, and the other way where the torque reverses."
+        )
+    return tuple(notes)
