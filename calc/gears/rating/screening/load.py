@@ -29,10 +29,6 @@ ThermalProduct = Annotated[float, "W²·s/(m⁴·K²)"]
 
 CONDUCTIVITY: WattPerMetreKelvin = 45.0  # of steel, ISO/TR 15144-1:2014, Table 2, as in public code
 SPECIFIC_HEAT: JoulePerKilogramKelvin = 440.0  # the same
-MICROMETRE: Metre = 1e-6
-MILLIMETRE: Metre = 1e-3
-NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
-MILLIPASCAL_SECOND: PascalSecond = 1e-3
 
 # Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
 # only (1.3): other esters count as mineral oil by a rule of this program.

@@ -32,12 +32,16 @@ from ....sheet.units import (
     RevPerSecond,
     Watt,
 )  # fmt: skip
-from .load import MICROMETRE, MILLIMETRE, MILLIPASCAL_SECOND, NEWTON_PER_MILLIMETRE, Load, OilBath, ThermalProduct
+from .load import Load, OilBath, ThermalProduct
 from .path import Path, Place
 
 ISO = "ISO/TR 15144-1:2014"
 AS_FOUND = "as generally published"
 METRE_PER_SECOND: MetrePerSecond = 1.0
+MICROMETRE: Metre = 1e-6
+MILLIMETRE: Metre = 1e-3
+NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
+MILLIPASCAL_SECOND: PascalSecond = 1e-3
 KILOWATT: Watt = 1e3
 ZERO: Celsius = 273.0  # as the standard rounds it
 THIRTY_EIGHT: Celsius = 311.0

@@ -188,7 +188,7 @@ class Path:
         return Place(rho_1, rho_2, rho_rel, rho_n, v_1, v_2, self._share(rho_1))
 
     def _share(self, rho_1: Any) -> Number:
-        if not self.way:
+        if self.way <= BESIDE * self.T:  # spur, or a helix too small to count
             return load_share(rho_1=rho_1, rho_A=self.A, rho_B=self.B, rho_D=self.D, rho_E=self.E, Q=self.Q)
         X_but = buttressing(rho_1=rho_1, rho_A=self.A, rho_E=self.E, way=self.way, eps_beta=self.eps_beta)
         if self.wide:

@@ -17,13 +17,17 @@ from ....sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
 from ....sheet.record import record
 from ....sheet.trace import untraced
 from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
-from .load import MICROMETRE, MILLIMETRE, MILLIPASCAL_SECOND, NEWTON_PER_MILLIMETRE, Load, OilBath, ThermalProduct
+from .load import Load, OilBath, ThermalProduct
 from .path import Path, Place
 
 ISO = "ISO/TR 13989-1:2000"
 AS_FOUND = "as generally published"
 NOTHING: Metre = 0.0
 METRE_PER_SECOND: MetrePerSecond = 1.0
+MICROMETRE: Metre = 1e-6
+MILLIMETRE: Metre = 1e-3
+NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
+MILLIPASCAL_SECOND: PascalSecond = 1e-3
 ONE_KELVIN: Kelvin = 1.0
 EIGHTY: Celsius = 80.0
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
