@@ -6,7 +6,7 @@ which points towards the flywheel where the crank turns clockwise seen from its 
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ...sheet.errors import NoSolution
@@ -78,12 +78,13 @@ def _mesh(mesh: "MeshResult", gamma: Radian | None, T_1: NewtonMetre, s: Number,
             F_a = f.axial_force(F_tw=F_tw, beta_w=mesh.working_helix_angle)
             on_2 = f.thrust_on_driven(F_a=F_a, s=s, h=h)
             on_1 = f.thrust_on_driver(F_x2=on_2)
-        F_1 = F_2 = None
+        F_1 = F_2 = back = None
         if gamma is not None:
             F_2 = f.force_on_driven(F_rw=F_rw, F_tw=F_tw, gamma=gamma, s=s)
             F_1 = f.force_on_driver(F_2=F_2)
+            back = f.back_to_driver(gamma=gamma)
     shares[mesh.driver].append(Share(F_1, F_bt, on_1, d_w1, gamma))
-    shares[mesh.driven].append(Share(F_2, F_bt, on_2, d_w2, None if gamma is None else gamma + math.pi))
+    shares[mesh.driven].append(Share(F_2, F_bt, on_2, d_w2, back))
     return MeshForces(working_tangential_force=F_tw, working_radial_force=F_rw, axial_force=F_a if h else None)
 
 
@@ -92,7 +93,9 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
     placed = all(part.force is not None for part in parts)
     with about(f"wheel {name}, forces"):
         if placed:
-            F_W = _sum(f.wheel_force, [part.force for part in parts])
+            F_W, *more = (part.force for part in parts if part.force is not None)
+            for F_m in more:
+                F_W = f.wheel_force(F_1=F_W, F_2=F_m)
             found["bearing_force"], found["bearing_force_direction"] = f.bearing_force(F_W=F_W), f.force_direction(F_W=F_W)
         elif len(parts) == 1:
             found["bearing_force"] = parts[0].transverse
@@ -101,7 +104,7 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
             found["bearing_force_min"] = f.bearing_force_least(F_bt1=one, F_bt2=two)
             found["bearing_force_max"] = f.bearing_force_most(F_bt1=one, F_bt2=two)
         if hand:
-            thrusts = tuple(part.thrust for part in parts)
+            thrusts: Any = tuple(part.thrust for part in parts)
             found["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]
             found |= _tilting(parts, placed)
     return WheelForces(**found, hand=hand)
@@ -111,20 +114,14 @@ def _tilting(parts: list[Share], placed: bool) -> dict[str, NewtonMetre]:
     if len(parts) == 1:
         return {"tilting_couple": f.tilting_of_one(F_x=parts[0].thrust, d_w=parts[0].arm)}
     if placed:
-        couples = [f.tilting(F_x=part.thrust, d_w=part.arm, psi=part.psi) for part in parts if part.psi is not None]
-        return {"tilting_couple": f.tilting_couple(C_K=_sum(f.tilting_sum, couples))}
+        C_K, *more = [f.tilting(F_x=part.thrust, d_w=part.arm, psi=part.psi) for part in parts if part.psi is not None]
+        for C_m in more:
+            C_K = f.tilting_sum(C_1=C_K, C_2=C_m)
+        return {"tilting_couple": f.tilting_couple(C_K=C_K)}
     if len(parts) > 2:
         return {}
     one, two = (f.tilting_of_one(F_x=part.thrust, d_w=part.arm) for part in parts)
     return {"tilting_couple_min": f.tilting_least(M_1=one, M_2=two), "tilting_couple_max": f.tilting_most(M_1=one, M_2=two)}
-
-
-def _sum(formula: Any, vectors: Iterable[Any]) -> Any:
-    """Two by two, so that every step is a line."""
-    first, *rest = vectors
-    for vector in rest:
-        first = formula(first, vector)
-    return first
 
 
 def _tables(result: ForcesResult) -> tuple[Table, ...]:

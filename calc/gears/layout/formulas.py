@@ -240,8 +240,13 @@ def thrust_on_driver(F_x2: Newton) -> Newton:
 
 
 @formula("F_x", f"{STATICS}: thrust of all meshes of a wheel", names={"F_m": "F_x,m"})
-def thrust(F_m: tuple[float, ...]) -> Newton:
+def thrust(F_m: Newton) -> Newton:
     return resultant(F_m)
+
+
+@formula("ψ", f"{PLANE}: direction of the pitch point from the axis of the driven wheel")
+def back_to_driver(gamma: Radian) -> Radian:
+    return gamma + pi
 
 
 @formula("C_K", f"{STATICS}: r × F, the axial force on its arm from the wheel's axis to the pitch point; ψ is the direction of the arm")

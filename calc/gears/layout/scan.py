@@ -45,18 +45,14 @@ def _clearances(
     """Of the tighter wheel, one row for each side; −∞ where the wheels do not reach each other."""
     import numpy as np
 
+    sides = np.array([[1j], [-1j]])
     one, two = names
     A = p + a[0] * np.exp(1j * phi)
-    c = np.abs(q - A)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        u = (c**2 + a[1] ** 2 - a[2] ** 2) / (2 * c)
-        square = a[1] ** 2 - u**2
-        reach = square >= -DUST * a[1] ** 2
-        along = (q - A) / c
-        v = np.sqrt(np.maximum(square, 0.0))
-    rows = []
-    at_one = room.around_all(one, A, places)
-    for s in (1, -1):
-        B = np.where(reach, A + (u + 1j * s * v) * along, 0.0)
-        rows.append(np.where(reach, np.minimum(at_one, room.around_all(two, B, places)), -math.inf))
-    return np.array(rows)
+    way = q - A
+    c2 = np.maximum(way.real**2 + way.imag**2, DUST * a[1] ** 2)
+    u = (c2 + a[1] ** 2 - a[2] ** 2) / 2  # times c
+    square = a[1] ** 2 * c2 - u**2
+    v = np.sqrt(np.maximum(square, 0.0))
+    B = A + (u + sides * v) * (way / c2)
+    tighter = np.minimum(room.around_all(one, A, places), room.around_all(two, B, places))
+    return np.where(square >= -DUST * a[1] ** 2 * c2, tighter, -math.inf)
