@@ -2,14 +2,15 @@
 """Backlash of a pair over the tolerance of its centre distance, and what the backlash of a train means for its last wheel.
 
 Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an allowance of
-the span acts on it micrometre for micrometre.  Runout and temperature are not part of it.
+the span acts on it micrometre for micrometre.  Runout and temperature are not part of it: they stand in the other files of this room,
+which take the same backlash from the thicknesses at the base circle.
 """
 
 from collections.abc import Mapping
 
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import cos, pi, rss, sin
+from ...sheet.functions import cos, inv, pi, rss, sin, tan
 from ...sheet.record import record
 from ...sheet.trace import about
 from ...sheet.units import Metre, NewtonMetre, Number, Radian
@@ -19,6 +20,8 @@ from ..result import MeshResult, ToothSystem, WheelResult
 
 DUST: Metre = 1e-12  # a backlash below this is none
 ISO = "ISO 21771:2007, as generally published"
+GUIDE = "ISO/TR 10064-2, from memory"
+LEAST_BACKLASH: Metre = 0.06e-3  # the constant term of the guide value
 
 
 @formula("T_a", "root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm")
@@ -56,6 +59,42 @@ def no_backlash(j_bn: Metre) -> Metre:
     return 0.0 * abs(j_bn)
 
 
+@formula("s_bt", f"{ISO}: transverse tooth thickness at the base circle, thinned by the change E_W of its span", unit="mm")
+def base_thickness(d_b: Metre, s_t: Metre, d: Metre, alpha_t: Radian, E_W: Metre, beta_b: Radian) -> Metre:
+    return d_b * (s_t / d + inv(alpha_t)) + E_W / cos(beta_b)
+
+
+@formula("j_bn", f"{ISO}: normal backlash by the thicknesses at the base circles; exact", unit="µm")
+def backlash_of_bases(p_bt: Metre, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    return (p_bt - s_b1 - s_b2 + (d_b1 + d_b2) * inv(alpha_wt)) * cos(beta_b)
+
+
+@formula("j_wt", f"{ISO}: circumferential backlash at the working circle", unit="µm")
+def circumferential_of_normal(j_bn: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    return j_bn / (cos(alpha_wt) * cos(beta_b))
+
+
+@formula("j_t", f"{ISO}: circumferential backlash at the reference circle", unit="µm")
+def reference_backlash(j_wt: Metre, d: Metre, d_w: Metre) -> Metre:
+    return j_wt * d / d_w
+
+
+@formula("j_r", f"{ISO}: radial backlash, by which the centres can approach; to first order", unit="µm")
+def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
+    return j_wt / (2 * tan(alpha_wt))
+
+
+@formula("a_min", "eccentricity of both wheels, half of each runout, towards each other", unit="mm")
+def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
+    return a_min - (F_r1 + F_r2) / 2
+
+
+@formula("j_bn,rec", f"{GUIDE}: recommended smallest backlash, steel or iron wheels in an iron housing", unit="µm")
+def recommended_backlash(a_w: Metre, m_n: Metre) -> Metre:
+    """From memory; public summaries have the same three terms.  Meant for wheels of general engineering; it is no requirement."""
+    return 2 * (LEAST_BACKLASH + 0.0005 * a_w + 0.03 * m_n) / 3
+
+
 @formula("φ_j", "free turn of the driven wheel")
 def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
     return j_wt / (d_w2 / 2)
@@ -64,6 +103,12 @@ def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
 @formula("Δφ", "free turns along the train, each reduced to the last wheel by the ratio of the teeth")
 def reduced_play(phi_before: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
     return phi_before + phi_j * z / z_last
+
+
+@formula("φ_j", "free turn of the driven wheel by the backlash along its base circle")
+def play_angle_at_base(j_bn: Metre, beta_b: Radian, d_b: Metre) -> Radian:
+    """The same as j_wt/(d_w/2); growth of the base circle by temperature, 1 ‰, is left out."""
+    return j_bn / cos(beta_b) / (d_b / 2)
 
 
 @formula("Δφ", "where the sum over the train begins: the first driver stands", shows="0")
@@ -136,19 +181,34 @@ def _backlash_at(system: ToothSystem, pair: Pair, a: Metre, allowances: list[Met
     return (j_bn, j_wt, d_w[1]) if abs(j_bn) > DUST else (no_backlash(j_bn), 0.0, d_w[1])
 
 
-def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
-    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to it.
+def settled(j_bn: Metre) -> Metre:
+    """The backlash, or none where it is only that of the last digits."""
+    return j_bn if abs(j_bn) > DUST else no_backlash(j_bn)
 
-    A mesh that is tight adds nothing and takes nothing away.
-    """
-    above = {mesh.driven: mesh for mesh in meshes.values()}
-    way: list[MeshResult] = []
+
+def way_to(last_wheel: str, meshes: Mapping[str, MeshResult]) -> list[str]:
+    """Keys of the meshes between the first driver and a wheel, along the flow of power."""
+    above = {mesh.driven: key for key, mesh in meshes.items()}
+    way: list[str] = []
     wheel = last_wheel
     while wheel in above:
         way.insert(0, above[wheel])
-        wheel = above[wheel].driver
+        wheel = meshes[above[wheel]].driver
+    return way
+
+
+def backlash_at_shaft(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str) -> Radian:
+    """How far the last wheel can turn while the first driver stands: the largest play of every mesh on the way to it."""
+    return free_turn(wheels, meshes, last_wheel, {key: mesh.play_angle for key, mesh in meshes.items()})
+
+
+def free_turn(wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult], last_wheel: str, plays: Mapping[str, Radian]) -> Radian:
+    """The free turns of the driven wheels, by mesh, reduced to the last wheel and added up.
+
+    A mesh that is tight adds nothing and takes nothing away.
+    """
     angle = no_play()
-    for mesh in way:
-        if mesh.play_angle > 0:
-            angle = reduced_play(angle, mesh.play_angle, wheels[mesh.driven].teeth, wheels[last_wheel].teeth)
+    for key in way_to(last_wheel, meshes):
+        if plays[key] > 0:
+            angle = reduced_play(angle, plays[key], wheels[meshes[key].driven].teeth, wheels[last_wheel].teeth)
     return angle
