@@ -60,7 +60,7 @@ def test_what_the_envelope_lacks_is_said(wide, changes, words):
 
 @pytest.mark.parametrize("arguments, words", [
     ((DESIGNS / "timing_pair.toml", "countershaft"), "engine: needed"), ((GAMMA, "countershaft", "--top", "0"), "1 or more"),
-    ((GAMMA, "countershaft", "--apply", "999"), "from 1 to"), ((GAMMA, "gears"), "countershaft (shafts in the envelope"),
+    ((GAMMA, "countershaft", "--apply", "999"), "from 1 to"), ((GAMMA, "friction"), "countershaft (shafts in the envelope"),
 ])  # fmt: skip
 def test_what_can_not_be_chosen_is_said(arguments, words):
     done = run("choose", *arguments)

@@ -27,6 +27,7 @@ CHOICES = {
     "engine": "firing orders, the one that leaves least first",
     "countershaft": "shafts in the envelope, the lightest first",
     "bearings": "plain bearings that pass at every corner, the nearest and the least power first",
+    "gears": "profile shifts and tip cuts, the least specific sliding first",
 }
 
 

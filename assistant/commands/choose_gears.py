@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Profile shifts and tip cuts to choose from: the largest specific sliding of the train made least, every rule of the teeth kept."""
+
+from assistant.commands.choose import Offer
+from calc.design import Design
+from calc.gears.choosing.search import search
+from calc.gears.choosing.tables import (
+    around_table,
+    changed,
+    changes,
+    choices_table,
+    cuts_best_table,
+    cuts_now_table,
+    limits_table,
+    notes,
+    sliding_table,
+    summary,
+    wants_table,
+)
+from calc.sheet.step import Table
+
+NEEDS = ("gears",)
+WHY = "there are no gears to choose shifts for"
+
+
+def offer(made: Design, file: str) -> Offer:
+    assert made.gears is not None
+    found = search(made.gears)
+
+    def said(number: int) -> str:
+        row = found.all[number - 1]
+        return f"now has the gears of row {number} ({changed(row)}): largest specific sliding {row.largest:.3f}"
+
+    def beside(top: int) -> tuple[Table, ...]:
+        tables = (
+            sliding_table(found, top), wants_table(found), around_table(found), limits_table(found), cuts_now_table(found),
+            cuts_best_table(found, top),
+        )  # fmt: skip
+        return tuple(one for one in tables if one is not None)
+
+    return Offer(
+        count=len(found.all),
+        table=lambda top: choices_table(found, top),
+        changes=lambda number: changes(found.all[number - 1]),
+        said=said,
+        hint="`--apply N` writes the N-th row, of every table with numbers, into the design.",
+        beside=beside,
+        summary=summary(found),
+        notes=notes(found),
+    )

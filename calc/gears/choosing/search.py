@@ -1,0 +1,221 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search for shifts: a gear train in, rows to choose from out.
+
+In this order: the optimum of each way to leave shifts free, what each pair alone would want, round shifts around the optimum, tip cuts
+with the shifts as they are, and tip cuts with the shift that is then the best.
+"""
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ..inputs import GearsInputs, Wheel
+from ..train import mesh_key, tooth_system
+from .freedom import Freedom, freedoms, settled
+from .limits import Limit, limits, nothing, stretch, too_narrow
+from .optimum import GRID, Case, Slice, best, evaluated, first, refined, slice_of
+from .rules import HARD_CASE, USUAL, Bar, Judged, eased, judged, least
+from .states import Place, States, states
+
+AROUND = 0.05  # step of the shift between the rows around the optimum
+EACH_SIDE = 5  # of such rows
+CUTS = 4  # steps of the tip cut that are looked at
+GAIN = 5e-4  # of the largest sliding: less is no gain
+CUT_STEP = 0.05  # of the module: the step of the tip cut, before it is made round
+
+
+@record
+class Row:
+    """One train that can be written.  `freedom` None: the shifts as they are.  `cuts`: those that change.
+
+    `least`: the rule with the least margin, and where.  `bar`: the limits that it is judged by.
+    `wants`: the mesh that would have it so, where it is one alone.
+    """
+
+    name: str
+    freedom: Freedom | None
+    free: Mapping[str, float]
+    cuts: Mapping[str, float]
+    states: States
+    largest: float
+    of: Place
+    least: Judged
+    bar: Bar
+    wants: str = ""
+
+    @property
+    def margin(self) -> float:
+        return float(self.least.margin[0])
+
+    @property
+    def passes(self) -> bool:
+        return self.margin >= 0
+
+    @property
+    def usual(self) -> bool:
+        """Whether it keeps the usual limits, and not only those that the design itself keeps."""
+        return self.passes and self.bar in (HARD_CASE, USUAL)
+
+
+@record
+class Found:
+    """What there is to choose.  `now`: None where the design contradicts itself.  `along`: what limits, wants and curve belong to.
+
+    Numbered through in this order: `optima`, `wants` that pass, `around`, `cut_now` that pass, `cut_best`.
+    """
+
+    case: Case
+    freedoms: tuple[Freedom, ...]
+    now: Row | None
+    optima: tuple[Row, ...]
+    wants: tuple[Row, ...]
+    around: tuple[Row, ...]
+    cut_now: tuple[Row, ...]
+    cut_best: tuple[Row, ...]
+    limits: tuple[Limit, ...]
+    along: Slice
+    exact: tuple[float, float] | None  # shift and largest sliding of the optimum along one free shift, unrounded
+    refused: tuple[str, ...]  # ways to leave shifts free in which nothing passes
+
+    @property
+    def all(self) -> tuple[Row, ...]:
+        numbered = [
+            *self.optima,
+            *(r for r in self.wants if r.passes),
+            *self.around,
+            *(r for r in self.cut_now if r.passes),
+            *self.cut_best,
+        ]
+        return tuple(numbered)
+
+    def number(self, row: Row) -> str:
+        return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
+
+
+def search(gears: GearsInputs) -> Found:
+    """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
+    case = Case(tooth_system(gears), gears)
+    ways = tuple(one for one in freedoms(gears, case.system) if len(one.free) in GRID)
+    if not ways:
+        raise NoSolution("more shifts are free than can be searched", advice="give the centre distances of the train")
+    now = _now(case)
+    if now is not None and (bar := eased(now.states, case.system)) is not None:
+        case = replace(case, bars=(*case.bars, bar))
+    optima = sorted((row for way in ways for row in _optima(case, way)), key=lambda row: (round(row.largest, 4), len(row.free)))
+    main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
+    way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
+    bar = main.bar if main else case.bars[-1]
+    nearest = main.free if main else one.free if (one := best(case, way, {}, bar)) else None
+    along = slice_of(case, way, nearest, bar)
+    if along is None or nearest is None:
+        raise too_narrow(case, way)
+    cut_best = tuple(_cut_best(case, way, main))
+    if not optima and not cut_best:
+        raise nothing(along)
+    i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
+    exact = refined(case, way, nearest[along.leader], bar) if main and len(way.free) == 1 else None
+    return Found(
+        case=case, freedoms=ways, now=now, optima=tuple(optima), wants=tuple(_wants(case, along, nearest)),
+        around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
+        limits=tuple(limits(along, i)), along=along, exact=exact,
+        refused=tuple(one.name for one in ways if not any(row.freedom is one for row in optima)),
+    )  # fmt: skip
+
+
+# --- rows ------------------------------------------------------------------------------------------------------------------
+def _row(
+    case: Case, name: str, freedom: Freedom | None, free: Mapping[str, float], cuts: Mapping[str, float], made: States, wants: str = ""
+) -> Row:
+    """Judged by the strictest limits that it keeps; where it keeps none, by the usual ones."""
+    for bar in (*case.bars, USUAL):
+        rules = judged(made, case.system, bar)
+        if float(least(rules)[0]) >= 0:
+            break
+    sliding = {at: abs(float(zeta[0])) for at, zeta in made.sliding.items()}
+    of = max(sliding, key=lambda at: np.inf if np.isnan(sliding[at]) else sliding[at])
+    worst = min(rules, key=lambda one: float(one.margin[0]))
+    return Row(
+        name=name, freedom=freedom, free=free, cuts=cuts, states=made, largest=float(made.largest[0]), of=of, least=worst, bar=bar,
+        wants=wants,
+    )  # fmt: skip
+
+
+def _now(case: Case) -> Row | None:
+    train = settled(case.gears, case.system)
+    return None if train is None else _row(case, "now", None, {}, {}, states(case.system, case.gears, train.shifts))
+
+
+def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, name: str = "") -> list[Row]:
+    """By the strictest limits that let something pass; where the tips need not be hardened and that allows another one, that as well."""
+    found: list[Row] = []
+    for bar in case.bars:
+        one = best(case, way, cuts or {}, bar) if not found or bar is USUAL else None
+        if one is not None and one.margin >= 0 and not (found and found[0].free == one.free):
+            made = evaluated(case, way, one.free, cuts or {})
+            found.append(_row(case, name or way.name, way, one.free, cuts or {}, made))
+    return found
+
+
+def _along(case: Case, along: Slice, at: Mapping[str, float], t: float, name: str, wants: str = "") -> Row:
+    free = {**at, along.leader: t}
+    return _row(case, name, along.freedom, free, {}, evaluated(case, along.freedom, free, {}), wants)
+
+
+def _wants(case: Case, along: Slice, at: Mapping[str, float]) -> list[Row]:
+    """The optimum of each pair alone, by its own rules."""
+    found = []
+    for mesh in case.gears.meshes if len(case.gears.meshes) > 1 else ():
+        key = mesh_key(mesh)
+        own = [one for one in along.rules if one.mesh == key or (not one.mesh and one.wheel in (mesh.driver, mesh.driven))]
+        margin = least(own)
+        if (margin >= 0).any():
+            t = float(along.t[first(along.states.largest_of(key), margin)])
+            found.append(_along(case, along, at, t, f"{mesh.driver}–{mesh.driven}", key))
+    return found
+
+
+def _around(case: Case, along: Slice, at: Mapping[str, float], i: int) -> list[Row]:
+    passing = stretch(least(along.rules) >= 0, i)
+    if passing is None:
+        return []
+    low = max(along.t[passing[0]], along.t[i] - EACH_SIDE * AROUND)
+    high = min(along.t[passing[1]], along.t[i] + EACH_SIDE * AROUND)
+    n = np.arange(np.ceil(low / AROUND - 1e-6), np.floor(high / AROUND + 1e-6) + 1)
+    return [_along(case, along, at, float(t), "round") for t in np.round(n * AROUND, 4) if t != at[along.leader]]
+
+
+# --- tip cuts --------------------------------------------------------------------------------------------------------------
+def cut_steps(case: Case, wheel: Wheel) -> list[float]:
+    """None, steps of a round part of the module, and that of the design."""
+    wanted = CUT_STEP * case.system.m_n * 1e3
+    size = 10.0 ** np.floor(np.log10(wanted))
+    step = size * min((1, 2, 5, 10), key=lambda n: abs(np.log(n * size / wanted)))
+    return sorted({round(float(n * step), 6) / 1e3 for n in range(CUTS + 1)} | {wheel.tip_shortening})
+
+
+def _cut_now(case: Case, now: Row | None) -> list[Row]:
+    found = []
+    for wheel in case.gears.wheels if now is not None else ():
+        assert now is not None
+        for k in cut_steps(case, wheel):
+            if k != wheel.tip_shortening:
+                made = states(case.system, case.gears, now.states.shifts, {wheel.name: k})
+                found.append(_row(case, wheel.name, None, {}, {wheel.name: k}, made))
+    return found
+
+
+def _cut_best(case: Case, way: Freedom, main: Row | None) -> list[Row]:
+    """Cuts by which the largest sliding is less than without them, or more limits are kept, and less than by a smaller cut of the wheel."""
+    found = []
+    for wheel in case.gears.wheels:
+        reached = main
+        for k in cut_steps(case, wheel):
+            rows = _optima(case, way, {wheel.name: k}, wheel.name) if k != wheel.tip_shortening else []
+            for row in rows[:1]:
+                if reached is None or row.largest < reached.largest - GAIN or (row.usual and not reached.usual):
+                    reached = row
+                    found.append(row)
+    return sorted(found, key=lambda row: (not row.usual, row.largest))

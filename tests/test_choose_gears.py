@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero choose FILE gears`: the tables, and rows that are written and give what they promised."""
+
+import json
+import re
+
+import pytest
+
+from .conftest import DESIGNS
+from .test_cli import run
+
+
+@pytest.fixture
+def copy(tmp_path):
+    def made(name):
+        path = tmp_path / f"{name}.toml"
+        path.write_text((DESIGNS / f"{name}.toml").read_text(encoding="utf-8"), encoding="utf-8")
+        return path
+
+    return made
+
+
+def largest_sliding(path):
+    values = json.loads(run("check", path, "--json", "--step", "gears").stdout)["values"]
+    return max(abs(v["value"]) for id, v in values.items() if re.search(r"\.specific_sliding_(driver|driven)$", id))
+
+
+@pytest.fixture(scope="module")
+def listed():
+    return json.loads(run("choose", DESIGNS / "r753ie4_gamma.toml", "gears", "--json", "--top", "99").stdout)
+
+
+@pytest.mark.parametrize("row", [1, 2, 3, 5, 9, 20, 33])
+def test_a_row_that_is_written_gives_what_it_promised(copy, listed, row):
+    """In all numbered tables: distance free, crank as shaft, distance held, what a pair wants, round, a cut, a cut with its shift."""
+    tables = [listed, *listed["tables"].values()]
+    promised = {}
+    for table in tables:
+        labels = [c["label"] for c in table["columns"]]
+        if "max |ζ_A|" in labels:
+            promised |= {cells[0]: cells[labels.index("max |ζ_A|")] for cells in table["rows"] if cells[0] not in ("", "now")}
+    path = copy("r753ie4_gamma")
+    before = path.read_text(encoding="utf-8")
+    done = run("choose", path, "gears", "--apply", row)
+    assert done.returncode == 0, done.stderr
+    assert f"the gears of row {row} " in done.stdout.splitlines()[0]
+    assert path.with_suffix(".toml.bak").read_text(encoding="utf-8") == before
+    assert path.read_text(encoding="utf-8").count("#") == before.count("#")
+    assert largest_sliding(path) == pytest.approx(promised[str(row)], abs=5e-4)
+
+
+def test_the_optimum_is_listed_beside_the_present_and_holds_once_written(copy, listed):
+    labels = [c["label"] for c in listed["columns"]]
+    largest = [row[labels.index("max |ζ_A|")] for row in listed["rows"]]
+    assert listed["rows"][0][0] == "now" and largest[0] == max(largest) and largest[1:] == sorted(largest[1:])
+    path = copy("r753ie4_gamma")
+    assert run("choose", path, "gears", "--apply", 3).returncode == 0
+    text = path.read_text(encoding="utf-8")
+    assert "centre_distance_mm = 65.808" in text and "profile_shift = -0.0414" in text
+    again = json.loads(run("choose", path, "gears", "--json").stdout)
+    assert [row[labels.index("max |ζ_A|")] for row in again["rows"]] == pytest.approx([largest[3]] * 2, abs=1e-6)
+
+
+def test_a_pair_alone_and_its_contradicting_shift(copy):
+    """Both shifts are given without a distance: holding it takes the mate's away."""
+    path = copy("timing_pair")
+    done = run("choose", path, "gears")
+    assert done.returncode == 0 and "distance held" in done.stdout and "No worse than it" in done.stdout
+    assert max(map(len, done.stdout.splitlines())) <= 118
+    assert run("choose", path, "gears", "--apply", 1).returncode == 0
+    text = path.read_text(encoding="utf-8")
+    assert text.count("profile_shift =") == 1 and "centre_distance_mm = 132.6703" in text
+
+
+def test_the_whole_train_fits_the_terminal(listed):
+    done = run("choose", DESIGNS / "r753ie4_beta.toml", "gears")
+    assert done.returncode == 0 and max(map(len, done.stdout.splitlines())) <= 118
+    assert set(listed["tables"]) == {"sliding", "wants", "around", "limits", "tip_cuts_now", "tip_cuts_best"}
+    assert "crank as shaft: free is the shift of central; idler, shaft, crank follow." in listed["summary"][0]
+
+
+def test_where_nothing_passes_the_rule_is_said(copy):
+    path = copy("timing_pair")
+    assert run("set", path, "gears.tool_addendum=1.0").returncode == 0
+    done = run("choose", path, "gears")
+    assert done.returncode == 3 and done.stdout == "" and "clearance: nowhere" in done.stderr and "Traceback" not in done.stderr
+
+
+def test_what_can_not_be_chosen_is_said():
+    done = run("choose", DESIGNS / "twin_force_shaft.toml", "gears")
+    assert done.returncode == 2 and "gears: needed" in done.stderr
+    done = run("choose", DESIGNS / "timing_pair.toml", "gears", "--apply", "999")
+    assert done.returncode == 2 and "from 1 to" in done.stderr
