@@ -23,7 +23,7 @@ COMMANDS = {
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
     "sweep": "many designs at once, a row of a CSV table for each",
-    "export": "results as JSON or CSV, the shaft as a DXF drawing",
+    "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "validate": "published reference values beside ours",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -98,9 +98,15 @@ def parser() -> argparse.ArgumentParser:
 
     add["export"].add_argument("file")
     kinds = add["export"].add_mutually_exclusive_group()
-    kinds.add_argument("--dxf", action="store_const", const="dxf", dest="kind", help="side view and cross-sections of the shaft, in mm")
+    kinds.add_argument("--dxf", action="store_const", const="dxf", dest="kind", help="the shaft, or the gears, in mm")
     kinds.add_argument("--csv", action="store_const", const="csv", dest="kind", help="the values, a row each; checks stand in --json")
     kinds.add_argument("--json", action="store_const", const="json", dest="kind", help="the object of check --json")
+    drawn = add["export"].add_mutually_exclusive_group()
+    drawn.add_argument("--gear", metavar="WHEEL", help="draw this wheel, with its table of data, instead of the shaft")
+    drawn.add_argument("--gears", action="store_true", help="draw the whole train; so does --dxf where a design has no shaft")
+    add["export"].add_argument(
+        "--chord-error", type=float, metavar="UM", help="how far a tooth's straight pieces may stand off (default: 1 µm)"
+    )
     add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")

@@ -28,6 +28,15 @@ COLOURS = {
     "SUPPORTS": 30,
     "DIMENSIONS": 8,
     "TEXT": 7,
+    "PROFILE": 7,
+    "PROFILE_MAX": 8,
+    "PROFILE_MIN": 9,
+    "TIP": 4,
+    "REFERENCE": 2,
+    "BASE": 6,
+    "ROOT": 4,
+    "FORM": 3,
+    "WORKING": 30,
 }  # of the DXF palette
 WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions

@@ -116,12 +116,86 @@ def test_a_shaft_without_outline_says_what_to_add(capsys, tmp_path, design):
     assert "[[countershaft.sections]]" in errors and "core_radius_mm" in errors
 
 
-def test_a_design_without_a_shaft_says_so(capsys, tmp_path):
+# --- gears ----------------------------------------------------------------------------------------------------------------
+def layers(path):
+    document = ezdxf.readfile(path)
+    assert not document.audit().errors
+    return document.modelspace()
+
+
+def test_a_wheel_is_drawn_with_its_table(capsys, tmp_path):
+    out = tmp_path / "idler.dxf"
+    code, said, errors = run(capsys, "export", GAMMA, "--gear", "idler", "-o", out)
+    assert code == 0 and errors == "" and said.rstrip().endswith(str(out))
+    space = layers(out)
+    (outline,) = space.query('LWPOLYLINE[layer=="PROFILE"]')
+    assert outline.closed and len(outline) % 39 == 0
+    assert {c.dxf.layer for c in space.query("CIRCLE")} == {"TIP", "REFERENCE", "BASE", "ROOT", "FORM", "WORKING"}
+    words = [text.dxf.text for text in space.query("TEXT")]
+    assert "Span over 5 teeth W" in words and "39" in words
+    before = out.read_bytes()
+    assert run(capsys, "export", GAMMA, "--dxf", "--gear", "idler", "-o", out)[0] == 0
+    assert out.read_bytes() == before
+
+
+def test_a_coarser_chord_error_gives_fewer_points(capsys, tmp_path):
+    sizes = []
+    for error in ("0.1", "1", "10"):
+        assert run(capsys, "export", GAMMA, "--gear", "idler", "--chord-error", error, "-o", tmp_path / "o.dxf")[0] == 0
+        sizes.append(len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]))
+    assert sizes[0] > sizes[1] > sizes[2]
+    assert run(capsys, "export", GAMMA, "--gear", "idler", "-o", tmp_path / "o.dxf")[0] == 0
+    assert len(layers(tmp_path / "o.dxf").query('LWPOLYLINE[layer=="PROFILE"]')[0]) == sizes[1]  # 1 µm if nothing is said
+
+
+def test_the_whole_train_is_drawn(capsys, tmp_path):
+    out = tmp_path / "train.dxf"
+    assert run(capsys, "export", GAMMA, "--gears", "-o", out)[0] == 0
+    assert len(layers(out).query('LWPOLYLINE[layer=="PROFILE"]')) == 4
+
+
+def test_a_design_of_gears_alone_draws_its_gears(capsys, tmp_path):
     out = tmp_path / "pair.dxf"
     code, _, errors = run(capsys, "export", DESIGNS / "timing_pair.toml", "--dxf", "-o", out)
-    assert code == 2 and "add [countershaft]" in errors and not out.exists()
+    assert code == 0 and errors == ""
+    assert len(layers(out).query('LWPOLYLINE[layer=="PROFILE"]')) == 2
 
 
+def test_positions_that_are_given_are_drawn(capsys, tmp_path):
+    text = (DESIGNS / "timing_pair.toml").read_text(encoding="utf-8")
+    for name, place in (("crank", "0.0, 0.0"), ("pump", "0.0, 132.67")):
+        text = text.replace(f'name = "{name}"', f'name = "{name}"\nposition_mm = [{place}]')
+    design, out = tmp_path / "pair.toml", tmp_path / "pair.dxf"
+    design.write_text(text, encoding="utf-8")
+    assert run(capsys, "export", design, "-o", out)[0] == 0
+    centres = {tuple(round(x, 6) for x in c.dxf.center)[:2] for c in layers(out).query('CIRCLE[layer=="TIP"]')}
+    assert centres == {(0.0, 0.0), (132.67, 0.0)}
+
+
+@pytest.mark.parametrize("arguments, said", [
+    (("--gear", "nobody", "-o", "o.dxf"), "the wheels are crank, central, idler, shaft"),
+    (("--gear", "idler", "-o", "o.csv"), "is for a drawing"), (("--gears", "--json", "-o", "o.json"), "is for a drawing"),
+    (("--gear", "idler", "--chord-error", "0", "-o", "o.dxf"), "must lie between"),
+    (("--gear", "idler", "--chord-error", "nan", "-o", "o.dxf"), "must lie between"),
+    (("--gear", "idler", "--chord-error", "few", "-o", "o.dxf"), "invalid float"),
+    (("--gear", "idler", "--gears", "-o", "o.dxf"), "not allowed with"), (("--chord-error", "2", "-o", "o.dxf"), "is for gears"),
+])  # fmt: skip
+def test_gears_that_can_not_be_drawn_are_refused(capsys, arguments, said, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    code, _, errors = run(capsys, "export", GAMMA, *arguments)
+    assert code == 2 and said in errors and not list(tmp_path.iterdir())
+
+
+def test_a_design_with_neither_shaft_nor_gears_says_so(capsys, tmp_path, design):
+    path = design(PLAIN.split("[countershaft]")[0])
+    out = tmp_path / "o.dxf"
+    code, _, errors = run(capsys, "export", path, "--dxf", "-o", out)
+    assert code == 2 and "add [countershaft]" in errors and "[gears]" in errors and not out.exists()
+    code, _, errors = run(capsys, "export", path, "--gears", "-o", out)
+    assert code == 2 and "add [gears]" in errors and not out.exists()
+
+
+# --- what is refused -----------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("arguments, said", [
     (("-o", "out.xyz"), ".xyz is not known"), (("-o", "out"), "has no ending"), (("--dxf", "-o", "out.csv"), "--dxf writes .dxf"),
     (("--json", "-o", "out"), "--json writes .json"), (("--csv", "-o", "design.toml"), "--csv writes .csv"),

@@ -1,52 +1,68 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a gear train, made only when they are looked at."""
+"""The figures of a gear train: every mesh with its path of contact, one tooth of each wheel of one mesh, specific sliding."""
 
 import numpy as np
 
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series
+from ..sheet.units import Metre
 from . import formulas as f
-from .profile.outline import Outline, outline, regions
+from .profile.outline import CHORD_ERROR, Outline, Regions, regions, repeated, whole_tooth
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 MM = 1e3
 TEETH, TEETH_BETWEEN = range(-2, 3), range(-2, 2)  # the teeth that are drawn of the driver, and of the driven wheel around them
+DRAWN = 1e-3  # chord error of a figure in modules, rule of this program: finer than a line is wide
+ALONG = 61  # points of a curve of sliding
 
 
 def curves(train: TrainResult, mesh_key: str | None = None) -> tuple[Curve, ...]:
-    """Profiles in mesh and specific sliding of one mesh, and one tooth of each of its wheels.
+    """First one mesh: profiles in mesh, sliding (of all meshes, this one first), one tooth of each of its wheels; then the other meshes.
 
     `mesh_key` "driver_driven"; left out, the mesh with the least backlash, which is the one to look at.
     """
     key = mesh_key or min(train.meshes, key=lambda k: train.meshes[k].backlash_min)
-    mesh = train.meshes[key]
-    driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
-    return (
-        _in_mesh(train.system, key, mesh, driver, driven), _sliding(train.system, key, mesh, driver, driven),
-        _tooth(train.system, driver), _tooth(train.system, driven),
-    )  # fmt: skip
+    chosen = train.meshes[key]
+    flanks = {name: regions(train.system, wheel, DRAWN * train.system.m_n) for name, wheel in train.wheels.items()}
+    order = [key, *(other for other in train.meshes if other != key)]
+    first, *others = (_in_mesh(train, each, flanks) for each in order)
+    teeth = (_tooth(name, flanks[name]) for name in (chosen.driver, chosen.driven))
+    return first, _sliding(train, order), *teeth, *others
 
 
 def pitch_point_view(
-    system: ToothSystem, mesh: MeshResult, driver: WheelResult, driven: WheelResult, roll: float = 0.0
+    system: ToothSystem,
+    mesh: MeshResult,
+    driver: WheelResult,
+    driven: WheelResult,
+    roll: float = 0.0,
+    chord_error: Metre = CHORD_ERROR,
 ) -> tuple[Outline, Outline]:
     """Teeth of both wheels around the pitch point at the origin, driver below; x to the right, y up.
 
     With `roll` 0 a tooth of the driver stands in the middle of a space of the driven wheel; `roll` turns the driver, anticlockwise.
     Without allowances and at the centre distance without backlash both flanks of that tooth touch.
     """
-    below = outline(system, driver, teeth=TEETH) * 1j * np.exp(1j * roll) - 1j * mesh.working_diameter_driver / 2
-    half_pitch = np.pi / driven.teeth
-    turned = -1j * np.exp(1j * (half_pitch - roll * driver.teeth / driven.teeth))
-    above = outline(system, driven, teeth=TEETH_BETWEEN) * turned + 1j * mesh.working_diameter_driven / 2
-    return below, above
+    return _around(mesh, (driver, regions(system, driver, chord_error)), (driven, regions(system, driven, chord_error)), roll)
 
 
-def _in_mesh(system: ToothSystem, key: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Curve:
-    below, above = pitch_point_view(system, mesh, driver, driven)
-    name = f"{mesh.driver}–{mesh.driven}"
+def _around(
+    mesh: MeshResult, below: tuple[WheelResult, Regions], above: tuple[WheelResult, Regions], roll: float = 0.0
+) -> tuple[Outline, Outline]:
+    (driver, own), (driven, mate) = below, above
+    turned = 1j * np.exp(1j * roll)
+    under = repeated(whole_tooth(own), driver.teeth, TEETH) * turned - 1j * mesh.working_diameter_driver / 2
+    turned = -1j * np.exp(1j * (np.pi / driven.teeth - roll * driver.teeth / driven.teeth))
+    over = repeated(whole_tooth(mate), driven.teeth, TEETH_BETWEEN) * turned + 1j * mesh.working_diameter_driven / 2
+    return under, over
+
+
+def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
+    mesh = train.meshes[key]
+    driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
+    below, above = _around(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
     return Curve(
-        f"profile_{key}", f"Tooth profiles in mesh, {name}", "x, mm", "y, mm",
+        f"profile_{key}", f"Tooth profiles in mesh, {mesh.driver}–{mesh.driven}", "x, mm", "y, mm",
         (_line(mesh.driver, below), _line(mesh.driven, above), _line("path of contact", _path(mesh, driver, driven))), equal=True,
     )  # fmt: skip
 
@@ -63,22 +79,34 @@ def _line(label: str, points: Outline) -> Series:
     return Series(label, points.real * MM, points.imag * MM)
 
 
-def _tooth(system: ToothSystem, wheel: WheelResult) -> Curve:
-    flank = regions(system, wheel)
+def _tooth(name: str, flank: Regions) -> Curve:
+    """One whole tooth, upright: the regions of its right flank, and its left flank as one line."""
+    parts = (("root", flank.root), ("fillet", flank.fillet), ("involute", flank.involute), ("tip", flank.tip))
+    right = [1j * radius * np.exp(-1j * angle) for _, (radius, angle) in parts]
+    series = [_line(label, points) for (label, _), points in zip(parts, right)]
+    series.append(_line("other flank", -np.concatenate(right).conj()))
+    return Curve(f"tooth_{name}", f"One tooth of {name}", "x, mm", "y, mm", tuple(series), equal=True)
+
+
+def _sliding(train: TrainResult, keys: list[str]) -> Curve:
+    """ζ of both wheels along the path of contact, over its way from the pitch point; each mesh by itself."""
     series = []
-    for label, (radius, angle) in (("root", flank.root), ("fillet", flank.fillet), ("involute", flank.involute), ("tip", flank.tip)):
-        series.append(_line(label, 1j * radius * np.exp(-1j * angle)))
-    return Curve(f"tooth_{wheel.name}", f"Half a tooth of {wheel.name}", "x, mm", "y, mm", tuple(series), equal=True)
-
-
-def _sliding(system: ToothSystem, key: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Curve:
-    """ζ of both wheels along the path of contact, over its way from the pitch point."""
-    T = mesh.line_of_action
-    rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, 121)
-    way = (rho - T * driver.teeth / (driver.teeth + driven.teeth)) * MM
-    zeta_1 = f.specific_sliding(T, rho, driver.teeth, driven.teeth)  # type: ignore[arg-type]
-    zeta_2 = f.specific_sliding(T, T - rho, driven.teeth, driver.teeth)  # type: ignore[arg-type]
+    for key in keys:
+        mesh = train.meshes[key]
+        z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
+        T = mesh.line_of_action
+        rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, ALONG)
+        way = (rho - T * z_1 / (z_1 + z_2)) * MM
+        zeta_1 = f.specific_sliding(T, rho, z_1, z_2)  # type: ignore[arg-type]
+        zeta_2 = f.specific_sliding(T, T - rho, z_2, z_1)  # type: ignore[arg-type]
+        name = _said(train, key) if len(keys) > 1 else ""
+        series += [Series(mesh.driver, way, zeta_1, name), Series(mesh.driven, way, zeta_2, name)]
     return Curve(
-        f"sliding_{key}", f"Specific sliding, {mesh.driver}–{mesh.driven}", "way on the line of action from the pitch point, mm", "ζ",
-        (Series(mesh.driver, way, zeta_1), Series(mesh.driven, way, zeta_2)), limits=(("rolling", 0.0),),
+        "sliding", "Specific sliding" if len(keys) > 1 else f"Specific sliding, {_said(train, keys[0])}",
+        "way on the line of action from the pitch point, mm", "ζ", tuple(series), limits=(("rolling", 0.0),),
+        variants=tuple(_said(train, key) for key in keys) if len(keys) > 1 else (),
     )  # fmt: skip
+
+
+def _said(train: TrainResult, key: str) -> str:
+    return f"{train.meshes[key].driver}–{train.meshes[key].driven}"

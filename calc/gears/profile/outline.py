@@ -1,93 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The outline of a tooth as the tool makes it: tip arc, involute, fillet, root arc.
+"""The outline of a tooth as the tool makes it: tip arc, involute, fillet, root arc, as a polyline within a chord error of the true curve.
 
-The corner of the rack is a circle in the normal section, so an ellipse in the transverse one.  Each of its points cuts when its
-normal passes through the pitch point: the fillet is that envelope, and meets the involute with a common tangent at the form
-circle, or crosses it where the tooth is undercut.  A point of a flank is given by its radius and its angle from the middle of the
-tooth; an outline is an array of complex numbers, the middle of the first tooth on the real axis.
+A point of a flank is given by its radius and its angle from the middle of the tooth; an outline is an array of complex numbers, the
+middle of the first tooth on the real axis.
 """
 
-from typing import Any
+import math
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.errors import NoSolution
-from ...sheet.formula import formula
-from ...sheet.functions import inv
 from ...sheet.record import record
-from ...sheet.units import Metre
-from ..result import ToothSystem, WheelResult
+from ...sheet.units import Metre, Number
+from ..measures.formulas import generating_shift
+from .cut import ROOT, Cut, finishing_step, form_diameter_of_undercut, protuberance_note, tool_problem
+
+if TYPE_CHECKING:
+    from ..result import ToothSystem, WheelResult
+
+__all__ = [
+    "CHORD_ERROR", "Cut", "Outline", "Regions", "finishing_step", "form_diameter_of_undercut", "outline", "protuberance_note",
+    "regions", "shifts", "tool_problem", "tooth",
+]  # fmt: skip
+
+CHORD_ERROR: Metre = 1e-6  # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
+FINE = 65  # places at which the curvature of a fillet is looked at
+SAFETY = 1.15  # more chords than a constant curvature between two points would ask for
 
 Outline = ComplexArray
-
-
-@record
-class Cut:
-    """One wheel as the tool sees it."""
-
-    system: ToothSystem
-    teeth: int
-    shift: float
-
-    @property
-    def pitch_radius(self) -> float:
-        return self.teeth * self.system.transverse_module / 2
-
-    @property
-    def base_radius(self) -> float:
-        return self.pitch_radius * float(np.cos(self.system.transverse_pressure_angle))
-
-    def involute(self, radius: Any) -> Any:
-        """Angle of the involute from the middle of the tooth."""
-        s = self.system
-        reference = (np.pi / 2 + 2 * self.shift * np.tan(s.alpha_n)) / self.teeth
-        alpha = np.arccos(np.minimum(self.base_radius / np.asarray(radius), 1.0))
-        return reference + inv(s.transverse_pressure_angle) - (np.tan(alpha) - alpha)
-
-    def fillet(self, phi: Array) -> tuple[Array, Array]:
-        """Radius and angle from the middle of the tooth, where the corner's normal points along φ: −π/2 at the root, −α_n at the flank."""
-        s = self.system
-        r = self.pitch_radius
-        rho = s.rho_aP0 * s.m_n
-        v_c = (s.rho_aP0 + self.shift - s.h_fP) * s.m_n
-        u = self._corner + rho / np.cos(s.beta) * np.cos(phi)
-        v = v_c + rho * np.sin(phi)
-        X = v * np.cos(phi) * np.cos(s.beta) / np.sin(phi)  # where the normal passes through the pitch point
-        return np.hypot(X, v + r), np.pi / self.teeth - (np.arctan2(X, v + r) - (X - u) / r)
-
-    @property
-    def _corner(self) -> float:
-        """Distance of the corner's centre from the middle of the tool's tooth."""
-        s = self.system
-        alpha_t = s.transverse_pressure_angle
-        straight = np.pi * s.transverse_module / 4 - (s.h_fP - s.rho_aP0) * s.m_n * np.tan(alpha_t)
-        return float(straight - (s.rho_aP0 * s.m_n - s.s_pr) / (np.cos(s.alpha_n) * np.cos(s.beta)))
-
-    def end_of_fillet(self) -> float:
-        """φ where the fillet leaves the outline: at the flank, or where it crosses the involute of an undercut tooth."""
-        s = self.system
-        low, high = -np.pi / 2, -s.alpha_n
-        if self.shift >= _undercut_limit(s, self.teeth):
-            return float(high)
-        for _ in range(12):  # the gap falls through 0 once between base circle and flank; each pass narrows it 32 times
-            phi = np.linspace(low, high, 33)
-            radius, angle = self.fillet(phi)
-            uncut = (radius > self.base_radius) & (angle > self.involute(radius))
-            first = int(np.argmax(uncut)) if uncut.any() else 32
-            low, high = phi[max(first - 1, 0)], phi[first]
-        return float(high)
-
-
-def _undercut_limit(s: ToothSystem, teeth: int) -> float:
-    straight = s.h_fP - s.rho_aP0 * (1 - np.sin(s.alpha_n))
-    return float(straight - teeth * np.sin(s.transverse_pressure_angle) ** 2 / (2 * np.cos(s.beta)))
-
-
-@formula("d_Ff", "envelope of the tool's corner", unit="mm", shows="crossing of the tool's trochoid and the involute of the undercut tooth")
-def form_diameter_of_undercut(cut: Cut) -> Metre:
-    radius, _ = cut.fillet(np.array([cut.end_of_fillet()]))
-    return 2 * float(radius[0])
 
 
 @record
@@ -100,29 +42,84 @@ class Regions:
     tip: tuple[Array, Array]
 
 
-def regions(system: ToothSystem, wheel: WheelResult, points: int = 16) -> Regions:
-    """The four regions of one flank; a pointed tooth ends where its flanks meet."""
-    cut = Cut(system, wheel.teeth, wheel.profile_shift)
-    base, tip, form = wheel.base_diameter / 2, wheel.tip_diameter / 2, wheel.form_diameter / 2
+def shifts(system: "ToothSystem", wheel: "WheelResult") -> dict[str, Number]:
+    """Generating shift of each outline of a wheel: "" without allowance; "max", "min" with the upper and the lower end of it."""
+    found = {"": wheel.profile_shift}
+    for end, E_W in zip(("max", "min"), wheel.allowance or ()):
+        found[end] = generating_shift.function(wheel.profile_shift, E_W, system.m_n, system.alpha_n)
+    return found
+
+
+def regions(system: "ToothSystem", wheel: "WheelResult", chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Regions:
+    """The four regions of one flank; a pointed tooth ends where its flanks meet.  `shift`: another one than that without allowance."""
+    cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
+    end = cut.end_of_fillet
+    form, corner = cut.fillet_point(end)
+    base, tip = cut.base_radius, wheel.tip_diameter / 2
     if form >= tip:
         raise NoSolution(f"wheel {wheel.name}: no involute is left below its tip circle", advice="give it more profile shift")
-    fillet = cut.fillet(np.linspace(-np.pi / 2, cut.end_of_fillet(), points))
-    rho = np.linspace(np.sqrt(max(form**2 - base**2, 0.0)), np.sqrt(tip**2 - base**2), points)
-    radius = np.hypot(base, rho)
-    angle = cut.involute(radius)
-    if angle[-1] < 0:
-        pointed = np.interp(0.0, angle[::-1], radius[::-1])
-        keep = angle > 0
-        radius, angle = np.append(radius[keep], pointed), np.append(angle[keep], 0.0)
-    few = max(points // 4, 2)
-    root = np.full(few, fillet[0][0]), np.linspace(np.pi / wheel.teeth, fillet[1][0], few)
-    top = np.full(few, radius[-1]), np.linspace(angle[-1], 0.0, few)
-    return Regions(root, fillet, (radius, angle), top)
+    fillet = _fillet(cut, end, chord_error)
+    radius, angle = _involute(cut, math.sqrt(max((form / base) ** 2 - 1, 0.0)), math.sqrt((tip / base) ** 2 - 1), chord_error)
+    if abs(corner - angle[0]) * form > 1e-9 * system.m_n:  # finishing has left a step
+        fillet = np.append(fillet[0], form), np.append(fillet[1], angle[0])
+    root = _arc(cut.root_radius, math.pi / wheel.teeth, float(fillet[1][0]), chord_error)
+    return Regions(root, fillet, (radius, angle), _arc(float(radius[-1]), float(angle[-1]), 0.0, chord_error))
 
 
-def tooth(system: ToothSystem, wheel: WheelResult, points: int = 16) -> Outline:
+def _fillet(cut: Cut, end: float, chord_error: Metre) -> tuple[Array, Array]:
+    """Points as close as the curvature asks for: a chord of length s stands s²/8R off a curve of radius R."""
+    phi = np.linspace(ROOT, end, FINE)
+    radius, angle = cut.fillet(phi)
+    step = np.diff(radius * np.exp(1j * angle))
+    length = np.abs(step) + 1e-30
+    turned = np.abs(np.angle(step[1:] * step[:-1].conj()))
+    curvature = 2 * turned / (length[1:] + length[:-1])
+    density = np.sqrt(np.concatenate([curvature[:1], curvature, curvature[-1:]]) / (8 * chord_error))
+    chords = np.concatenate([[0.0], np.cumsum((density[1:] + density[:-1]) / 2 * length)])
+    wanted = np.linspace(0.0, chords[-1], math.ceil(SAFETY * float(chords[-1])) + 1) if chords[-1] > 1 else chords[[0, -1]]
+    return cut.fillet(np.interp(wanted, chords, phi))
+
+
+def _involute(cut: Cut, start: Number, end: Number, chord_error: Metre) -> tuple[Array, Array]:
+    """Between two places t = tan α; the curvature is 1/(r_b·t), so equal steps of t^(3/2) stand equally far off.  Ends where θ is 0."""
+    theta = cut.half_angle_at_base
+    pointed = end - math.atan(end) > theta
+    if pointed:
+        end = _tangent_of_involute(theta)
+    chords = 2 / 3 * (end**1.5 - start**1.5) * math.sqrt(cut.base_radius / (8 * chord_error))
+    t = np.linspace(start**1.5, end**1.5, max(2, math.ceil(SAFETY * chords) + 1)) ** (2 / 3)
+    t[0], t[-1] = start, end
+    angle = theta - (t - np.arctan(t))
+    if pointed:
+        angle[-1] = 0.0
+    return cut.base_radius * np.hypot(1.0, t), angle
+
+
+def _tangent_of_involute(involute: Number) -> Number:
+    """t with t − arctan t = inv α, by Newton's method from above."""
+    t = involute + math.pi / 2
+    for _ in range(60):
+        step = (t - math.atan(t) - involute) * (1 + t * t) / (t * t)
+        t -= step
+        if abs(step) <= 1e-15 * t:
+            break
+    return t
+
+
+def _arc(radius: Metre, start: float, end: float, chord_error: Metre) -> tuple[Array, Array]:
+    """An arc about the wheel's axis."""
+    widest = 2 * math.acos(max(1 - chord_error / radius, 0.0))
+    count = max(1, math.ceil(abs(end - start) / widest))
+    return np.full(count + 1, radius), np.linspace(start, end, count + 1)
+
+
+def tooth(system: "ToothSystem", wheel: "WheelResult", chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Outline:
     """One whole tooth, from the middle of a root to the middle of the next, angles rising."""
-    flank = regions(system, wheel, points)
+    return whole_tooth(regions(system, wheel, chord_error, shift))
+
+
+def whole_tooth(flank: Regions) -> Outline:
+    """Both flanks from one, which is the upper."""
     parts = (flank.root, flank.fillet, flank.involute, flank.tip)
     radius = np.concatenate([p[0][:-1] for p in parts] + [flank.tip[0][-1:]])
     angle = np.concatenate([p[1][:-1] for p in parts] + [flank.tip[1][-1:]])
@@ -130,10 +127,20 @@ def tooth(system: ToothSystem, wheel: WheelResult, points: int = 16) -> Outline:
     return np.concatenate([half.conj(), half[-2::-1]])
 
 
-def outline(system: ToothSystem, wheel: WheelResult, points: int = 16, teeth: range | None = None) -> Outline:
-    """The teeth with the given numbers (all of them: a closed line), number 0 on the real axis."""
-    numbers = range(wheel.teeth) if teeth is None else teeth
-    one = tooth(system, wheel, points)
-    turned = [one[:-1] * np.exp(2j * np.pi * k / wheel.teeth) for k in numbers]
-    last = one[-1:] * np.exp(2j * np.pi * numbers[-1] / wheel.teeth)
-    return np.concatenate([*turned, last])
+def outline(
+    system: "ToothSystem",
+    wheel: "WheelResult",
+    chord_error: Metre = CHORD_ERROR,
+    teeth: range | None = None,
+    shift: Number | None = None,
+) -> Outline:
+    """The teeth with the given numbers (all of them: a closed line, its first point again at its end), number 0 on the real axis."""
+    return repeated(tooth(system, wheel, chord_error, shift), wheel.teeth, teeth)
+
+
+def repeated(one: Outline, z: int, teeth: range | None = None) -> Outline:
+    """A tooth at each of its places."""
+    numbers = np.arange(z) if teeth is None else np.asarray(teeth)
+    turns = np.exp(2j * np.pi * numbers / z)
+    last = one[:1] if teeth is None else one[-1:] * turns[-1]  # a closed line ends in the very point in which it begins
+    return np.concatenate([np.outer(turns, one[:-1]).ravel(), last])

@@ -5,9 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from calc.gears import formulas as f
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.outline import Cut, outline, regions, tooth
+from calc.gears.profile.outline import Cut, outline, regions, shifts, tooth
 
 from ..trains import mesh, r753, solved, train, wheel
 
@@ -39,7 +38,7 @@ def test_fillet_meets_the_involute_with_a_common_tangent(case):
 @pytest.mark.parametrize("case", TOOTH + UNDERCUT)
 def test_radius_rises_from_root_to_tip(case):
     system, w = cut_wheel(*case)
-    flank = regions(system, w, 40)
+    flank = regions(system, w)
     assert flank.fillet[0][0] * 2 == pytest.approx(w.root_diameter, rel=1e-13)
     assert flank.involute[0][-1] * 2 == pytest.approx(w.tip_diameter, rel=1e-13)
     radius = np.concatenate([flank.fillet[0], flank.involute[0][1:]])
@@ -48,41 +47,13 @@ def test_radius_rises_from_root_to_tip(case):
         assert (r_1[-1], a_1[-1]) == pytest.approx((r_2[0], a_2[0]), abs=1e-12)
 
 
-@pytest.mark.parametrize("case", TOOTH + UNDERCUT)
-def test_the_tool_rolls_through_the_space_and_cuts_nothing_more(case):
-    """Every point of the rack's tooth, rolled past the wheel, stays out of the outline, and touches it."""
-    system, w = cut_wheel(*case)
-    flank = regions(system, w, 1500)
-    r_flank, a_flank = (np.concatenate([flank.fillet[i], flank.involute[i][1:]]) for i in (0, 1))
-    h_a, rho, m_n = system.h_aP0 * system.m_n, system.rho_aP0 * system.m_n, system.m_n
-    phi = np.linspace(-np.pi / 2, -system.alpha_n, 60)
-    alpha_t = system.transverse_pressure_angle
-    s = system
-    corner = f.tool_corner_position(s.transverse_module, s.h_fP, s.rho_aP0, m_n, alpha_t, s.alpha_n, s.beta, s.s_pr)
-    v_round = w.profile_shift * m_n - h_a + rho + rho * np.sin(phi)
-    u_round = corner + rho / np.cos(system.beta) * np.cos(phi)
-    v_flank = np.linspace(v_round[-1], w.profile_shift * m_n + m_n, 60)
-    u_flank = np.pi * system.transverse_module / 4 + (v_flank - w.profile_shift * m_n) * np.tan(alpha_t)
-    u, v = np.concatenate([u_round, u_flank]), np.concatenate([v_round, v_flank])
-    r = w.pitch_diameter / 2
-    deepest = np.inf
-    for s in np.linspace(-2.5 * m_n, 2.5 * m_n, 401) * np.pi:
-        X, Y = u + s, v + r
-        R, angle = np.hypot(X, Y), np.pi / w.teeth - (np.arctan2(X, Y) - s / r)
-        inside = (R > r_flank[0] + 1e-3 * m_n) & (R < w.tip_diameter / 2)  # at the very root the outline is a circle
-        if inside.any():
-            gap = (angle[inside] - np.interp(R[inside], r_flank, a_flank)) * R[inside]
-            deepest = min(deepest, float(gap.min()))
-    assert -2e-6 * m_n < deepest < 2e-3 * m_n
-
-
 @pytest.mark.parametrize("case", UNDERCUT)
 def test_undercut_ends_where_the_trochoid_crosses_the_involute(case):
     system, w = cut_wheel(*case)
     assert w.profile_shift < w.undercut_limit
     assert w.base_diameter < w.form_diameter < w.tip_diameter
     cut = Cut(system, w.teeth, w.profile_shift)
-    phi = np.linspace(-np.pi / 2, cut.end_of_fillet(), 400)
+    phi = np.linspace(-np.pi / 2, cut.end_of_fillet, 400)
     radius, angle = cut.fillet(phi)
     assert angle[-1] == pytest.approx(float(cut.involute(radius[-1])), abs=1e-12)
     below = (radius > w.base_diameter / 2) & (radius < w.form_diameter / 2)
@@ -148,9 +119,63 @@ def test_teeth_touch_and_never_enter_each_other(pair, turn):
     pitch = 2 * np.pi / driver.teeth
     angle = np.abs((np.angle(seen) + pitch / 2) % pitch - pitch / 2)
     radius = np.abs(seen)
-    flank = regions(t.system, driver, 400)
+    flank = regions(t.system, driver, 1e-9)
     cut = Cut(t.system, driver.teeth, driver.profile_shift)
     tooth_angle = np.where(radius >= driver.form_diameter / 2, cut.involute(radius), np.interp(radius, *flank.fillet))
     inside = radius < driver.tip_diameter / 2
     gap = (angle - tooth_angle)[inside] * radius[inside]
     assert -1e-9 < gap.min() < 2e-5
+
+
+# --- the polyline ------------------------------------------------------------------------------------------------------------
+def off(points, line):
+    """Largest distance of points from a polyline."""
+    start, way = line[:-1], np.diff(line)
+    gap = points[:, None] - start
+    along = np.clip((gap * way.conj()).real / np.maximum(np.abs(way) ** 2, 1e-300), 0, 1)
+    return np.abs(gap - along * way).min(axis=1).max()
+
+
+@pytest.mark.parametrize("error", [1e-8, 1e-6, 2e-5])
+@pytest.mark.parametrize("case", TOOTH + UNDERCUT)
+def test_the_polyline_stands_nowhere_further_off_than_the_chord_error(case, error):
+    system, w = cut_wheel(*case)
+    flank, cut = regions(system, w, error), Cut(system, w.teeth, w.profile_shift)
+    fillet = cut.fillet(np.linspace(-np.pi / 2, cut.end_of_fillet, 3000))
+    r = np.hypot(w.base_diameter / 2, np.linspace(*(math.sqrt(max((d / 2) ** 2 - (w.base_diameter / 2) ** 2, 0.0))
+                 for d in (w.form_diameter, w.tip_diameter)), 3000))  # fmt: skip
+    top = np.linspace(float(cut.involute(w.tip_diameter / 2)), 0, 500)
+    ground = np.linspace(np.pi / w.teeth, fillet[1][0], 500)
+    exact = {"fillet": fillet, "involute": (r, cut.involute(r)), "tip": (w.tip_diameter / 2, top), "root": (w.root_diameter / 2, ground)}
+    for name, (radius, angle) in exact.items():
+        drawn_r, drawn_a = getattr(flank, name)
+        assert off(radius * np.exp(1j * angle), drawn_r * np.exp(1j * drawn_a)) <= error * 1.0001 + 1e-15, name
+
+
+def test_a_coarser_polyline_has_fewer_points():
+    system, w = cut_wheel(*TOOTH[0])
+    sizes = [tooth(system, w, error).size for error in (1e-8, 1e-6, 1e-4)]
+    assert sizes[0] > 5 * sizes[1] and sizes[1] > 2 * sizes[2] and sizes[1] < 200
+
+
+# --- allowances --------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name", ["central", "idler", "shaft"])
+def test_the_outlines_at_both_ends_of_the_allowance_have_the_diameters_that_are_told(name):
+    t = solved(r753())
+    w, cut = t.wheels[name], shifts(t.system, t.wheels[name])
+    assert set(cut) == {"", "min", "max"} and cut["min"] < cut["max"] < cut[""]
+    for end in ("min", "max"):
+        flank = regions(t.system, w, shift=cut[end])
+        assert 2 * flank.fillet[0][0] == pytest.approx(getattr(w, f"root_diameter_{end}"), rel=1e-13)
+        assert 2 * flank.involute[0][0] == pytest.approx(getattr(w, f"form_diameter_{end}"), rel=1e-13)
+        assert 2 * flank.tip[0][0] == pytest.approx(w.tip_diameter, rel=1e-13)
+
+
+@pytest.mark.parametrize("end, E_W", [("max", -20e-6), ("min", -30e-6)])
+def test_the_thinned_outline_is_thinner_by_the_change_of_the_span(end, E_W):
+    """Along the base tangent each flank stands back by half of the change of the span, ISO 21771: E_W in the normal section."""
+    t = solved(r753())
+    w = t.wheels["idler"]
+    whole, thin = (Cut(t.system, w.teeth, x) for x in (w.profile_shift, shifts(t.system, w)[end]))
+    back = (whole.half_angle_at_base - thin.half_angle_at_base) * whole.base_radius * math.cos(t.system.base_helix_angle)
+    assert back == pytest.approx(-E_W / 2, rel=1e-12)

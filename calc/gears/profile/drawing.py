@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is drawn of a wheel and of a whole train, in the transverse section: outlines, circles, and the table of data for the workshop.
+
+The sheet's first axis runs to the right, its second up.  Where the wheels stand in their places, up is the direction "up" of the
+engine and the crank turns clockwise.
+"""
+
+import cmath
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
+from ...sheet.quantity import Published, published
+from ...sheet.units import Metre, Number, Radian
+from ..inputs import GearsInputs
+from ..result import MeshResult, TrainResult, WheelResult
+from .outline import CHORD_ERROR, repeated, shifts, tooth
+
+LAYERS = ("PROFILE", "PROFILE_MAX", "PROFILE_MIN", "TIP", "REFERENCE", "BASE", "ROOT", "FORM", "WORKING", "AXIS", "TEXT")
+CIRCLES = {"TIP": "tip_diameter", "REFERENCE": "pitch_diameter", "BASE": "base_diameter", "ROOT": "root_diameter", "FORM": "form_diameter"}
+LETTER = 0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
+UP: Radian = math.pi / 2
+Places = Mapping[str, tuple[Metre, Metre]]
+
+
+def wheel_drawing(
+    train: TrainResult, name: str, title: str = "", gears: GearsInputs | None = None, chord_error: Metre = CHORD_ERROR
+) -> tuple[Primitive, ...]:
+    """One wheel about the origin, the middle of its first tooth up, with its table of data.
+
+    PROFILE is the outline without allowance, PROFILE_MAX and PROFILE_MIN those at its ends, if there is one.
+    """
+    wheel = train.wheels[name]
+    made = _outlines(train, wheel, chord_error, 0j, UP, limits=True)
+    made += _circles(wheel, _working(train, name), 0j)
+    h = LETTER * wheel.tip_diameter
+    left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
+    rows = data_table(train, name, gears)
+    made.append(Words("TEXT", (left, top), f"{title}: {name}" if title else name, 1.6 * h))
+    for i, (label, said) in enumerate(rows):
+        y = top - (3 + 1.8 * i) * h
+        made += [Words("TEXT", (left, y), label, h), Words("TEXT", (left + 26 * h, y), said, h)]
+    return tuple(made)
+
+
+def train_drawing(
+    train: TrainResult,
+    title: str = "",
+    positions: Places | None = None,
+    tooth_angle: Radian = 0.0,
+    chord_error: Metre = CHORD_ERROR,
+) -> tuple[Primitive, ...]:
+    """All wheels, meshing, without allowances.
+
+    `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside its driver at
+    their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank rotation.
+    """
+    known = positions is not None and set(train.wheels) <= set(positions)
+    centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else _row(train)
+    phases = tooth_phases(train, centres, UP - tooth_angle)
+    made: list[Primitive] = []
+    for name, wheel in train.wheels.items():
+        made += _outlines(train, wheel, chord_error, centres[name], phases[name], limits=False)
+        made += _circles(wheel, _working(train, name), centres[name])
+    h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
+    made += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {wheel.teeth}", h) for name, wheel in train.wheels.items()]
+    low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
+    left = min(centres[name].real - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
+    said = ["Millimetres, 1:1. Transverse section, outlines without allowance."]
+    said.append(
+        "Drawn up: up from the crank's axis; the crank turns clockwise." if known else "In a row: where the axes stand is not known."
+    )
+    made += [Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h) for i, line in enumerate([title, *said] if title else said)]
+    return tuple(made)
+
+
+def tooth_phases(train: TrainResult, centres: Mapping[str, complex], first: Radian) -> dict[str, Radian]:
+    """Direction of the middle of a tooth of every wheel, so that a tooth stands in a space at every pitch point.
+
+    z_1·(θ_1 − γ) + z_2·(θ_2 − γ − π) = π (mod 2π), γ the direction from the driver to the driven wheel.
+    """
+    found = {next(iter(train.meshes.values())).driver: first}
+    for mesh in train.meshes.values():
+        gamma = cmath.phase(centres[mesh.driven] - centres[mesh.driver])
+        z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
+        turn = math.remainder(math.pi - z_1 * (found[mesh.driver] - gamma), 2 * math.pi)
+        found[mesh.driven] = gamma + math.pi + turn / z_2
+    return found
+
+
+def _row(train: TrainResult) -> dict[str, complex]:
+    """Each wheel to the right of its driver; a driver's further wheels above it, below it, and so on round."""
+    meshes = list(train.meshes.values())
+    found, used = {meshes[0].driver: 0j}, {meshes[0].driver: 0}
+    for mesh in meshes:
+        way = (1, 1j, -1j, -1)[used[mesh.driver] % 4]
+        used[mesh.driver] += 1
+        used[mesh.driven] = 0
+        found[mesh.driven] = found[mesh.driver] + mesh.centre_distance * way
+    return found
+
+
+# --- shapes -------------------------------------------------------------------------------------------------------------
+def _outlines(train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool) -> list[Primitive]:
+    made: list[Primitive] = []
+    for end, x in shifts(train.system, wheel).items():
+        if limits or not end:
+            made.append(Polyline(f"PROFILE_{end.upper()}" if end else "PROFILE", _whole(train, wheel, chord_error, x, at, turn), True))
+    return made
+
+
+def _whole(train: TrainResult, wheel: WheelResult, chord_error: Metre, shift: Number, at: complex, turn: Radian) -> tuple[Point, ...]:
+    """The closed outline, its first point not repeated."""
+    path = repeated(tooth(train.system, wheel, chord_error, shift), wheel.teeth)[:-1] * cmath.exp(1j * turn) + at
+    return tuple(zip(np.real(path).tolist(), np.imag(path).tolist()))
+
+
+def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Primitive]:
+    centre = _point(at)
+    made: list[Primitive] = [Arc(layer, centre, getattr(wheel, field) / 2, 0.0, 2 * math.pi) for layer, field in CIRCLES.items()]
+    made += [Arc("WORKING", centre, d_w / 2, 0.0, 2 * math.pi) for _, d_w, _ in working]
+    reach = wheel.tip_diameter * (0.5 + LETTER)
+    made += [Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))]
+    return made
+
+
+def _point(at: complex) -> Point:
+    return at.real, at.imag
+
+
+def _working(train: TrainResult, name: str) -> list[tuple[str, Metre, MeshResult]]:
+    """The mates of a wheel with its working diameter towards each."""
+    found = [(m.driven, m.working_diameter_driver, m) for m in train.meshes.values() if m.driver == name]
+    return found + [(m.driver, m.working_diameter_driven, m) for m in train.meshes.values() if m.driven == name]
+
+
+# --- the table of data ------------------------------------------------------------------------------------------------------
+def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[str, str], ...]:
+    """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
+    s, wheel = train.system, train.wheels[name]
+    own = next((w for w in gears.wheels if w.name == name), None) if gears is not None else None
+    known = {v.id.removeprefix("."): v for v in published(wheel, "")}
+    hand = f", {own.hand}" if own is not None and own.hand and s.beta else ""
+    rows = [
+        ("Normal module m_n", _mm(s.m_n)), ("Teeth z", str(wheel.teeth)), ("Normal pressure angle", _degrees(s.alpha_n)),
+        ("Helix angle", _degrees(s.beta) + hand), ("Profile shift coefficient x", _number(wheel.profile_shift, 5)),
+        ("Tool: addendum, tip radius", f"{_number(s.h_aP0, 4)} / {_number(s.rho_aP0, 4)} m_n"),
+        ("Stock; residual undercut", f"{_mm(s.stock)}; {_mm(s.s_pr)}"), ("Face width b", _mm(wheel.face_width)),
+        ("Reference diameter d", _mm(wheel.pitch_diameter)), ("Base diameter d_b", _mm(wheel.base_diameter)),
+        ("Tip diameter d_a", _toleranced(wheel.tip_diameter, own.tip_diameter_tolerance if own is not None else None)),
+        ("Root diameter d_f", _root(wheel, own.root_diameter_tolerance if own is not None else None)),
+        ("Form diameter d_Ff", _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
+    ]  # fmt: skip
+    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in _working(train, name)]
+    rows += _measures(known)
+    if gears is not None:
+        rows.append(("Accuracy grade (ISO 1328-1)", str(gears.accuracy_grade)))
+    return (*rows, ("Profile", "transverse section, without allowance; MAX, MIN: at its ends"))
+
+
+def _measures(known: Mapping[str, Published]) -> list[tuple[str, str]]:
+    """Span and size over balls, each with its limits where the wheel has an allowance."""
+    rows = []
+    for id in known:
+        if id.startswith("span_") and id[5:].isdigit():
+            rows.append((f"Span over {id[5:]} teeth W", _limits(known, id)))
+    if "over_balls" in known and "ball_diameter" in known:
+        rows.append((f"Size over balls M, D_M {_shown(known['ball_diameter'])}", _limits(known, "over_balls")))
+    return rows
+
+
+def _limits(known: Mapping[str, Published], id: str) -> str:
+    low, high = known.get(f"{id}_min"), known.get(f"{id}_max")
+    return f"{_shown(low)} to {_shown(high)}" if low is not None and high is not None else _shown(known[id])
+
+
+def _shown(value: Published) -> str:
+    return _number(value.shown, 4)
+
+
+def _root(wheel: WheelResult, tolerance: tuple[float, ...] | None) -> str:
+    """The root moves with the allowance; its own tolerance stands beside that."""
+    if tolerance is None:
+        return _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)
+    upper, lower = tolerance
+    highest, lowest = wheel.root_diameter_max or wheel.root_diameter, wheel.root_diameter_min or wheel.root_diameter
+    return _between(wheel.root_diameter, lowest + lower, highest + upper)
+
+
+def _toleranced(size: Metre, tolerance: tuple[float, ...] | None) -> str:
+    return _between(size, size + tolerance[1], size + tolerance[0]) if tolerance is not None else _mm(size)
+
+
+def _between(size: Metre, low: Metre | None, high: Metre | None) -> str:
+    return f"{_mm(low)} to {_mm(high)}" if low is not None and high is not None else _mm(size)
+
+
+def _distance(mesh: MeshResult) -> str:
+    return _mm(mesh.centre_distance) + (f" ±{_mm(mesh.centre_tolerance)}" if mesh.centre_tolerance else "")
+
+
+def _mm(length: Metre) -> str:
+    return _number(length * 1e3, 4)
+
+
+def _degrees(angle: Radian) -> str:
+    return f"{_number(math.degrees(angle), 4)}°"
+
+
+def _number(x: Number, digits: int) -> str:
+    text = f"{x:.{digits}f}"
+    return (text.rstrip("0").rstrip(".") if "." in text else text) if float(text) else "0"

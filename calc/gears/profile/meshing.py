@@ -1,0 +1,175 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whether the outlines of two wheels enter each other when they roll, which only drawn teeth can tell: tips, fillets and roots too.
+
+Points of a flank of each wheel are carried past the other, through every position in which they lie inside its tip circle.  Their
+angle there is compared with that of the tooth at the same radius.  A point on the involute side stands off it by r_b times the angle
+that is missing, which is exact; one inside a fillet by its distance to that.  Teeth are alike and their flanks mirrored, so one flank
+past all teeth is the whole mesh.
+"""
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.check import Check, check
+from ...sheet.formula import formula
+from ...sheet.record import record
+from ...sheet.units import Metre, Number
+from .cut import ROOT, Cut
+from .outline import CHORD_ERROR
+
+if TYPE_CHECKING:
+    from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+
+FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
+CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
+DUST: Metre = 1e-12  # below it a distance is of the last digits
+
+
+@record
+class Flank:
+    """One wheel as its mate feels it."""
+
+    cut: Cut
+    tip_radius: Metre
+    tip_angle: float  # half the tooth at its tip
+
+    @cached_property
+    def fillet(self) -> tuple[Array, Array]:
+        """Radius and angle from root to form circle."""
+        return self.cut.fillet(np.linspace(ROOT, self.cut.end_of_fillet, FILLET))
+
+    @cached_property
+    def points(self) -> tuple[Array, Array]:
+        """Points of the flank, radius and angle: of the involute evenly along the line of action, the tip's corner first."""
+        base, form = self.cut.base_radius, float(self.fillet[0][-1])
+        rho = np.linspace(math.sqrt(self.tip_radius**2 - base**2), math.sqrt(max(form**2 - base**2, 0.0)), FLANK)
+        radius = np.hypot(base, rho)
+        return radius, self.cut.involute(radius)
+
+    def tooth_angle(self, radius: Any) -> Any:
+        """Half the tooth at a radius."""
+        r, angle = self.fillet
+        return np.where(radius >= r[-1], self.cut.involute(radius), np.interp(radius, r, angle))
+
+
+def flank(system: "ToothSystem", wheel: "WheelResult", shift: Number | None = None) -> Flank:
+    """`shift`: another one than that without allowance.  A pointed tooth ends where its flanks meet."""
+    cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
+    tip = wheel.tip_diameter / 2
+    half = float(cut.involute(tip))
+    if half < 0:
+        radius = np.linspace(cut.base_radius, tip, 2000)
+        tip, half = float(np.interp(0.0, -cut.involute(radius), radius)), 0.0
+    return Flank(cut, tip, half)
+
+
+def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array) -> tuple[Array, Array]:
+    """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
+
+    `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's tip circle.
+    The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there.
+    """
+    radius, theta = mate.points
+    reach = np.arccos(np.clip((a_w**2 + radius**2 - own.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
+    r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
+    X, Y = a_w - r * np.cos(place), -r * np.sin(place)
+    pitch = 2 * math.pi / own.cut.teeth
+    tooth = pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / own.cut.teeth)
+    return np.hypot(X, Y), np.abs((np.arctan2(Y, X) - tooth + pitch / 2) % pitch - pitch / 2)
+
+
+def _places(corner: int, flank: int) -> tuple[Array, Array]:
+    """Point and share of its way: the tip's corner in many positions, every point in some."""
+    carried = np.concatenate([np.zeros(corner, int), np.repeat(np.arange(FLANK), flank)])
+    return carried, np.concatenate([np.linspace(-1.0, 1.0, corner), np.tile(np.linspace(-1.0, 1.0, flank), FLANK)])
+
+
+PLACES = _places(CORNER, ROLL)
+AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each side
+
+
+def flank_gap(a_w: Metre, own: Flank, mate: Flank, positions: int = 400) -> Metre:
+    """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside it.
+
+    Both wheels stand in the middle of their backlash.  Coarse positions find it too large, by the curvature between two of them.
+    """
+    radius, angle = _seen(a_w, own, mate, *_places(positions, positions))
+    there = (radius < own.tip_radius) & (radius >= own.fillet[0][-1])
+    return float(np.where(there, angle - own.cut.involute(radius), np.inf).min()) * own.cut.base_radius
+
+
+@formula(
+    "δ", "rule of this program: points of both flanks carried past the other wheel without backlash, through every position", unit="µm",
+    shows="largest depth of a point of one outline inside the other, over a whole engagement",
+)  # fmt: skip
+def penetration(a_w: Metre, driver: Flank, driven: Flank) -> Metre:
+    """In the transverse plane; 0 where the outlines only touch."""
+    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver))
+
+
+def _deepest(a_w: Metre, own: Flank, mate: Flank) -> Metre:
+    """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
+
+    A corner passes a fillet in a loop as narrow as that: where it comes closest it is looked at once more.
+    """
+    first = _seen(a_w, own, mate, *PLACES)
+    short = own.tooth_angle(first[0]) - first[1]  # by which the point is inside the tooth
+    worst = int(np.argmax(np.where(first[0] < own.tip_radius, short, -np.inf)[:CORNER]))
+    closer = PLACES[1][worst] + AROUND
+    second = _seen(a_w, own, mate, np.zeros(closer.size, int), closer)
+    radius, angle = (np.concatenate(both) for both in zip(first, second))
+    short = np.concatenate([short, own.tooth_angle(second[0]) - second[1]])
+    root = own.fillet[0][0]
+    inside = (radius < own.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
+    return _depth(own, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
+
+
+def _depth(own: Flank, radius: Array, angle: Array, short: Array) -> Metre:
+    """The deepest of points inside a tooth: the way out is over the flank, the tip, the fillet or the root arc."""
+    r, theta = own.fillet
+    over_tip = own.tip_radius - radius
+    over_flank = np.where(short > 0, short * own.cut.base_radius, 0.0)
+    corners = r * np.exp(1j * theta)
+    half_pitch = math.pi / own.cut.teeth
+    points = radius * np.exp(1j * angle)
+    to_fillet = _distances(points, corners)
+    to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0])) if half_pitch > theta[0] else to_fillet
+    upper = radius >= r[-1]
+    depth = np.where(upper, np.minimum(over_flank, over_tip), np.minimum(to_fillet, to_root))
+    found = float(depth.max())
+    return found if found > DUST else 0.0
+
+
+def _distances(points: Array, line: Array) -> Array:
+    """From each point to a polyline."""
+    start, way = line[:-1], np.diff(line)
+    square = np.abs(way) ** 2 + 1e-300
+    gap = points[:, None] - start
+    along = np.clip((gap * way.conj()).real / square, 0.0, 1.0)
+    nearest: Array = np.abs(gap - along * way).min(axis=1)
+    return nearest
+
+
+def penetrations(train: "TrainResult") -> dict[str, Metre]:
+    """Of every mesh of a train, by its key."""
+    flanks = {name: flank(train.system, wheel) for name, wheel in train.wheels.items()}
+    return {key: penetration(m.centre_distance, flanks[m.driver], flanks[m.driven]) for key, m in train.meshes.items()}
+
+
+def penetration_check(key: str, mesh: "MeshResult", depth: Metre) -> Check:
+    """Whether a tip runs into a fillet or a root, whatever the formulas of form diameter and clearance say."""
+    return check(
+        f"gears.{key}.penetration", f"Outlines of {mesh.driver} and {mesh.driven} inside each other, without backlash", depth, "<=",
+        CHORD_ERROR, "µm", "rule of this program: no deeper than the outlines are exact",
+        f"Cut the tips (gears.wheels.{mesh.driver}.tip_shortening_mm, gears.wheels.{mesh.driven}.tip_shortening_mm), give more profile "
+        "shift to the wheel with fewer teeth, or take a tool with a larger addendum or a smaller tip radius.",
+    )  # fmt: skip
+
+
+def penetration_checks(train: "TrainResult", depths: Mapping[str, Metre]) -> tuple[Check, ...]:
+    return tuple(penetration_check(key, mesh, depths[key]) for key, mesh in train.meshes.items())

@@ -1,0 +1,180 @@
+"""The drawing of a wheel and of a train: the DXF file read back, against the exact curves."""
+
+import dataclasses
+import math
+import time
+from io import StringIO
+
+import ezdxf
+import numpy as np
+import pytest
+
+from calc.gears.profile.drawing import LAYERS, data_table, tooth_phases, train_drawing, wheel_drawing
+from calc.gears.profile.outline import Cut, shifts
+from calc.sheet.drawing import Polyline
+from reports.dxf import dxf
+
+from ..trains import mesh, r753, solved, train, wheel
+
+MM = 1e-3
+
+
+@pytest.fixture(scope="module")
+def whole():
+    return solved(r753())
+
+
+def written(drawing):
+    document = ezdxf.read(StringIO(dxf(drawing, LAYERS)))
+    assert not document.audit().errors and document.units == 4
+    return document.modelspace()
+
+
+def polyline(space, layer):
+    (found,) = space.query(f'LWPOLYLINE[layer=="{layer}"]')
+    assert found.closed
+    return np.array([complex(x, y) for x, y, *_ in found.get_points()]) * MM
+
+
+@pytest.fixture(scope="module")
+def idler(whole):
+    return written(wheel_drawing(whole, "idler", "a train", r753()))
+
+
+def test_circles_have_the_diameters_of_the_wheel(whole, idler):
+    w = whole.wheels["idler"]
+    found = {c.dxf.layer: c.dxf.radius * 2 * MM for c in idler.query("CIRCLE") if c.dxf.layer != "WORKING"}
+    assert found == pytest.approx({"TIP": w.tip_diameter, "REFERENCE": w.pitch_diameter, "BASE": w.base_diameter,
+                                   "ROOT": w.root_diameter, "FORM": w.form_diameter}, rel=1e-12)  # fmt: skip
+    working = sorted(c.dxf.radius * 2 * MM for c in idler.query('CIRCLE[layer=="WORKING"]'))
+    assert working == pytest.approx(sorted([whole.meshes["central_idler"].working_diameter_driven,
+                                            whole.meshes["idler_shaft"].working_diameter_driver]), rel=1e-12)  # fmt: skip
+
+
+@pytest.mark.parametrize("layer, end", [("PROFILE", ""), ("PROFILE_MAX", "max"), ("PROFILE_MIN", "min")])
+def test_the_outline_repeats_with_every_tooth_and_goes_round_once(whole, idler, layer, end):
+    points, z = polyline(idler, layer), 39
+    assert points.size % z == 0
+    one = points.size // z
+    assert np.abs(np.roll(points, -one) - points * np.exp(2j * np.pi / z)).max() < 1e-12
+    turns = np.angle(np.roll(points, -1) / points)
+    assert np.all(turns >= -1e-12) and turns.sum() == pytest.approx(2 * np.pi)
+    w = whole.wheels["idler"]
+    root = w.root_diameter if not end else getattr(w, f"root_diameter_{end}")
+    assert np.abs(points).min() * 2 == pytest.approx(root, rel=1e-9)
+    assert np.abs(points).max() * 2 == pytest.approx(w.tip_diameter, rel=1e-9)
+
+
+@pytest.mark.parametrize("error", [1e-7, 1e-6, 1e-5])
+def test_no_exact_point_stands_further_off_the_file_than_the_chord_error(whole, error):
+    space, w = written(wheel_drawing(whole, "shaft", chord_error=error)), whole.wheels["shaft"]
+    for layer, end in (("PROFILE", ""), ("PROFILE_MIN", "min")):
+        line = polyline(space, layer) * -1j  # the first tooth along the real axis
+        near = line[np.abs(np.angle(line)) < 2 * np.pi / w.teeth]
+        near = near[np.argsort(np.angle(near), kind="stable")]
+        cut = Cut(whole.system, w.teeth, shifts(whole.system, w)[end])
+        radius, angle = cut.fillet(np.linspace(-np.pi / 2, cut.end_of_fillet, 500))
+        r = np.linspace(radius[-1], w.tip_diameter / 2, 500)
+        exact = np.concatenate([radius * np.exp(1j * angle), r * np.exp(1j * cut.involute(r))])
+        gap = exact[:, None] - near[:-1]
+        way = np.diff(near)
+        along = np.clip((gap * way.conj()).real / np.maximum(np.abs(way) ** 2, 1e-300), 0, 1)
+        assert np.abs(gap - along * way).min(axis=1).max() <= error * 1.001
+
+
+def test_the_table_of_data_stands_on_the_drawing(whole, idler):
+    words = [text.dxf.text for text in idler.query('TEXT[layer=="TEXT"]')]
+    assert "a train: idler" in words
+    w = whole.wheels["idler"]
+    rows = dict(data_table(whole, "idler", r753()))
+    assert {*rows, *rows.values()} <= set(words)
+    assert rows["Teeth z"] == "39" and rows["Profile shift coefficient x"] == "-0.15598"
+    spans = {key: stated.number * 1e3 for key, stated in w.span.items()}
+    assert rows["Span over 5 teeth W"] == f"{spans['span_5_min']:.4f} to {spans['span_5_max']:.4f}"
+    assert rows["Size over balls M, D_M 3.5"] == f"{w.over_balls_min * 1e3:.4f} to {w.over_balls_max * 1e3:.4f}"
+
+
+def test_tolerances_of_tip_and_root_stand_in_the_table():
+    """The root's own tolerance stands beside what the allowance changes: the lowest of both, the highest of both."""
+    gears = r753()
+    idler = dataclasses.replace(gears.wheels[2], tip_diameter_tolerance=(0.0, -1e-4), root_diameter_tolerance=(0.0, -3e-4))
+    gears = dataclasses.replace(gears, wheels=(*gears.wheels[:2], idler, gears.wheels[3]))
+    t = solved(gears)
+    w, rows = t.wheels["idler"], dict(data_table(t, "idler", gears))
+    low, high = (float(x) for x in rows["Tip diameter d_a"].split(" to "))
+    assert (low, high) == pytest.approx((w.tip_diameter * 1e3 - 0.1, w.tip_diameter * 1e3), abs=5.1e-5)
+    low, high = (float(x) for x in rows["Root diameter d_f"].split(" to "))
+    assert (low, high) == pytest.approx((w.root_diameter_min * 1e3 - 0.3, w.root_diameter_max * 1e3), abs=5.1e-5)
+
+
+def test_a_wheel_without_allowance_has_one_outline():
+    t = solved(train([wheel("a", 20, 0.1), wheel("b", 30, 0.0)], [mesh("a", "b")], beta=0.0))
+    assert [p.layer for p in wheel_drawing(t, "a") if isinstance(p, Polyline) and p.closed] == ["PROFILE"]
+
+
+def test_the_same_wheel_gives_the_same_bytes(whole):
+    assert dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS) == dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS)
+
+
+def test_a_wheel_is_drawn_and_written_in_half_a_second(whole):
+    begun = time.process_time()
+    dxf(wheel_drawing(whole, "idler", "x", r753()), LAYERS)
+    assert time.process_time() - begun < 0.5
+
+
+# --- the train ---------------------------------------------------------------------------------------------------------------
+def placed(t, angle=0.3):
+    """Every wheel at its distance from the one before, in a bent line: [up, side]."""
+    at, found = 0j, {"crank": 0j}
+    for n, m in enumerate(t.meshes.values()):
+        at += m.centre_distance * np.exp(1j * (angle + 0.9 * n))
+        found[m.driven] = at
+    return {name: (z.real, z.imag) for name, z in found.items()}
+
+
+@pytest.mark.parametrize("bent", [True, False])
+def test_in_the_train_every_tooth_stands_in_a_space(whole, bent):
+    """At every pitch point: on the line of centres, the driver's nearest tooth and the driven wheel's nearest space agree."""
+    places = placed(whole) if bent else None
+    drawing = train_drawing(whole, "x", places, tooth_angle=0.123)
+    outlines = [np.array([complex(*p) for p in line.points]) for line in drawing if isinstance(line, Polyline) and line.closed]
+    lines = dict(zip(whole.wheels, outlines))
+    centres = {name: line.mean() for name, line in lines.items()}
+    if places is not None:
+        assert centres == pytest.approx({name: complex(side, up) for name, (up, side) in places.items()}, abs=1e-9)
+    for m in whole.meshes.values():
+        gamma = np.angle(centres[m.driven] - centres[m.driver])
+        phase = []
+        for name, towards in ((m.driver, gamma), (m.driven, gamma + np.pi)):
+            seen = (lines[name] - centres[name]) * np.exp(-1j * towards)
+            z = whole.wheels[name].teeth
+            phase.append(np.angle((np.abs(seen) * np.exp(1j * z * np.angle(seen))).sum()))  # of the teeth, from the line of centres
+        assert abs(np.angle(np.exp(1j * (phase[0] + phase[1] - np.pi)))) < 1e-6
+
+
+def test_the_first_tooth_points_where_it_is_said(whole):
+    """From up in the sense of crank rotation: clockwise on the sheet."""
+    drawing = train_drawing(whole, positions=placed(whole), tooth_angle=math.radians(90))
+    line = next(p for p in drawing if isinstance(p, Polyline) and p.closed)
+    at = np.array([complex(*p) for p in line.points])
+    one = at.size // 25
+    middle = at[one // 2]
+    assert abs(middle) * 2 == pytest.approx(whole.wheels["crank"].tip_diameter) and np.angle(middle) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_driver_of_two_wheels_has_them_on_different_sides():
+    t = solved(train([wheel("a", 20, 0.1), wheel("b", 30, 0.0), wheel("c", 30, 0.0)], [mesh("a", "b"), mesh("a", "c")], beta=0.0))
+    lines = [p for p in train_drawing(t) if isinstance(p, Polyline) and p.closed]
+    b, c = (np.mean([complex(*p) for p in line.points]) for line in lines[1:])
+    assert abs(b) == pytest.approx(t.meshes["a_b"].centre_distance) and abs(b - c) > t.wheels["b"].tip_diameter * 0.7
+
+
+def test_phases_close_the_condition_of_assembly(whole):
+    """z_1(θ_1 − γ) + z_2(θ_2 − γ − π) = π (mod 2π) for every mesh."""
+    centres = {name: complex(side, up) for name, (up, side) in placed(whole).items()}
+    found = tooth_phases(whole, centres, 0.4)
+    for m in whole.meshes.values():
+        gamma = np.angle(centres[m.driven] - centres[m.driver])
+        z_1, z_2 = whole.wheels[m.driver].teeth, whole.wheels[m.driven].teeth
+        rest = z_1 * (found[m.driver] - gamma) + z_2 * (found[m.driven] - gamma - math.pi) - math.pi
+        assert math.remainder(rest, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)

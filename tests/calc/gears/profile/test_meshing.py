@@ -1,0 +1,172 @@
+"""Two outlines in mesh: where they enter each other, how deep; and the gap that the allowances leave between them."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calc.gears.curves import pitch_point_view
+from calc.gears.profile.meshing import flank, flank_gap, penetration, penetration_check, penetration_checks, penetrations
+from calc.gears.profile.outline import CHORD_ERROR, shifts
+from calc.sheet.errors import NoSolution
+
+from ..trains import mesh, pair_1, r753, solved, train, wheel
+
+
+def pair(z_1, x_1, z_2, x_2, tool, beta=0.0, **said):
+    return solved(train([wheel("a", z_1, x_1), wheel("b", z_2, x_2)], [mesh("a", "b")], beta=beta, tool=tool, **said))
+
+
+def depth(t):
+    (found,) = penetrations(t).values()
+    return found
+
+
+JAMS = [
+    (20, 0.0, 20, 0.0, (1.05, 0.38), 0.0), (20, 0.0, 60, 0.3, (1.1, 0.38), 0.0), (20, 0.0, 30, 0.0, (0.95, 0.3), 0.0),
+    (25, 0.1, 36, 0.0, (1.12, 0.4), 20.0),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("make", [r753, pair_1])
+def test_the_wheels_of_the_source_roll_without_entering_each_other(make):
+    t = solved(make())
+    found = penetrations(t)
+    assert set(found) == set(t.meshes) and set(found.values()) == {0.0}
+    assert all(c.verdict == "pass" and c.id == f"gears.{key}.penetration" for key, c in zip(found, penetration_checks(t, found)))
+
+
+# --- against whole polygons --------------------------------------------------------------------------------------------------
+def inside(points, polygon):
+    """By the turns that a polygon makes about each point."""
+    seen = polygon - points[:, None]
+    return np.abs(np.angle(np.roll(seen, -1, axis=1) / seen).sum(axis=1)) > np.pi
+
+
+def distance(points, line):
+    start, way = line[:-1], np.diff(line)
+    gap = points[:, None] - start
+    along = np.clip((gap * way.conj()).real / np.maximum(np.abs(way) ** 2, 1e-300), 0, 1)
+    return np.abs(gap - along * way).min(axis=1)
+
+
+def deepest(t, positions=41):
+    """Of the corners of either polygon inside the other, over one pitch."""
+    (m,) = t.meshes.values()
+    driver, driven, found = t.wheels["a"], t.wheels["b"], 0.0
+    for roll in np.linspace(-0.5, 0.5, positions) * 2 * np.pi / driver.teeth:
+        below, above = pitch_point_view(t.system, m, driver, driven, roll, 4e-7)
+        far = 2 * t.system.m_n
+        for points, line, away in ((above, below, -1j), (below, above, 1j)):
+            near = points[np.abs(points.imag) < far]
+            middle = away * (m.working_diameter_driver if away == -1j else m.working_diameter_driven) / 2
+            within = near[inside(near, np.append(line, middle))]
+            if within.size:
+                found = max(found, distance(within, line).max())
+    return found
+
+
+@pytest.mark.parametrize("case", JAMS)
+def test_the_depth_is_that_of_the_whole_polygons(case):
+    """The polygons are looked at in fewer positions, so they can only be a little less deep."""
+    t = pair(*case)
+    assert depth(t) > 10 * CHORD_ERROR
+    assert deepest(t) == pytest.approx(depth(t), rel=0.01, abs=6e-7)
+
+
+def test_a_root_that_is_too_shallow_is_entered_by_at_least_its_negative_clearance():
+    t = pair(20, 0.0, 60, 0.0, (0.95, 0.05))
+    clearance = min(t.meshes["a_b"].tip_clearance_driver, t.meshes["a_b"].tip_clearance_driven)
+    assert clearance == pytest.approx(-0.05 * t.system.m_n)
+    assert depth(t) >= -clearance * (1 - 1e-6)
+    assert penetration_check("a_b", t.meshes["a_b"], depth(t)).verdict == "fail"
+
+
+def test_fillets_that_are_too_round_are_entered_though_the_formulas_pass():
+    """z 20/20, tool 1.05 / 0.38: tips clear the roots, contact starts above the form circles, and a tip's corner works on the fillet."""
+    t = pair(*JAMS[0])
+    m = t.meshes["a_b"]
+    assert m.tip_clearance_driver == pytest.approx(0.05 * t.system.m_n)
+    assert m.line_of_action - t.wheels["b"].tip_curvature > t.wheels["a"].form_curvature
+    assert depth(t) > 10 * CHORD_ERROR
+    assert depth(pair(20, 0.0, 20, 0.0, (1.3, 0.2))) == 0.0
+
+
+def test_what_is_cut_off_the_tips_ends_the_interference():
+    cuts = [depth(solved(train([wheel("a", 20, 0.0, cut=c), wheel("b", 20, 0.0, cut=c)], [mesh("a", "b")], beta=0.0, tool=(1.05, 0.38))))
+            for c in (0.0, 0.02, 0.05, 0.4)]  # fmt: skip
+    assert cuts == sorted(cuts, reverse=True) and cuts[0] > cuts[1] > 0 and cuts[-1] == 0.0
+
+
+@settings(deadline=None, max_examples=60)
+@given(
+    z_1=st.integers(8, 60), z_2=st.integers(8, 90), x_1=st.floats(-0.4, 0.7), x_2=st.floats(-0.4, 0.7), beta=st.floats(0, 30),
+    addendum=st.floats(1.0, 1.45), rho=st.floats(0.0, 0.4), q=st.floats(0.0, 0.08), more=st.floats(0.0, 0.05),
+)  # fmt: skip
+def test_wheels_that_fit_the_rack_of_the_tool_do_not_enter_each_other(z_1, z_2, x_1, x_2, beta, addendum, rho, q, more):
+    """Where contact starts above the fillets and the tool's straight flank reaches 0.1 m_n deeper than the mate's tip."""
+    gears = train([wheel("a", z_1, x_1), wheel("b", z_2, x_2)], [mesh("a", "b")], beta=beta, tool=(addendum, rho))
+    try:
+        t = solved(dataclasses.replace(gears, stock=q * 1e-3, protuberance=(q + more) * 1e-3))
+    except NoSolution:
+        return
+    m, a, b, s = t.meshes["a_b"], t.wheels["a"], t.wheels["b"], t.system
+    fits = s.h_fP - s.rho_aP0 * (1 - math.sin(s.alpha_n)) > 1.1 + m.standard_tip_shortening / s.m_n
+    for own, mate in ((a, b), (b, a)):
+        fits = fits and m.line_of_action - mate.tip_curvature > own.form_curvature and mate.tip_thickness > 0
+    if fits:
+        assert depth(t) < 1e-8
+    else:
+        assert depth(t) >= 0.0
+
+
+def test_the_order_of_the_wheels_and_the_module_do_not_matter():
+    t = pair(20, 0.0, 60, 0.3, (1.1, 0.38))
+    back, twice = pair(60, 0.3, 20, 0.0, (1.1, 0.38)), pair(20, 0.0, 60, 0.3, (1.1, 0.38), m_n=4.0)
+    assert depth(back) == pytest.approx(depth(t), rel=1e-9)
+    assert depth(twice) == pytest.approx(2 * depth(t), rel=1e-9)
+
+
+def test_a_step_that_finishing_leaves_is_entered_though_contact_starts_above_it():
+    """Stock without protuberance: the form circles and the roots are clear of the mate's tip, the thick fillet between them is not."""
+    gears = train([wheel("a", 15, 0.0), wheel("b", 15, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.25, 0.1))
+    stepped, covered = (solved(dataclasses.replace(gears, stock=6e-5, protuberance=pr)) for pr in (0.0, 6e-5))
+    m, w = stepped.meshes["a_b"], stepped.wheels["a"]
+    assert m.line_of_action - w.tip_curvature > w.form_curvature and m.tip_clearance_driver > 0
+    assert CHORD_ERROR < depth(stepped) < 6e-5
+    assert depth(covered) == 0.0
+
+
+# --- backlash ------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("key", ["crank_central", "central_idler", "idler_shaft"])
+def test_allowances_leave_half_the_backlash_on_each_side(key):
+    """Both wheels in the middle of their play: j_bn/2 normal to the flanks, j_bn that of the middle of the allowances."""
+    t = solved(r753())
+    m = t.meshes[key]
+    thin = []
+    for name in (m.driver, m.driven):
+        cut = shifts(t.system, t.wheels[name])
+        thin.append(flank(t.system, t.wheels[name], (cut["min"] + cut["max"]) / 2))
+    normal = math.cos(t.system.base_helix_angle)
+    assert 2 * normal * flank_gap(m.centre_distance, *thin, 1500) == pytest.approx(m.backlash_nominal, abs=1e-10)
+    assert 2 * normal * flank_gap(m.centre_distance, *thin[::-1], 1500) == pytest.approx(m.backlash_nominal, abs=1e-10)
+    assert penetration(m.centre_distance, *thin) == 0.0
+
+
+def test_without_allowance_the_flanks_touch():
+    t = solved(r753())
+    for m in t.meshes.values():
+        both = [flank(t.system, t.wheels[name]) for name in (m.driver, m.driven)]
+        assert flank_gap(m.centre_distance, *both, 1500) == pytest.approx(0.0, abs=1e-10)
+
+
+def test_a_centre_distance_that_is_too_small_is_found_too():
+    """Closer by Δa the flanks enter each other by Δa·sin α_wt on each side, measured along the line of action."""
+    t = solved(r753())
+    m = t.meshes["central_idler"]
+    both = [flank(t.system, t.wheels[name]) for name in (m.driver, m.driven)]
+    closer = 1e-5
+    assert penetration(m.centre_distance - closer, *both) == pytest.approx(closer * math.sin(m.working_pressure_angle), rel=0.03)
