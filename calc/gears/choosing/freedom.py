@@ -168,4 +168,4 @@ def _copied(made: Freedom, gears: GearsInputs, given: list[tuple[str, ...]]) -> 
         for other in led if name not in led else ():
             if teeth[other] == teeth[name] and abs(made.start[other] - x) < SAME:
                 return f"{name} as {other}"
-    return made.name
+    return next(f"{name} at {x:g}" for name, x in made.start.items() if name not in led)

@@ -79,6 +79,7 @@ class Found:
     along: Slice
     exact: tuple[float, float] | None  # shift and largest sliding of the optimum along one free shift, unrounded
     refused: tuple[str, ...]  # ways to leave shifts free in which nothing passes
+    unsought: tuple[str, ...]  # those with more free shifts than are searched
 
     @property
     def all(self) -> tuple[Row, ...]:
@@ -98,7 +99,8 @@ class Found:
 def search(gears: GearsInputs) -> Found:
     """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
     case = Case(tooth_system(gears), gears)
-    ways = tuple(one for one in freedoms(gears, case.system) if len(one.free) in GRID)
+    every = freedoms(gears, case.system)
+    ways = tuple(one for one in every if len(one.free) in GRID)
     if not ways:
         raise NoSolution("more shifts are free than can be searched", advice="give the centre distances of the train")
     now = _now(case)
@@ -122,6 +124,7 @@ def search(gears: GearsInputs) -> Found:
         around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
         limits=tuple(limits(along, i)), along=along, exact=exact,
         refused=tuple(one.name for one in ways if not any(row.freedom is one for row in optima)),
+        unsought=tuple(one.name for one in every if one not in ways),
     )  # fmt: skip
 
 

@@ -5,6 +5,7 @@ import numpy as np
 
 from ...sheet.step import Curve, Series, Table
 from ..inputs import GearsInputs
+from .optimum import GRID
 from .rules import CLEARANCE, CONTACT, FILLET, HARDENED, TIP, USUAL
 from .search import Found, Row
 from .states import Place
@@ -200,6 +201,7 @@ def summary(found: Found) -> tuple[str, ...]:
         )
         refused = " Nothing passes so." if way.name in found.refused else ""
         words.append(f"{way.name}: {way.words[0].lower()}{way.words[1:]}{more}{refused}")
+    words += [f"{name}: not searched, more than {max(GRID)} shifts are free." for name in found.unsought]
     if found.exact is not None:
         x, zeta = found.exact
         words.append(

@@ -1,6 +1,7 @@
 """The shifts that are found: the source's pairs, freedom of a train, the best on the lattice and off it, limits, and what stops them."""
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -9,7 +10,7 @@ from calc.gears.choosing.freedom import freedoms, tied
 from calc.gears.choosing.optimum import Case, best, evaluated, objective
 from calc.gears.choosing.rules import USUAL, judged, least
 from calc.gears.choosing.search import cut_steps, search
-from calc.gears.choosing.tables import changes, limits_table, sliding_curve
+from calc.gears.choosing.tables import changes, limits_table, sliding_curve, summary
 from calc.gears.train import settle, tooth_system
 from calc.sheet.errors import NoSolution
 
@@ -86,6 +87,14 @@ def test_given_shifts_that_contradict_are_taken_out():
     found = search(gears)
     assert found.now is None and found.cut_now == ()
     assert changes(found.optima[0])[0] == "gears.wheels.b.profile_shift="
+
+
+def test_a_wheel_that_nothing_gives_stands_at_none_and_too_many_free_shifts_are_said():
+    gears = train([wheel("a", 25), wheel("b", 30), wheel("c", 25)], [mesh("a", "b"), mesh("a", "c", 55)])
+    assert [way.name for way in freedoms(gears, tooth_system(gears))] == ["b at 0", "distance held", "distance free"]
+    long = [f"w{i}" for i in range(7)]
+    found = search(train([wheel(name, 20 + 3 * i, 0.0) for i, name in enumerate(long)], [mesh(a, b) for a, b in pairwise(long)]))
+    assert found.unsought == ("distances free",) and "not searched" in " ".join(summary(found)) and found.optima[0].freedom.key == "held"
 
 
 # --- the best ----------------------------------------------------------------------------------------------------------------------
