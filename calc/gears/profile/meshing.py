@@ -8,25 +8,24 @@ past all teeth is the whole mesh.
 """
 
 import math
-from collections.abc import Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ...sheet.arrays import Array
-from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.record import record
+from ...sheet.trace import about
 from ...sheet.units import Metre, Number
 from .cut import ROOT, Cut
-from .outline import CHORD_ERROR
 
 if TYPE_CHECKING:
-    from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+    from ..result import ToothSystem, TrainResult, WheelResult
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
+CLOSE = 0.01  # modules between a corner and a fillet, measured along the circle, from which it is looked at more closely
 DUST: Metre = 1e-12  # below it a distance is of the last digits
 
 
@@ -61,7 +60,8 @@ def flank(system: "ToothSystem", wheel: "WheelResult", shift: Number | None = No
     """`shift`: another one than that without allowance.  A pointed tooth ends where its flanks meet."""
     cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
     tip = wheel.tip_diameter / 2
-    half = float(cut.involute(tip))
+    t = math.sqrt((tip / cut.base_radius) ** 2 - 1)
+    half = cut.half_angle_at_base - (t - math.atan(t))
     if half < 0:
         radius = np.linspace(cut.base_radius, tip, 2000)
         tip, half = float(np.interp(0.0, -cut.involute(radius), radius)), 0.0
@@ -109,22 +109,24 @@ def flank_gap(a_w: Metre, own: Flank, mate: Flank, positions: int = 400) -> Metr
 )  # fmt: skip
 def penetration(a_w: Metre, driver: Flank, driven: Flank) -> Metre:
     """In the transverse plane; 0 where the outlines only touch."""
-    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver))
+    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver)) or float("0")  # an object of its own, to find its line again
 
 
 def _deepest(a_w: Metre, own: Flank, mate: Flank) -> Metre:
     """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
 
-    A corner passes a fillet in a loop as narrow as that: where it comes closest it is looked at once more.
+    A corner passes a fillet in a loop as narrow as that: where it comes close to one it is looked at once more.
     """
-    first = _seen(a_w, own, mate, *PLACES)
-    short = own.tooth_angle(first[0]) - first[1]  # by which the point is inside the tooth
-    worst = int(np.argmax(np.where(first[0] < own.tip_radius, short, -np.inf)[:CORNER]))
-    closer = PLACES[1][worst] + AROUND
-    second = _seen(a_w, own, mate, np.zeros(closer.size, int), closer)
-    radius, angle = (np.concatenate(both) for both in zip(first, second))
-    short = np.concatenate([short, own.tooth_angle(second[0]) - second[1]])
-    root = own.fillet[0][0]
+    radius, angle = _seen(a_w, own, mate, *PLACES)
+    short = own.tooth_angle(radius) - angle  # by which the point is inside the tooth
+    r_form, root = own.fillet[0][-1], own.fillet[0][0]
+    near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
+    worst = int(np.argmax(near))
+    if near[worst] > -CLOSE * own.cut.system.m_n:
+        closer = PLACES[1][worst] + AROUND
+        more = _seen(a_w, own, mate, np.zeros(closer.size, int), closer)
+        radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
+        short = np.concatenate([short, own.tooth_angle(more[0]) - more[1]])
     inside = (radius < own.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
     return _depth(own, radius[inside], angle[inside], short[inside]) if inside.any() else 0.0
 
@@ -158,18 +160,8 @@ def _distances(points: Array, line: Array) -> Array:
 def penetrations(train: "TrainResult") -> dict[str, Metre]:
     """Of every mesh of a train, by its key."""
     flanks = {name: flank(train.system, wheel) for name, wheel in train.wheels.items()}
-    return {key: penetration(m.centre_distance, flanks[m.driver], flanks[m.driven]) for key, m in train.meshes.items()}
-
-
-def penetration_check(key: str, mesh: "MeshResult", depth: Metre) -> Check:
-    """Whether a tip runs into a fillet or a root, whatever the formulas of form diameter and clearance say."""
-    return check(
-        f"gears.{key}.penetration", f"Outlines of {mesh.driver} and {mesh.driven} inside each other, without backlash", depth, "<=",
-        CHORD_ERROR, "µm", "rule of this program: no deeper than the outlines are exact",
-        f"Cut the tips (gears.wheels.{mesh.driver}.tip_shortening_mm, gears.wheels.{mesh.driven}.tip_shortening_mm), give more profile "
-        "shift to the wheel with fewer teeth, or take a tool with a larger addendum or a smaller tip radius.",
-    )  # fmt: skip
-
-
-def penetration_checks(train: "TrainResult", depths: Mapping[str, Metre]) -> tuple[Check, ...]:
-    return tuple(penetration_check(key, mesh, depths[key]) for key, mesh in train.meshes.items())
+    found = {}
+    for key, m in train.meshes.items():
+        with about(f"mesh {m.driver}–{m.driven}"):
+            found[key] = penetration(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
+    return found

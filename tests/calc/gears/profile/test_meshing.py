@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.meshing import flank, flank_gap, penetration, penetration_check, penetration_checks, penetrations
+from calc.gears.profile.judge import checks, notes, penetration_check
+from calc.gears.profile.meshing import flank, flank_gap, penetration, penetrations
 from calc.gears.profile.outline import CHORD_ERROR, shifts
 from calc.sheet.errors import NoSolution
 
@@ -36,7 +37,8 @@ def test_the_wheels_of_the_source_roll_without_entering_each_other(make):
     t = solved(make())
     found = penetrations(t)
     assert set(found) == set(t.meshes) and set(found.values()) == {0.0}
-    assert all(c.verdict == "pass" and c.id == f"gears.{key}.penetration" for key, c in zip(found, penetration_checks(t, found)))
+    assert all(c.verdict == "pass" and c.id == f"gears.{key}.penetration" for key, c in zip(found, checks(t, found)))
+    assert len(checks(t, found)) == len(found) and len({id(depth_) for depth_ in found.values()}) == len(found)
 
 
 # --- against whole polygons --------------------------------------------------------------------------------------------------
@@ -138,6 +140,16 @@ def test_a_step_that_finishing_leaves_is_entered_though_contact_starts_above_it(
     assert m.line_of_action - w.tip_curvature > w.form_curvature and m.tip_clearance_driver > 0
     assert CHORD_ERROR < depth(stepped) < 6e-5
     assert depth(covered) == 0.0
+    verdicts = [{c.id: c.verdict for c in checks(t, penetrations(t))} for t in (stepped, covered)]
+    assert [found["gears.train.finishing_step"] for found in verdicts] == ["warn", "pass"]
+    assert [found["gears.a_b.penetration"] for found in verdicts] == ["fail", "pass"]
+
+
+def test_what_the_protuberance_must_be_like_is_said_of_each_wheel():
+    gears = train([wheel("a", 25, 0.1), wheel("b", 36, 0.0)], [mesh("a", "b")], beta=0.0, tool=(1.4, 0.3))
+    said = notes(solved(dataclasses.replace(gears, stock=5e-5, protuberance=7e-5)))
+    assert len(said) == 2 and said[0].startswith("Wheel a: the fillet is as computed if")
+    assert notes(solved(gears)) == ()
 
 
 # --- backlash ------------------------------------------------------------------------------------------------------------------
