@@ -3,6 +3,7 @@
 import csv
 import json
 from io import StringIO
+from itertools import pairwise
 
 import ezdxf
 import pytest
@@ -170,6 +171,17 @@ def test_positions_that_are_given_are_drawn(capsys, tmp_path):
     assert run(capsys, "export", design, "-o", out)[0] == 0
     centres = {tuple(round(x, 6) for x in c.dxf.center)[:2] for c in layers(out).query('CIRCLE[layer=="TIP"]')}
     assert centres == {(0.0, 0.0), (132.67, 0.0)}
+
+
+def test_positions_that_the_layout_finds_are_drawn(capsys, tmp_path):
+    """Crank and shaft in their places: both idlers stand at their centre distances, wherever the layout puts them."""
+    text = GAMMA.read_text(encoding="utf-8").replace("[countershaft]", "[countershaft]\naxis_mm = [-130.0, 103.0]", 1)
+    design, out = tmp_path / "gamma.toml", tmp_path / "train.dxf"
+    design.write_text(text, encoding="utf-8")
+    assert run(capsys, "export", design, "--gears", "-o", out)[0] == 0
+    places = [complex(*tuple(c.dxf.center)[:2]) for c in layers(out).query('CIRCLE[layer=="TIP"]')]
+    assert places[0] == 0 and places[3] == pytest.approx(103 - 130j)
+    assert [abs(b - a) for a, b in pairwise(places)] == pytest.approx([65.80804653, 80.555, 68.698], abs=1e-6)
 
 
 @pytest.mark.parametrize("arguments, said", [

@@ -16,6 +16,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.solve import Results, solve
 
 if TYPE_CHECKING:
+    from calc.gears.inputs import GearsInputs
     from calc.gears.result import TrainResult
 
 KINDS = {"dxf": "a drawing of the shaft or of the gears", "csv": "the values", "json": "all results"}
@@ -128,8 +129,14 @@ def gears_text(document: Document, results: Results, wheel: str | None = None, c
     if wheel is not None:
         return dxf(wheel_drawing(train, wheel, name, gears, error), LAYERS)
     assert gears is not None
-    positions = {w.name: (w.position[0], w.position[1]) for w in gears.wheels if w.position is not None}
-    return dxf(train_drawing(train, name, positions, gears.tooth_angle, error), LAYERS)
+    return dxf(train_drawing(train, name, _positions(train, gears), gears.tooth_angle, error), LAYERS)
+
+
+def _positions(train: "TrainResult", gears: "GearsInputs") -> dict[str, tuple[float, float]]:
+    """Where the axes stand, as far as it is known: found with the layout, or given."""
+    found = {w.name: (w.position[0], w.position[1]) for w in gears.wheels if w.position is not None}
+    placed = train.layout.wheels if train.layout is not None else {}
+    return found | {name: (w.position.real, w.position.imag) for name, w in placed.items() if w.position is not None}
 
 
 def _train(document: Document, results: Results, wheel: str | None) -> "TrainResult":
