@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the next."""
 
-from math import pi
 from typing import Any
 
 from .countershaft.standing import Drive, Gear
 from .design import Design
-from .gears.rating.load import Irregularity, firing_order
+from .gears.rating.load import Irregularity, Power, firing_order
+from .gears.rating.rating import Around
 from .gears.result import TrainResult
+from .lubricant import Lubricant
 from .sheet.step import Outcome
 
 
@@ -25,7 +26,10 @@ def takes_first_order(design: Design) -> bool:
 
 def shaft_teeth(design: Design) -> int | None:
     """The teeth of the wheel on the counter-shaft: the last of the train."""
-    return design.gears.wheels[-1].teeth if design.countershaft is not None and design.gears is not None and design.gears.wheels else None
+    if design.countershaft is None or design.gears is None:
+        return None
+    teeth = {wheel.name: wheel.teeth for wheel in design.gears.wheels}
+    return teeth[design.gears.meshes[-1].driven]
 
 
 def shaft_axis(design: Design) -> complex | None:
@@ -46,7 +50,7 @@ def shaft_gear(design: Design, train: TrainResult | None) -> Gear | None:
     """The wheel on the counter-shaft: the last of the train."""
     if train is None or design.gears is None or design.countershaft is None:
         return None
-    wheel = train.wheels[design.gears.wheels[-1].name]
+    wheel = train.wheels[design.gears.meshes[-1].driven]
     return Gear(wheel.pitch_diameter, wheel.tip_diameter, wheel.face_width, train.system.alpha_n, train.system.beta)
 
 
@@ -59,16 +63,15 @@ def mesh_oil(design: Design) -> tuple[str, str, float | None]:
     return oil, law, given if given is not None else there.supply_temperature if there is not None else None
 
 
-def torque(design: Design, geometry: Outcome, f: Outcome, first_speed: float | None) -> Any:
-    """The torque that loads the teeth: of the given power, else of each mesh in the closed balance; None where neither is known."""
+def power(design: Design, geometry: Outcome, f: Outcome, first_speed: float | None) -> Power | None:
+    """The power that loads the teeth: the given one, else that of each mesh in the closed balance; None where neither is known."""
     if geometry.state != "solved" or design.gears is None or not first_speed:
         return None
     if design.gears.power is not None:
-        return design.gears.power / (2 * pi * first_speed)
+        return Power(design.gears.power)
     if f.state != "solved":
         return None
-    train = geometry.result
-    return {key: mesh.power_in / (2 * pi * abs(train.wheels[train.meshes[key].driver].speed)) for key, mesh in f.result.meshes.items()}
+    return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()})
 
 
 def shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive | None:
@@ -78,7 +81,7 @@ def shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive 
     power = design.gears.power
     if power is None and f.state == "solved":
         power = list(f.result.meshes.values())[-1].power_out
-    speed = abs(train.wheels[design.gears.wheels[-1].name].speed)
+    speed = abs(train.wheels[design.gears.meshes[-1].driven].speed)
     return Drive(power, speed) if power is not None and speed else None
 
 
@@ -101,3 +104,29 @@ def irregularity(design: Design, engine: Outcome, shaft: Outcome) -> Irregularit
     J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
     with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
     return Irregularity(delta_s, order, J_S, with_wheel)
+
+
+def eccentric(design: Design) -> float | None:
+    """Direction of the shaft's first eccentric mass with cylinder 1 at TDC."""
+    masses = design.countershaft.masses if design.countershaft is not None else ()
+    return masses[0].angle if masses else None
+
+
+def gear_end(design: Design) -> str:
+    """At which journal the shaft's gear stands: where it is given, else ahead of the front one."""
+    shaft = design.countershaft
+    middle = sum(shaft.bearing_positions) / len(shaft.bearing_positions) if shaft is not None else 0.0
+    return "rear" if shaft is not None and shaft.gear_z is not None and shaft.gear_z > middle else "front"
+
+
+def ends(places: tuple[tuple[float, float], ...]) -> tuple[float, float] | None:
+    """Diameters of the first and the last journal."""
+    return (places[0][0], places[-1][0]) if places else None
+
+
+def around_gears(design: Design, engine: Outcome, shaft: Outcome) -> Around:
+    """What the rating of the teeth takes from other steps."""
+    oil, law, temperature = mesh_oil(design)
+    lubricant = Lubricant(design.oils[oil], law) if oil in design.oils else None
+    Ra = design.friction.flank_roughness if design.friction is not None else None
+    return Around(irregularity(design, engine, shaft), lubricant, temperature, (Ra[0], Ra[-1]) if Ra else None)

@@ -116,16 +116,26 @@ def solve(design: Design, before: Results | None = None) -> Results:
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, geometry.result, f))
         b = bearings_with_standing(b, c.result.standing)
-    torque = h.torque(design, geometry, f, first_speed)
-    if torque is not None:
-        rated = part("gears", design.gears, gears.rating, design.gears, geometry.result, torque, materials, after=(geometry,))
-        g = gears.merge(g, rated) if rated.state == "solved" else rated
+    g = part(
+        "gears", design.gears, gears.with_play, geometry, design.gears, materials, h.name_of(design.bearings, "housing_material") or None,
+        after=(geometry,),
+    )  # fmt: skip
+    g = part(
+        "gears", design.gears, gears.with_layout, g, design.gears, h.shaft_axis(design), h.eccentric(design), h.ends(h.journals(design)),
+        h.gear_end(design), c.result.couple if c.result else None, after=(g,),
+    )  # fmt: skip
+    power = h.power(design, geometry, f, first_speed)
+    if power is not None and design.gears is not None:
+        rated = part(
+            "gears", design.gears, gears.rating, design.gears, geometry.result, power, materials, h.around_gears(design, e, c), after=(g,)
+        )
+        g = gears.with_forces(gears.merge(g, rated), design.gears) if g.state == rated.state == "solved" else rated
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
     if g.state == "solved" and design.countershaft is not None:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio)
     if g.state == "solved":
-        g = replace(g, curves=curves(g.result))
+        g = replace(g, curves=g.curves + curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
 

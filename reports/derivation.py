@@ -286,9 +286,7 @@ def _hung(set_lines: list[Box]) -> list[Box]:
     return made
 
 
-def _block(
-    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, *, gap: float, keep: bool = False
-) -> Block:
+def _block(head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, *, gap: float, keep: bool = False) -> Block:
     """One formula as a block: its lines below each other, the source to the right."""
     beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
     labels = [text_lines(label, NOTE, sign - 6.0, 3) if label else [] for label, _ in rows]

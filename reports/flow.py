@@ -91,9 +91,7 @@ def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float 
     return Block(leading * len(lines), draw, gap, keep)
 
 
-def paragraph(
-    words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0
-) -> list[Block]:
+def paragraph(words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0) -> list[Block]:
     """A paragraph, line by line, so that it may run over a page; its first and last two lines stay together."""
     set_lines = text_lines(words, style, WIDTH - x, most)
     n = len(set_lines)

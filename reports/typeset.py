@@ -229,4 +229,3 @@ def lines(pieces: list[Piece], width: float) -> list[Box]:
 def formula(tree: Expr, size: float, column: float) -> list[Piece]:
     """The pieces of a whole formula at one size, for a column of this width."""
     return Setter(size, column).pieces(tree)
-

@@ -94,11 +94,6 @@ def reference_thickness(m_n: Metre, x: Number, alpha_n: Radian, beta: Radian) ->
     return m_n * (pi / 2 + 2 * x * tan(alpha_n)) / cos(beta)
 
 
-@formula("s_n", f"{ISO}: normal tooth thickness at the reference circle", unit="mm")
-def reference_normal_thickness(s_t: Metre, beta: Radian) -> Metre:
-    return s_t * cos(beta)
-
-
 @formula("h", f"{ISO}: tooth depth", unit="mm")
 def tooth_depth(d_a: Metre, d_f: Metre) -> Metre:
     return (d_a - d_f) / 2

@@ -53,7 +53,9 @@ class Wheel:
     )
     measured_span: float = quantity("Measured span", "mm", optional=True, above=0, high=5000, symbol="W", help="Over the teeth spanned.")
     measured_over_balls: float = quantity("Measured size over balls", "mm", optional=True, above=0, high=10000, symbol="M_dK")
-    measured_over_pins: float = quantity("Measured size over pins", "mm", optional=True, above=0, high=10000, symbol="M_dR")
+    measured_over_pins: float = quantity("Measured size over pins", "mm", optional=True, above=0, high=10000, symbol="M_dR",
+        help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
+    )  # fmt: skip
     measured_chordal_thickness: float = quantity("Measured chordal thickness", "mm", optional=True, above=0, high=500, symbol="s_c")
     position: tuple[float, ...] | None = series(
         "Position of its axis", "mm", optional=True, count=(2, 2), low=-5000, high=5000,
@@ -122,15 +124,21 @@ class Mesh:
         optional=True,
         help="Each with its kind: worst case, root of squares and by chance, side by side.",
     )
-    support_share: float = quantity(
-        "Share of the support", default=0.0, low=0, high=1, symbol="lambda_S",
+    support_share: float | None = quantity(
+        "Share of the support", optional=True, low=0, high=1, symbol="lambda_S",
         help="Of the centre distance, that the support (gears.support_material) spans; the housing spans the rest.",
     )  # fmt: skip
     mesh_misalignment: float = quantity(
         "Mesh misalignment by manufacture", "µm", optional=True, low=0, high=500, symbol="f_ma", help="Left out: from the accuracy grade."
     )
-    shaft_deflection: float = quantity(
-        "Misalignment by bending", "µm", default=0.0, low=0, high=500, symbol="f_sh", help="Over the face width, under load."
+    shaft_deflection: float | None = quantity(
+        "Misalignment by bending",
+        "µm",
+        optional=True,
+        low=0,
+        high=500,
+        symbol="f_sh",
+        help="Over the face width, under load. Left out: none.",
     )
 
     def problems(self) -> Iterable[tuple[str, str]]:
@@ -212,6 +220,19 @@ class GearsInputs:
         help="Left out: six times friction.flank_roughness_um, else 4.",
     )
     root_rz: float = quantity("Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F")
+    scuffing_load_stage: float = quantity(
+        "FZG load stage of the oil", optional=True, low=1, high=14, symbol="S_FZG",
+        help="Scuffing test A/8.3/90. Left out: assumed, and said so.",
+    )  # fmt: skip
+    permissible_film: float = quantity(
+        "Permissible specific film",
+        optional=True,
+        above=0,
+        high=10,
+        symbol="lambda_GFP",
+        help="From a micropitting test of the oil. Left out: a rule.",
+    )
+    lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
     housing_material: str | None = text(
         "Housing material", optional=True, help="Between the centres. Left out: that of the bearings, else as the wheels."
     )
@@ -255,6 +276,12 @@ class GearsInputs:
             yield "iso_6336_edition", "must be 2006 or 2019"
         if not self.meshes:
             yield "meshes", "needs at least one [[gears.meshes]]"
+        for i, wheel in enumerate(self.wheels):
+            for key, size in (("measured_over_balls_mm", wheel.measured_over_balls), ("measured_over_pins_mm", wheel.measured_over_pins)):
+                if size is not None and self.ball_diameter is None:
+                    yield f"wheels.{i}.{key}", "needs gears.ball_diameter_mm, the ball or pin that was used"
+            if wheel.measured_span is not None and wheel.span_teeth is None:
+                yield f"wheels.{i}.measured_span_mm", "needs span_teeth, over which it was measured"
         yield from self._flow()
         yield from self._hands()
         if self.support_material is None:
@@ -284,8 +311,14 @@ class GearsInputs:
         if not self.helix_angle:
             return
         at = {w.name: i for i, w in enumerate(self.wheels)}
-        hands = {w.name: w.hand for w in self.wheels}
+        other = {"left": "right", "right": "left"}
+        turned = {self.meshes[0].driver: False} if self.meshes else {}  # whether a wheel has the hand that the first driver has not
         for mesh in self.meshes:
-            hand = hands.get(mesh.driven)
-            if hand is not None and hand == hands.get(mesh.driver):
-                yield f"wheels.{at[mesh.driven]}.hand", f"is that of {mesh.driver}, with which it meshes: hands must alternate"
+            turned[mesh.driven] = not turned.get(mesh.driver, False)
+        first = next((w for w in self.wheels if w.hand is not None), None)
+        for wheel in self.wheels:
+            if first is None or wheel.hand is None or wheel.name not in turned or first.name not in turned:
+                continue
+            hand = first.hand if turned[wheel.name] == turned[first.name] else other[str(first.hand)]
+            if wheel.hand != hand:
+                yield f"wheels.{at[wheel.name]}.hand", f"must be {hand}, since {first.name} is {first.hand}: the hands of a train alternate"

@@ -8,7 +8,8 @@ from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian
 from . import formulas as f
 from .inputs import Mesh
-from .play.backlash import Pair, backlash, tolerance_of_contributors, widest
+from .play.backlash import Pair, backlash, widest
+from .play.stack import centre_tolerance
 from .result import MeshResult, ToothSystem, WheelResult
 
 
@@ -30,8 +31,7 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
         eps_beta = f.overlap_ratio(b, system.beta, system.m_n)
         d_w1, d_w2 = f.working_diameter(a_w, z_1, z_2), f.working_diameter(a_w, z_2, z_1)
         d_Nf1, d_Nf2 = f.diameter_at(driver.base_diameter, rho_A1), f.diameter_at(driven.base_diameter, rho_A2)
-        fields: Any = mesh.contributors
-        tolerance = tolerance_of_contributors(fields) if fields else mesh.tolerance or 0.0
+        tolerance = centre_tolerance(mesh)
         values: dict[str, Any] = dict(
             centre_distance=a_w, working_pressure_angle=alpha_wt,
             working_helix_angle=f.working_helix_angle(system.base_helix_angle, alpha_wt),

@@ -2,7 +2,11 @@
 """What solving the gear train gives: the tooth system, its wheels, its meshes."""
 
 from ..sheet.quantity import Stated, group, result, value
-from ..sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond
+from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
+from .layout.result import ForcesResult, LayoutResult
+from .measures.measures import MeasuresResult
+from .play.result import PlayResult, TrainPlay
+from .rating.result import MeshRating
 
 
 @result
@@ -43,7 +47,6 @@ class WheelResult:
     form_diameter_max: Metre | None = value("Form diameter, thickest tooth", "mm", "d_Ff", default=None)
     tooth_depth: Metre = value("Tooth depth", "mm", "h")
     reference_thickness: Metre = value("Tooth thickness at the reference circle, transverse", "mm", "s_t")
-    normal_thickness: Metre = value("Tooth thickness at the reference circle, normal", "mm", "s_n")
     tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
     tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
     speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")
@@ -56,6 +59,7 @@ class WheelResult:
     over_balls_max: Metre | None = value("Size over balls, thickest tooth", "mm", "M", default=None)
     chordal_thickness: Metre = value("Chordal thickness, normal", "mm", "s_c")
     chordal_height: Metre = value("Height above the chord", "mm", "h_c")
+    measures: MeasuresResult | None = group(spread=True, default=None)
     name: str
     teeth: int
     face_width: Metre
@@ -64,16 +68,6 @@ class WheelResult:
     span_length: Metre  # W_K
     tip_curvature: Metre  # ρ_a
     form_curvature: Metre  # ρ_F
-
-
-@result
-class MeshRating:
-    """Nominal stresses of one mesh: no influence factors, K = 1."""
-
-    tangential_force: Newton = value("Tangential force at the reference circle", "N", "F_t")
-    contact_stress: Pascal = value("Nominal contact stress, K = 1", "MPa", "σ_H0")
-    root_stress: dict[str, Stated] = group(spread=True)  # root_stress_WHEEL
-    torque: NewtonMetre  # at the driver
 
 
 @result
@@ -129,10 +123,14 @@ class MeshResult:
 
 @result
 class TrainResult:
-    """The whole train."""
+    """The whole train.  What is None was not asked, or waits for another step."""
 
     system: ToothSystem = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     meshes: dict[str, MeshResult] = group(spread=True)
     phase_error: Radian = value("Free turn of the last wheel by backlash", "°", "Δφ")
     residual_couple: NewtonMetre | None = value("Couple left by the phase error", "N·m", "C_Δφ", default=None)
+    play: dict[str, PlayResult] | None = group(spread=True, default=None)  # by mesh
+    train_play: TrainPlay | None = group(spread=True, default=None)
+    layout: LayoutResult | None = group(spread=True, default=None)
+    forces: ForcesResult | None = group(spread=True, default=None)

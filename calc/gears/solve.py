@@ -5,23 +5,31 @@
 """
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 
-from ..sheet.step import Erratum, Outcome
+from ..catalogue import Material
+from ..sheet.check import Check
+from ..sheet.step import Erratum, Outcome, Table
 from ..sheet.trace import about, trace
-from ..sheet.units import NewtonMetre, Number, RevPerSecond
+from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
 from .checks import checks, speed_ratio
 from .finite import finite
 from .inputs import GearsInputs
+from .layout.drawing import layout_curve
+from .layout.forces import forces
+from .layout.layout import layout
+from .measures.measures import measures
 from .pair import solve_mesh
 from .play.backlash import backlash_at_shaft
 from .play.backlash import residual_couple as _couple_of_phase_error
-from .rating.rating import RatingResult, rating
-from .result import TrainResult
+from .play.play import play, with_couple
+from .rating.rating import Around, RatingResult, rating
+from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .train import Train, mesh_key, settle, speeds, tooth_system
 from .wheel import solve_wheel
 
-__all__ = ["geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
+__all__ = ["Around", "geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
 
 
 def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
@@ -42,10 +50,62 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
             meshes[key] = solve_mesh(system, mesh, f"gears.meshes.{i}", a_w, wheels[mesh.driver], wheels[mesh.driven])
         last = gears.meshes[-1].driven
         with about(f"train, to {last}"):
-            play = backlash_at_shaft(wheels, meshes, last)
-    result = TrainResult(system=system, wheels=wheels, meshes=meshes, phase_error=play)
-    judged, notes = checks(result), _notes(gears, train, result)
-    return finite(Outcome("gears", result=result, checks=judged, lines=tuple(lines), errata=_errata(result), notes=notes))
+            free = backlash_at_shaft(wheels, meshes, last)
+        measured, spans, judged = _measured(gears, system, wheels, meshes)
+    result = TrainResult(system=system, wheels=measured, meshes=meshes, phase_error=free)
+    return finite(
+        Outcome(
+            "gears", result=result, checks=checks(result) + judged, lines=tuple(lines), tables=spans, errata=_errata(result),
+            notes=_notes(gears, train, result),
+        )
+    )  # fmt: skip
+
+
+def _measured(
+    gears: GearsInputs, system: ToothSystem, wheels: Mapping[str, WheelResult], meshes: Mapping[str, MeshResult]
+) -> tuple[dict[str, WheelResult], tuple[Table, ...], tuple[Check, ...]]:
+    """The wheels with all that is measured on them, the tables of their spans, and what is judged."""
+    found: dict[str, WheelResult] = {}
+    spans: list[Table] = []
+    judged: list[Check] = []
+    for given in gears.wheels:
+        name = given.name
+        working = [(mesh.driven, mesh.working_diameter_driver) for mesh in meshes.values() if mesh.driver == name]
+        working += [(mesh.driver, mesh.working_diameter_driven) for mesh in meshes.values() if mesh.driven == name]
+        sizes, checked, table = measures(system, given, wheels[name], working)
+        found[name] = replace(wheels[name], measures=sizes)
+        spans.append(table)
+        judged += checked
+    return found, tuple(spans), tuple(judged)
+
+
+def with_play(outcome: Outcome, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Outcome:
+    """What the backlash becomes over parts, chance, runout and temperature.  `housing`: the bearings' material, where gears name none."""
+    with trace() as lines:
+        played = play(gears, outcome.result, materials, gears.housing_material or housing)
+    return replace(
+        outcome,
+        result=replace(outcome.result, play=played.meshes, train_play=played.train),
+        checks=outcome.checks + played.checks,
+        lines=outcome.lines + tuple(lines),
+        curves=outcome.curves + played.curves(),
+        tables=outcome.tables + played.tables(),
+        notes=outcome.notes + played.notes,
+    )
+
+
+def with_layout(
+    outcome: Outcome, gears: GearsInputs, axis: complex | None, eccentric: Radian | None, journals: tuple[Metre, Metre] | None,
+    gear_end: str | None, couple: NewtonMetre | None,
+) -> Outcome:  # fmt: skip
+    """The train in its place; the arguments are those of `layout.layout`."""
+    placed = layout(gears, outcome.result, axis, eccentric, journals, gear_end, couple)
+    drawn = layout_curve(gears, outcome.result, placed.result)
+    return replace(
+        _joined(outcome, placed),
+        result=replace(outcome.result, layout=placed.result),
+        curves=outcome.curves + ((drawn,) if drawn is not None else ()),
+    )
 
 
 def merge(geometry: Outcome, rated: Outcome) -> Outcome:
@@ -53,14 +113,25 @@ def merge(geometry: Outcome, rated: Outcome) -> Outcome:
     train, stresses = geometry.result, rated.result
     assert isinstance(train, TrainResult) and isinstance(stresses, RatingResult)
     meshes = {key: replace(mesh, rating=stresses.meshes.get(key)) for key, mesh in train.meshes.items()}
+    return replace(_joined(geometry, rated), result=replace(train, meshes=meshes))
+
+
+def with_forces(outcome: Outcome, gears: GearsInputs) -> Outcome:
+    """The forces on the axes of a train that is placed and rated."""
+    train = outcome.result
+    if train.layout is None:
+        return outcome
+    torques = {key: mesh.rating.torque for key, mesh in train.meshes.items()}
+    found = forces(gears, train, train.layout, torques)
+    return replace(_joined(outcome, found), result=replace(train, forces=found.result))
+
+
+def _joined(one: Outcome, two: Outcome) -> Outcome:
+    """The first outcome with everything that stands beside the result of the second."""
     return replace(
-        geometry,
-        result=replace(train, meshes=meshes),
-        checks=geometry.checks + rated.checks,
-        lines=geometry.lines + rated.lines,
-        errata=geometry.errata + rated.errata,
-        notes=geometry.notes + rated.notes,
-    )
+        one, checks=one.checks + two.checks, lines=one.lines + two.lines, curves=one.curves + two.curves, tables=one.tables + two.tables,
+        errata=one.errata + two.errata, notes=one.notes + two.notes,
+    )  # fmt: skip
 
 
 def residual_couple(outcome: Outcome, couple: NewtonMetre) -> NewtonMetre:
@@ -72,7 +143,9 @@ def with_residual_couple(outcome: Outcome, couple: NewtonMetre) -> Outcome:
     """The same outcome with the residual couple among its values and its line among its lines."""
     with trace() as lines, about("train, by its backlash"):
         left = residual_couple(outcome, couple)
-    return replace(outcome, result=replace(outcome.result, residual_couple=left), lines=outcome.lines + tuple(lines))
+        whole = outcome.result.train_play
+        whole = whole if whole is None else with_couple(whole, couple)
+    return replace(outcome, result=replace(outcome.result, residual_couple=left, train_play=whole), lines=outcome.lines + tuple(lines))
 
 
 def with_speed_ratio(outcome: Outcome, wanted: Number) -> Outcome:
@@ -92,7 +165,7 @@ def _notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[str, 
             notes.append(f"Mesh {name}: no tolerance of the centre distance is given: it is taken as exact.")
         elif not thinned:
             notes.append(f"Mesh {name}: no allowance of the span is given: the teeth are taken without thinning.")
-    notes.append("Backlash is at equal temperature of wheels and housing, and without runout; a cold aluminium housing takes more of it.")
+    notes.append("backlash_min and backlash_max are at equal temperature of wheels and housing, and without runout; these stand beside.")
     if gears.ball_diameter is None:
         notes.append("Measuring ball: not given; chosen: for each wheel the ball that touches it in the middle of its flank.")
     notes.append("The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel.")

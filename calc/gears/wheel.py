@@ -49,7 +49,6 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
         return WheelResult(
             tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed,
-            normal_thickness=f.reference_normal_thickness(s_t, system.beta),
             profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
             form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
             ideal_ball=ideal, ball_diameter=ball, over_balls=_over_balls(bare, s_t, ball),
@@ -115,7 +114,7 @@ def _over_balls(bare: _Bare, s_t: Metre, ball: Metre) -> Metre | None:
     return m.over_balls_odd(d_K, z, ball) if z % 2 else m.over_balls_even(d_K, ball)
 
 
-def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Metre]:
+def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:
     """The tip diameter at both ends of its tolerance."""
     if wheel.tip_diameter_tolerance is None:
         return {}

@@ -31,6 +31,13 @@ def whole_span_teeth(K: Number) -> Number:
     return float(max(1, math.ceil(K - 0.5 - 1e-9)))  # whatever the last digits say
 
 
+@formula(
+    "K", f"{ISO}: of the spans that can be measured the one that touches nearest to d + 2·x·m_n", shows="K with d_W nearest to d + 2·x·m_n"
+)
+def best_span(K: Number) -> Number:
+    return 1.0 * K
+
+
 @formula("W_K", f"{ISO}: base tangent length over K teeth", unit="mm")
 def span(m_n: Metre, alpha_n: Radian, K: Number, z: Number, alpha_t: Radian, x: Number) -> Metre:
     return m_n * cos(alpha_n) * (pi * (K - 0.5) + z * inv(alpha_t)) + 2 * x * m_n * sin(alpha_n)

@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from ..inputs import Wheel
     from ..result import ToothSystem, WheelResult
 
+STRAIGHT: Radian = 1e-6  # a smaller helix is none: its axial pitch is endless
 STEEPEST: Radian = math.pi / 4  # β_K from which two loose pins find no smallest distance near where they are opposite
 
 
@@ -78,9 +79,9 @@ def measures(
         found |= _span(system, wheel)
         found |= _sizes(system, wheel, wheel.reference_thickness, ball)
         found |= _constant_chord(system, wheel)
-        if wheel.teeth % 2 and system.beta and found.get("over_pins") is not None:
+        if wheel.teeth % 2 and system.beta > STRAIGHT and found.get("over_pins") is not None:
             found["pins_width"] = p.pins_width(m_n=system.m_n, beta=system.beta, D_M=ball, beta_b=system.base_helix_angle)
-    found["preferred_ball"] = _preferred(system, wheel)
+        found["preferred_ball"] = _preferred(system, wheel)
     found["ideal_balls"] = _ideal_balls(system, wheel, working)
     found |= _limits(system, wheel, ball)
     routes = measured(system, given, wheel)
@@ -89,7 +90,9 @@ def measures(
         found["measured_spread"] = max(thicknesses) - min(thicknesses)
     table_of = spans(system, wheel)
     best_span = best(table_of, wheel.pitch_diameter + 2 * wheel.profile_shift * system.m_n)
-    found["best_span_teeth"] = None if best_span is None else float(best_span.K)
+    if best_span is not None:
+        with about(f"wheel {wheel.name}"):
+            found["best_span_teeth"] = m.best_span(K=best_span.K)
     made = MeasuresResult(**found)
     judged = (*_checks(system, wheel, made), *measured_checks(system, wheel, routes, made.over_pins, made.over_two_pins))
     return made, judged, spans_table(wheel, table_of, wheel.span_teeth, None if best_span is None else best_span.K)

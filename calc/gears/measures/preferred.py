@@ -4,6 +4,7 @@
 import math
 from typing import TYPE_CHECKING
 
+from ...sheet.formula import formula
 from ...sheet.trace import untraced
 from ...sheet.units import Metre, Number
 from ..formulas import angle_of_involute
@@ -20,6 +21,12 @@ MILLIMETRES = (
 PREFERRED: tuple[Metre, ...] = tuple(d / 1000 for d in MILLIMETRES)
 
 
+@formula("D_M", SOURCE, unit="mm", shows="the preferred diameter nearest to D_y that touches the flank and stands proud of the tip")
+def nearest_preferred(D: Metre, D_y: Metre) -> Metre:
+    """`D` is the one that was found."""
+    return 1.0 * D
+
+
 def preferred_ball(
     system: "ToothSystem", z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, ideal: Metre
 ) -> Metre | None:
@@ -30,10 +37,12 @@ def preferred_ball(
     with untraced():
         for D in sorted(PREFERRED, key=lambda D: abs(D - ideal)):
             if suits(system, z, s_t, d, d_b, flank, d_f, D):
-                return D
+                break
             if not ideal / 3 < D < 3 * ideal:  # nothing beyond touches the flank near its middle
                 return None
-    return None
+        else:
+            return None
+    return nearest_preferred(D=D, D_y=ideal)
 
 
 def suits(system: "ToothSystem", z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, D_M: Metre) -> bool:

@@ -182,6 +182,11 @@ def single_pair(
     return single_pair_factor(M=M, eps_beta=eps_beta)
 
 
+@formula("Z_W", f"{IACS}: no hard flank works on a softer steel one", shows="1")
+def no_work_hardening() -> Number:
+    return float("1")
+
+
 def work_hardening(
     own: StrengthClass,
     mate: StrengthClass,
@@ -197,7 +202,7 @@ def work_hardening(
         return work_hardening_by_hard(HBW=own.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40))
     if own.through_hardened and mate.through_hardened and u > 1 and mate.brinell >= 1.2 * own.brinell:
         return work_hardening_through(HBW_1=mate.brinell, HBW_2=own.brinell, u=u)
-    return float("1")
+    return no_work_hardening()
 
 
 def contact_strength(

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import result, value
 from ...sheet.record import record
-from ...sheet.trace import about, untraced
+from ...sheet.trace import about
 from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, RevPerSecond
 from . import deviations as d
 from . import distribution as k
@@ -146,8 +146,10 @@ def influence(
         K_Hbeta, share, F_betay = _face_load(small, large, speed, bent, c.LIGHT if floored else w_m, stiff)
         r = min(k.slenderness(b=mesh.face_width, d_a=x.tip_diameter, d_f=x.root_diameter) for x in (one, two))
         K_Fbeta = k.face_factor_root(K_Hbeta=K_Hbeta, N_F=k.root_exponent(r=r))
-        with untraced():
-            at_100 = _face_load(small, large, speed, bent, c.LIGHT, _at_100(c_full, eps_alpha))[0] if w_m < c.LIGHT else None
+    at_100 = None
+    if w_m < c.LIGHT:
+        with about(f"{name}, face load factor at 100 N/mm"):
+            at_100 = _face_load(small, large, speed, bent, c.LIGHT, _at_100(c_full, eps_alpha))[0]
     with about(f"{name}, transverse load factor"):
         f, y = (dev.f_pb, dev.y_p) if dev.f_pb >= dev.f_falpha else (dev.f_falpha, dev.y_f)
         q_alpha = k.relative_deviation(c_gamma_alpha=c_gamma_alpha, f=f, y_alpha=y, w_m=w_m, K_Hbeta=K_Hbeta)

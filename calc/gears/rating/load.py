@@ -14,11 +14,16 @@ from ...sheet.formula import formula
 from ...sheet.functions import pi
 from ...sheet.record import record
 from ...sheet.trace import about
-from ...sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, RadPerSecond, RadPerSecond2, RevPerSecond
+from ...sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, RadPerSecond, RadPerSecond2, RevPerSecond, Watt
 from ..inputs import GearsInputs
 from ..result import TrainResult
 
-USUAL_K_A = 1.25  # uniform driven machine, light shocks of the driver
+
+@record
+class Power:
+    """What the mean torque comes from: the power of the first driver, or that of the driver in every mesh."""
+
+    of: Mapping[str, Watt] | Watt
 
 
 @record
@@ -39,6 +44,21 @@ class Load:
     dynamic: NewtonMetre | None
     rated: NewtonMetre  # that of F_t
     K_A: Number
+
+
+@formula("K_A", "usual for a combustion engine that drives a uniform load through a balanced train (ISO 6336-6, from memory)", shows="1.25")
+def usual_application_factor() -> Number:
+    return float("1.25")
+
+
+@formula("K_A", "the peak torque holds what the application adds", shows="1")
+def factor_of_peak() -> Number:
+    return float("1")
+
+
+@formula("T_m", "mean torque of a power")
+def mean_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
+    return P / (2 * pi * abs(n))
 
 
 @formula("T_2", "torque handed on without loss")
@@ -79,16 +99,18 @@ def dynamic_torque(J_2: KilogramMetre2, z_1: Number, z_2: Number, alpha: RadPerS
 
 @formula("T", "peak torque: the mean with the largest dynamic torque, K_A = 1")
 def peak_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
-    return T_m + T_dyn
+    return abs(T_m) + T_dyn
 
 
 @formula("T_min", "least torque over the cycle; below 0 the flanks leave each other")
 def least_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
-    return T_m - T_dyn
+    return abs(T_m) - T_dyn
 
 
-def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre) -> dict[str, NewtonMetre]:
+def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
     """Torque at the driver of every mesh; one number is handed on from the first driver, whole into each branch."""
+    if isinstance(torque, Power):
+        torque = _torques(train, torque.of)
     if isinstance(torque, Mapping):
         return {key: torque[key] if key in torque else torque[mesh.driver] for key, mesh in train.meshes.items()}
     on = {next(iter(train.meshes.values())).driver: torque}
@@ -97,6 +119,19 @@ def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonM
         found[key] = on[mesh.driver]
         with about(f"wheel {mesh.driven}"):
             on[mesh.driven] = torque_of_driven(on[mesh.driver], train.wheels[mesh.driven].teeth, train.wheels[mesh.driver].teeth)
+    return found
+
+
+def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
+    if not isinstance(power, Mapping):
+        first = train.wheels[next(iter(train.meshes.values())).driver]
+        with about(f"wheel {first.name}"):
+            return mean_torque(P=power, n=first.speed)
+    found = {}
+    for key, P in power.items():
+        mesh = train.meshes[key]
+        with about(f"mesh {mesh.driver}–{mesh.driven}"):
+            found[key] = mean_torque(P=P, n=train.wheels[mesh.driver].speed)
     return found
 
 
@@ -111,12 +146,16 @@ def loads(
         if gears.application_factor is not None:
             found[key] = Load(T_m, T_dyn, T_m, gears.application_factor)
         elif T_dyn is None:
-            found[key] = Load(T_m, None, T_m, USUAL_K_A)
+            with about(_name(train, key)):
+                found[key] = Load(T_m, None, T_m, usual_application_factor())
         else:
-            mesh = train.meshes[key]
-            with about(f"mesh {mesh.driver}–{mesh.driven}, torque"):
-                found[key] = Load(T_m, T_dyn, peak_torque(T_m=abs(T_m), T_dyn=T_dyn), 1.0)
+            with about(_name(train, key)):
+                found[key] = Load(T_m, T_dyn, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak())
     return found
+
+
+def _name(train: TrainResult, key: str) -> str:
+    return f"mesh {train.meshes[key].driver}–{train.meshes[key].driven}"
 
 
 def _dynamic(gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]) -> dict[str, NewtonMetre]:

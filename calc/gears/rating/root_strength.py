@@ -136,10 +136,20 @@ class RootStrength:
     S_F: Number | None
 
 
+@formula("Y_B", f"{IACS}: a solid body, or a rim of 1.2 tooth depths or more", shows="1")
+def solid_rim() -> Number:
+    return float("1")
+
+
+@formula("Y_DT", f"{IACS}: accuracy grades above 4, or ε_αn up to 2.05", shows="1")
+def usual_tooth() -> Number:
+    return float("1")
+
+
 def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
     """Y_B; `h_t`: tooth depth.  No rim given: a solid body, 1.  A rim of half the tooth depth or less is refused."""
     if s_R is None or s_R >= RIM_FULL * h_t:
-        return float("1")
+        return solid_rim()
     if s_R <= RIM_LEAST * h_t:
         raise NoSolution(
             f"gears.wheels.{wheel}.rim_thickness_mm = {s_R * 1e3:.4g}: rim factor Y_B", "ISO 6336-3 ends at half the tooth depth",
@@ -150,7 +160,7 @@ def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
 
 def deep_tooth_factor(grade: int, eps_alphan: Number) -> Number:
     """Y_DT: only precise teeth (ISO 1328-1 grade 4 or better) of high contact ratio share the load."""
-    return deep_tooth(eps_alphan=eps_alphan) if grade <= 4 and eps_alphan > 2.05 else float("1")
+    return deep_tooth(eps_alphan=eps_alphan) if grade <= 4 and eps_alphan > 2.05 else usual_tooth()
 
 
 def loading_of(driven: int, drives: int, reverses: bool = False) -> str:

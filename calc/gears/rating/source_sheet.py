@@ -141,12 +141,12 @@ def sheet(system: "ToothSystem", mesh: "MeshResult", wheels: "tuple[WheelResult,
 
 
 WRONG = {
-    "tangential_force": "the speed of the train's first wheel is entered for every driver",
-    "contact_stress": "E = 210000 daN/mm² is ten times steel: √10 too high; β for β_b in Z_H, √cos β for Z_β",
-    "form_factor": "height of the outer single contact carried to the virtual wheel without 1/cos² β_b; cos α_t for cos α_n",
-    "stress_correction": "follows from the lever arm of its form factor",
-    "root_stress": "follows from its form factor, stress correction and force",
-    "ideal_ball": "α_wt·η in degrees stands for the sum of both angles; the usual form is 2 % high at this helix",
+    "tangential_force": "first wheel's speed for all",
+    "contact_stress": "10 times E; β for β_b; √cos β",
+    "form_factor": "no 1/cos² β_b; cos α_t",
+    "stress_correction": "by its form factor",
+    "root_stress": "by its form factor and force",
+    "ideal_ball": "α_wt·η for α_wt + η",
 }
 
 
@@ -168,6 +168,9 @@ def comparison(rows: "Iterator[tuple[str, str, SheetResult, dict[str, float | No
             made.append((mesh, what, unit, shown(theirs), shown(ours), WRONG[stem if end in ends else key]))
     return Table(
         "source_sheet", "The sheet of Finotti 2013 for this load, beside ISO 6336 with K = 1",
-        (("Mesh", ""), ("Quantity", ""), ("Unit", ""), ("Sheet", ""), ("Right", ""), ("What is wrong in the sheet", "")), tuple(made),
-        "A result to compare with, not to design by: it reproduces the source's printed values when its power and speed are given.",
+        (("Mesh", ""), ("Quantity", ""), ("Unit", ""), ("Sheet", ""), ("Right", ""), ("Wrong in the sheet", "")), tuple(made),
+        "To compare with, not to design by; with the source's power and speed it gives the printed values. E is 210000 daN/mm², "
+        "ten times that of steel, so σ_H is √10 too high, and has β for β_b in Z_H and √cos β, withdrawn, for Z_β. The height of the "
+        "outer single contact is carried to the virtual wheel without 1/cos² β_b, and Y_F has cos α_t for cos α_n. The ball has the "
+        "product of two angles in degrees for their sum.",
     )  # fmt: skip

@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The form and stress correction factors of one wheel, from its tool and the contact ratio of its mesh."""
 
+from typing import TYPE_CHECKING
+
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.units import Metre, Number, Radian
-from ..result import ToothSystem, WheelResult
 from . import stress as s
+
+if TYPE_CHECKING:
+    from ..result import ToothSystem, WheelResult
 
 
 @record
@@ -26,7 +30,7 @@ class Section:
     q_s: Number
 
 
-def section(system: ToothSystem, wheel: WheelResult) -> Section:
+def section(system: "ToothSystem", wheel: "WheelResult") -> Section:
     z_n = s.virtual_teeth(wheel.teeth, system.base_helix_angle, system.beta)
     E = s.tool_half_width(system.m_n, system.h_fP, system.alpha_n, system.s_pr, system.rho_aP0)
     G = s.tool_corner_height(system.rho_aP0, system.h_fP, wheel.profile_shift)
@@ -38,7 +42,7 @@ def section(system: ToothSystem, wheel: WheelResult) -> Section:
     return Section(z_n, G, theta, chord, s.notch_parameter(chord, rho_F))
 
 
-def load_circle(system: ToothSystem, wheel: WheelResult, z_n: Number, eps_alpha: Number) -> Metre:
+def load_circle(system: "ToothSystem", wheel: "WheelResult", z_n: Number, eps_alpha: Number) -> Metre:
     d_an = s.virtual_tip_diameter(system.m_n, z_n, wheel.tip_diameter, wheel.pitch_diameter)
     d_bn = s.virtual_base_diameter(system.m_n, z_n, system.alpha_n)
     if d_an <= d_bn:
@@ -46,7 +50,7 @@ def load_circle(system: ToothSystem, wheel: WheelResult, z_n: Number, eps_alpha:
     return s.load_diameter(d_an, d_bn, system.m_n, system.alpha_n, s.virtual_contact_ratio(eps_alpha, system.base_helix_angle))
 
 
-def tooth_form(system: ToothSystem, wheel: WheelResult, eps_alpha: Number) -> ToothForm:
+def tooth_form(system: "ToothSystem", wheel: "WheelResult", eps_alpha: Number) -> ToothForm:
     cut = section(system, wheel)
     d_en = load_circle(system, wheel, cut.z_n, eps_alpha)
     alpha_en, gamma_e, arm = lever(system, wheel, cut, d_en)
@@ -54,7 +58,7 @@ def tooth_form(system: ToothSystem, wheel: WheelResult, eps_alpha: Number) -> To
     return ToothForm(Y_F, s.stress_correction(s.slenderness(cut.chord, arm), cut.q_s), cut.q_s)
 
 
-def lever(system: ToothSystem, wheel: WheelResult, cut: Section, d_en: Metre) -> tuple[Radian, Radian, Number]:
+def lever(system: "ToothSystem", wheel: "WheelResult", cut: Section, d_en: Metre) -> tuple[Radian, Radian, Number]:
     """(α_en, γ_e, h_Fe/m_n) of a load on the circle d_en."""
     d_bn = s.virtual_base_diameter(system.m_n, cut.z_n, system.alpha_n)
     if d_en <= d_bn:
@@ -70,5 +74,5 @@ def lever(system: ToothSystem, wheel: WheelResult, cut: Section, d_en: Metre) ->
 ADVICE = "give more teeth, a larger profile shift, or a usual tool (addendum 1.25, tip radius 0.38)"
 
 
-def _outside(wheel: WheelResult, why: str) -> str:
+def _outside(wheel: "WheelResult", why: str) -> str:
     return f"wheel {wheel.name} (z {wheel.teeth}, x {wheel.profile_shift:.4g}): outside the tooth form of ISO 6336-3, {why}"

@@ -74,7 +74,7 @@ def test_the_first_pair_can_jam_and_the_check_says_what_to_do(whole):
     (jams,) = [c for c in whole.checks if c.verdict == "fail"]
     assert jams.id == "gears.central_idler.backlash"
     assert "15 µm" in jams.advice and "central.span_allowance_um = [-17, -35]" in jams.advice and "±33 µm" in jams.advice
-    assert {c.verdict for c in whole.checks} == {"pass", "fail"}
+    assert all(c.kind == "advice" for c in whole.checks if c.verdict == "warn")
 
 
 def test_one_outcome_with_every_promised_name(whole):
@@ -103,7 +103,8 @@ def test_addresses_and_checks_are_unique_and_errata_point_at_values(whole):
 def test_every_value_is_what_a_line_returned(whole):
     """So that it can be explained: the object itself, not a copy.  First speed, given shift, ball and teeth spanned are inputs."""
     made = {id(line.value) for line in whole.lines}
-    loose = {v.id for v in whole.values() if id(v.inside) not in made and not v.id.endswith(("ball_diameter", "span_teeth"))}
+    given = ("ball_diameter", "span_teeth", "mean_torque")
+    loose = {v.id for v in whole.values() if id(v.inside) not in made and not v.id.endswith(given)}
     distances = {"gears.central_idler.centre_distance", "gears.idler_shaft.centre_distance"}
     assert loose == {"gears.crank.speed", "gears.central.profile_shift", *distances}
 

@@ -40,7 +40,9 @@ def test_first_pair_alone_is_balanced_where_it_was_computed_to_be(pair):
     (row,) = pair.optima
     assert row.free == {"central": -0.0999}
     assert [abs(float(z[0])) for z in row.states.sliding.values()] == pytest.approx([0.972, 0.972], abs=5e-4)
-    assert {at[1]: abs(float(z[0])) for at, z in pair.now.states.sliding.items()} == pytest.approx({"central": 0.818, "idler": 1.127}, abs=5e-4)
+    assert {at[1]: abs(float(z[0])) for at, z in pair.now.states.sliding.items()} == pytest.approx(
+        {"central": 0.818, "idler": 1.127}, abs=5e-4
+    )
 
 
 def test_what_the_pairs_want_of_the_idler(source):
@@ -148,13 +150,17 @@ def test_rows_are_what_the_train_solved_alone_gives(found, request):
     for row in found.all:
         gears = row.freedom.gears if row.freedom else found.case.gears
         wheels = tuple(
-            replace(w, profile_shift=row.free.get(w.name, w.profile_shift), tip_shortening=row.cuts.get(w.name, w.tip_shortening)) for w in gears.wheels
+            replace(w, profile_shift=row.free.get(w.name, w.profile_shift), tip_shortening=row.cuts.get(w.name, w.tip_shortening))
+            for w in gears.wheels
         )
         made = solved(replace(gears, wheels=wheels))
         zeta = [abs(z) for m in made.meshes.values() for z in (m.specific_sliding_driver, m.specific_sliding_driven)]
         assert max(zeta) == pytest.approx(row.largest, rel=1e-10)
         assert all(w.profile_shift >= w.undercut_limit and w.tip_thickness_normal >= 0.25 * 2e-3 for w in made.wheels.values())
-        assert all(m.transverse_contact_ratio >= 1.25 and min(m.tip_clearance_driver, m.tip_clearance_driven) >= 0.2 * 2e-3 for m in made.meshes.values())
+        assert all(
+            m.transverse_contact_ratio >= 1.25 and min(m.tip_clearance_driver, m.tip_clearance_driven) >= 0.2 * 2e-3
+            for m in made.meshes.values()
+        )
         assert all(x == round(x, 4) for x in row.free.values())
 
 
@@ -183,7 +189,11 @@ def test_limits_are_where_the_rule_turns(source):
         for x, by, step in ((one.range[0], one.low, -1e-4), (one.range[1], one.high, 1e-4)):
             if by:
                 inside, outside = (
-                    min(float(j.margin[0]) for j in judged(evaluated(case, along.freedom, {"central": t}, {}), case.system, source.optima[0].bar) if j.rule is one.rule)
+                    min(
+                        float(j.margin[0])
+                        for j in judged(evaluated(case, along.freedom, {"central": t}, {}), case.system, source.optima[0].bar)
+                        if j.rule is one.rule
+                    )
                     for t in (x, x + step)
                 )
                 assert inside >= 0 > outside

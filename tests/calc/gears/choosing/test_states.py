@@ -41,7 +41,9 @@ def compare(gears):
         assert many.undercut_limit[name] == made.undercut_limit
 
 
-@pytest.mark.parametrize("gears", [pair_1(), pair_1(cut=0.0), r753(), r753(tool=(1.25, 0.38), alpha_n=22.5, beta=0.0)], ids=["1", "1-uncut", "r753", "spur"])
+@pytest.mark.parametrize(
+    "gears", [pair_1(), pair_1(cut=0.0), r753(), r753(tool=(1.25, 0.38), alpha_n=22.5, beta=0.0)], ids=["1", "1-uncut", "r753", "spur"]
+)
 def test_an_array_of_one_is_the_train_solved_alone(gears):
     compare(gears)
 
@@ -109,7 +111,9 @@ def test_margin_is_that_of_the_thinnest_tooth():
     one = thin.wheels[0]
     x_E = generating_shift(one.profile_shift, one.span_allowance[1], thin.normal_module, thin.pressure_angle)
     nominal = solved(bare)
-    fillet = solved(train([wheel("central", 36, x_E), wheel("idler", 39)], [mesh("central", "idler", 80.555)])).wheels["central"].form_diameter
+    fillet = (
+        solved(train([wheel("central", 36, x_E), wheel("idler", 39)], [mesh("central", "idler", 80.555)])).wheels["central"].form_diameter
+    )
     sap = nominal.meshes["central_idler"].sap_diameter_driver
     assert of(thin).margin[AT[0]][0] == pytest.approx((sap - fillet) / 2, abs=1e-12)
     assert of(thin).sliding[AT[0]][0] == of(bare).sliding[AT[0]][0]

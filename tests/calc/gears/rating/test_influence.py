@@ -292,10 +292,8 @@ def test_lines_are_linked_to_the_values():
         found = of(TRAIN, "central_idler")
     values = {id(line.value) for line in lines}
     for shown in published(found, "gears.central_idler"):
-        if shown.id.endswith("face_load_factor_at_100"):  # beside the calculation
-            continue
         assert id(shown.inside) in values, shown.id
-    assert len(lines) < 60
+    assert len(lines) < 70
 
 
 def test_table_of_all_meshes():
