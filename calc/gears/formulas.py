@@ -7,6 +7,9 @@ radius of curvature of the flank, which is also the place on the line of action,
 """
 
 import math
+from typing import Any
+
+import numpy as np
 
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, largest, pi, sin, sqrt, tan
@@ -197,7 +200,12 @@ def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number,
 
 @formula("α", "inverse of inv α = tan α − α by Newton's method, from above", shows="the angle whose involute is given: tan α − α = inv α")
 def angle_of_involute(involute: Number) -> Radian:
-    """The root of t − arctan t = inv α in t = tan α; from a start above it the iteration falls steadily.  Needs inv α ≥ 0."""
+    """The root of t − arctan t = inv α in t = tan α; from a start above it the iteration falls steadily.
+
+    0 where inv α is not above 0; in an array no number there.
+    """
+    if isinstance(involute, np.ndarray):
+        return _angles_of_involutes(involute)
     if involute <= 0:
         return 0.0
     t = involute + pi / 2
@@ -209,6 +217,19 @@ def angle_of_involute(involute: Number) -> Radian:
         if abs(step) <= 1e-15 * t:
             break
     return math.atan(t)
+
+
+def _angles_of_involutes(involute: Any) -> Any:
+    """The same for an array, by the same steps."""
+    wanted = np.where(involute > 0, involute, np.nan)
+    start = (3 * wanted) ** (1 / 3)
+    t = np.where(start < 1.5, np.minimum(wanted + np.pi / 2, np.tan(np.minimum(start, 1.5))), wanted + np.pi / 2)
+    for _ in range(60):
+        step = (t - np.arctan(t) - wanted) * (1 + t * t) / (t * t)
+        t = t - step
+        if not (np.abs(step) > 1e-15 * t).any():
+            break
+    return np.arctan(t)
 
 
 @formula("a_w", f"{ISO}: centre distance without backlash", unit="mm")

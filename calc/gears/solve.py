@@ -24,6 +24,9 @@ from .pair import solve_mesh
 from .play.backlash import backlash_at_shaft
 from .play.backlash import residual_couple as _couple_of_phase_error
 from .play.play import play, with_couple
+from .profile.judge import checks as profile_checks
+from .profile.judge import notes as profile_notes
+from .profile.meshing import penetrations
 from .rating.rating import Around, RatingResult, rating
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .train import Train, mesh_key, settle, speeds, tooth_system
@@ -52,11 +55,13 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
         with about(f"train, to {last}"):
             free = backlash_at_shaft(wheels, meshes, last)
         measured, spans, judged = _measured(gears, system, wheels, meshes)
-    result = TrainResult(system=system, wheels=measured, meshes=meshes, phase_error=free)
+        result = TrainResult(system=system, wheels=measured, meshes=meshes, phase_error=free)
+        depths = penetrations(result)
+    result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     return finite(
         Outcome(
-            "gears", result=result, checks=checks(result) + judged, lines=tuple(lines), tables=spans, errata=_errata(result),
-            notes=_notes(gears, train, result),
+            "gears", result=result, checks=(*checks(result), *judged, *profile_checks(result, depths)), lines=tuple(lines),
+            tables=spans, errata=_errata(result), notes=(*_notes(gears, train, result), *profile_notes(result)),
         )
     )  # fmt: skip
 

@@ -143,21 +143,8 @@ def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[
         return mesh.centre_distance
     z_1, z_2 = circles[mesh.driver].wheel.teeth, circles[mesh.driven].wheel.teeth
     involute: Any = f.working_involute(s.transverse_pressure_angle, s.alpha_n, x[mesh.driver], x[mesh.driven], z_1, z_2)
-    alpha_wt: Any = angles_of_involutes(involute)
+    alpha_wt: Any = f.angle_of_involute(involute)
     return f.centre_distance(z_1, z_2, s.transverse_module, s.transverse_pressure_angle, alpha_wt)
-
-
-def angles_of_involutes(involute: Array) -> Array:
-    """`formulas.angle_of_involute` for arrays, by the same steps; no number where the involute is not positive."""
-    wanted = np.where(involute > 0, involute, np.nan)
-    start = (3 * wanted) ** (1 / 3)
-    t = np.where(start < 1.5, np.minimum(wanted + np.pi / 2, np.tan(np.minimum(start, 1.5))), wanted + np.pi / 2)
-    for _ in range(60):
-        step = (t - np.arctan(t) - wanted) * (1 + t * t) / (t * t)
-        t = t - step
-        if not (np.abs(step) > 1e-15 * t).any():
-            break
-    return np.arctan(t)
 
 
 def _mesh(s: ToothSystem, key: str, a_w: Any, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]) -> Array:

@@ -10,7 +10,7 @@ from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import Described, Stated, group, result
 from ...sheet.record import record
-from ...sheet.step import Erratum, Outcome, Table
+from ...sheet.step import Curve, Erratum, Outcome, Table
 from ...sheet.trace import about, trace, untraced
 from ...sheet.units import UNITS, Celsius, Metre, Newton, NewtonMetre, Number, Pascal, SquareMetrePerSecond
 from ..finite import finite
@@ -28,6 +28,7 @@ from .result import MeshRating
 from .root_strength import loading_of
 from .screening.load import OilBath, oil_bath
 from .screening.screen import checks as screening_checks
+from .screening.screen import curves as screening_curves
 from .screening.screen import notes as screening_notes
 from .screening.screen import screening
 from .source_sheet import SheetResult, comparison, sheet
@@ -114,8 +115,8 @@ def rating(
     tables.append(comparison(_beside(train, rated)))
     return finite(
         Outcome(
-            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines), tables=tuple(tables),
-            errata=_errata(train, rated), notes=_notes(desk, rated, load),
+            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines), curves=_curves(rated),
+            tables=tuple(tables), errata=_errata(train, rated), notes=_notes(desk, rated, load),
         )
     )  # fmt: skip
 
@@ -264,6 +265,15 @@ def _root(system: ToothSystem, mesh: MeshResult, wheel: WheelResult, F_t: Newton
     f_eps = s.load_distribution(eps_beta, eps_alphan) if eps_alphan < 2 else s.load_distribution_high(eps_beta, eps_alphan)
     Y_beta = s.helix_factor_root_2019(eps_beta, system.beta)
     return form, s.root_stress_2019(F_t, b, system.m_n, form.Y_F, f_eps, form.Y_S, Y_beta), Y_beta
+
+
+def _curves(rated: Mapping[str, MeshRating]) -> tuple[Curve, ...]:
+    """Film and contact temperature of the mesh whose film is thinnest."""
+    films = {key: one.screening.specific_film_min for key, one in rated.items() if one.screening is not None}
+    known = {key: film for key, film in films.items() if film is not None}
+    key = min(known, key=known.__getitem__) if known else next(iter(films), None)
+    screened = rated[key].screening if key is not None else None
+    return screening_curves(key, screened) if key is not None and screened is not None else ()
 
 
 # --- what is judged, and said ----------------------------------------------------------------------------------------------

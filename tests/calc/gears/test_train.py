@@ -11,7 +11,6 @@ import pytest
 from calc.catalogue import materials
 from calc.design_file import design, read
 from calc.gears import solve
-from calc.gears.curves import curves
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
 from calc.sheet.step import Outcome
@@ -162,18 +161,6 @@ def test_wheel_names_with_a_hyphen():
     outcome = solve.geometry(gears, SPEED)
     rated = solve.rating(gears, outcome.result, 1.0, materials())
     assert "crank-1_idler-2.root_stress_crank-1" in shown(solve.merge(outcome, rated))
-
-
-def test_curves_are_small_and_complete(whole):
-    drawn = curves(whole.result)
-    assert [c.id for c in drawn] == ["profile_central_idler", "sliding_central_idler", "tooth_central", "tooth_idler"]
-    assert all(sum(len(s.x) for s in c.series) < 3000 and c.equal == (not c.id.startswith("sliding")) for c in drawn)
-    path = drawn[0].series[-1]
-    ratio = math.hypot(path.x[1] - path.x[0], path.y[1] - path.y[0]) / shown(whole)["base_pitch"]
-    assert ratio == pytest.approx(shown(whole)["central_idler.transverse_contact_ratio"])
-    for wheel_, zeta in zip(drawn[1].series, ("driver", "driven")):
-        ends = wheel_.y[0], wheel_.y[-1]
-        assert min(ends) == pytest.approx(shown(whole)[f"central_idler.specific_sliding_{zeta}"])
 
 
 # --- open shifts and distances ---------------------------------------------------------------------------------------------------------

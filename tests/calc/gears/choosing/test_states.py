@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.gears.choosing.states import angles_of_involutes, states
+from calc.gears.choosing.states import states
 from calc.gears.formulas import angle_of_involute
 from calc.gears.measures.formulas import generating_shift
 from calc.gears.train import settle, tooth_system
@@ -80,12 +80,12 @@ def test_elements_do_not_know_of_each_other():
 @settings(max_examples=60, deadline=None)
 @given(st.floats(1e-9, 3.0))
 def test_inverse_involute_of_an_array_is_that_of_a_number(involute):
-    found = angles_of_involutes(np.array([involute, 0.5 * involute]))
+    found = angle_of_involute(np.array([involute, 0.5 * involute]))
     assert found == pytest.approx([angle_of_involute(involute), angle_of_involute(0.5 * involute)], rel=1e-14)
 
 
 def test_base_circles_that_overlap_give_no_number():
-    assert np.isnan(angles_of_involutes(np.array([0.0, -0.1]))).all()
+    assert np.isnan(angle_of_involute(np.array([0.0, -0.1]))).all()
     gears = train([wheel("a", 20, 0.0), wheel("b", 20, 0.0)], [mesh("a", "b")], beta=0.0)
     assert states(tooth_system(gears), gears, {"a": np.array([0.0, -2.0]), "b": -0.9}).largest[1] == np.inf
 
