@@ -12,7 +12,7 @@ its own return expression stands in `expression.py`, which nothing needs before 
 from collections.abc import Callable
 from typing import Any, Generic, ParamSpec, TypeVar
 
-from .trace import Line, record, recorder
+from .trace import Line, recorder, subject
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -36,10 +36,9 @@ class Formula(Generic[P, R]):
 
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         value = self.function(*args, **kwargs)
-        if recorder.get() is not None:
-            given = dict(zip(self.parameters, args))
-            given.update(kwargs)
-            record(self, given, value)
+        if (lines := recorder.get()) is not None:  # written out here: this is called a thousand times for one design
+            given = {**dict(zip(self.parameters, args)), **kwargs} if args else kwargs
+            lines.append(Line(self, given, value, subject.get()))
         return value
 
     def __repr__(self) -> str:

@@ -186,6 +186,37 @@ def inputs(cls: type[T]) -> type[T]:
     return record(cls)
 
 
+@cache
+def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool], ...]:
+    """The fields of a class of results that are shown: a value's description, or whether a group is spread."""
+    found = []
+    for f in fields(cls):
+        about, spread = f.metadata.get("value"), f.metadata.get("group")
+        if about is not None or spread is not None:
+            found.append((f.name, about, bool(spread)))
+    return tuple(found)
+
+
+def insides(result: Any) -> Iterator[Any]:
+    """All values of a result as the formulas returned them, without their addresses."""
+    if isinstance(result, dict):
+        for part in result.values():
+            yield from insides(part)
+        return
+    if isinstance(result, Stated):
+        yield result.number
+        return
+    kind: Any = type(result)
+    for name, about, _ in _shown(kind):
+        content = getattr(result, name)
+        if content is None:
+            continue
+        if about is not None:
+            yield content
+        else:
+            yield from insides(content)
+
+
 def published(result: Any, prefix: str) -> Iterator[Published]:
     """All values of a result with their addresses, in the order in which they are declared."""
     if isinstance(result, dict):
@@ -195,14 +226,15 @@ def published(result: Any, prefix: str) -> Iterator[Published]:
     if isinstance(result, Stated):
         yield _published(prefix, result.about, result.number)
         return
-    for f in fields(result):
-        content = getattr(result, f.name)
+    kind: Any = type(result)
+    for name, about, spread in _shown(kind):
+        content = getattr(result, name)
         if content is None:
             continue
-        if (about := f.metadata.get("value")) is not None:
-            yield _published(f"{prefix}.{f.name.rstrip('_')}", about, content)
-        elif (spread := f.metadata.get("group")) is not None:
-            yield from published(content, prefix if spread else f"{prefix}.{f.name}")
+        if about is not None:
+            yield _published(f"{prefix}.{name.rstrip('_')}", about, content)
+        else:
+            yield from published(content, prefix if spread else f"{prefix}.{name}")
 
 
 def _published(id: str, about: Described, inside: Any) -> Published:

@@ -15,6 +15,7 @@ T = TypeVar("T")
 def record(cls: type[T]) -> type[T]:
     cls.__doc__ = cls.__doc__ or cls.__name__  # else the library writes one from the signature, half a millisecond a class
     made = dataclass(init=False, repr=False, eq=False)(cls)
+    made._defaults = {n: f.default for n, f in made.__dataclass_fields__.items() if f.default is not MISSING}  # type: ignore[attr-defined]
     made.__init__ = _init  # type: ignore[method-assign]
     made.__setattr__ = made.__delattr__ = _refuse  # type: ignore[method-assign]
     return made
@@ -22,16 +23,16 @@ def record(cls: type[T]) -> type[T]:
 
 def _init(self: Any, *placed: Any, **given: Any) -> None:
     known = self.__dataclass_fields__
-    values = dict(zip(known, placed))
-    if len(placed) > len(known) or values.keys() & given.keys() or given.keys() - known.keys():
-        raise TypeError(f"{type(self).__name__}: wants {', '.join(known)}")
-    values.update(given)
-    if len(values) < len(known):
-        for name, f in known.items():
-            if name not in values:
-                if f.default is MISSING:
-                    raise TypeError(f"{type(self).__name__}: {name} is missing")
-                values[name] = f.default
+    if placed:
+        first = dict(zip(known, placed))
+        if len(placed) > len(known) or first.keys() & given.keys():
+            raise TypeError(f"{type(self).__name__}: wants {', '.join(known)}")
+        given = first | given
+    values = given if len(given) == len(known) else self._defaults | given
+    if values.keys() != known.keys():
+        if given.keys() - known.keys():
+            raise TypeError(f"{type(self).__name__}: wants {', '.join(known)}")
+        raise TypeError(f"{type(self).__name__}: {next(name for name in known if name not in values)} is missing")
     self.__dict__.update(values)
 
 

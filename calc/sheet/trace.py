@@ -4,15 +4,13 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 if TYPE_CHECKING:
     from .formula import Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(NamedTuple):
     """One evaluation of a formula.  Screen, paper and JSON render this object and nothing else."""
 
     formula: "Formula[..., Any]"
@@ -22,7 +20,7 @@ class Line:
 
 
 recorder: ContextVar[list[Line] | None] = ContextVar("recorder", default=None)
-_subject: ContextVar[str] = ContextVar("subject", default="")
+subject: ContextVar[str] = ContextVar("subject", default="")
 
 
 @contextmanager
@@ -47,15 +45,10 @@ def untraced() -> Iterator[None]:
 
 
 @contextmanager
-def about(subject: str) -> Iterator[None]:
+def about(part: str) -> Iterator[None]:
     """Name the part whose lines follow: "front bearing", "mesh 36–39"."""
-    token = _subject.set(subject)
+    token = subject.set(part)
     try:
         yield
     finally:
-        _subject.reset(token)
-
-
-def record(formula: "Formula[..., Any]", arguments: Mapping[str, Any], value: Any) -> None:
-    if (lines := recorder.get()) is not None:
-        lines.append(Line(formula, arguments, value, _subject.get()))
+        subject.reset(token)

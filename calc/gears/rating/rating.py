@@ -2,6 +2,7 @@
 """The rating of every mesh of a train, once its torque is known: load, nominal stresses, influence factors, strength, screening."""
 
 from collections.abc import Iterator, Mapping
+from functools import cache
 from typing import Any
 
 from ...catalogue import Material
@@ -174,19 +175,28 @@ def _mesh(desk: _Desk, key: str, mesh: MeshResult, load: Load, mean: Mapping[str
     for wheel in wheels:
         with about(f"root of {wheel.name} in {name}"):
             forms[wheel.name], sigma_F, Y_beta = _root(system, mesh, wheel, F_t, gears.iso_6336_edition)
-        roots[f"root_stress_{wheel.name}"] = Stated(Described(f"Nominal root stress of {wheel.name}, K = 1", "MPa", "σ_F0"), sigma_F)
-        for stem, label, symbol, number in (
-            ("form_factor", "Form factor", "Y_F", forms[wheel.name].Y_F),
-            ("stress_correction", "Stress correction factor", "Y_S", forms[wheel.name].Y_S),
-            ("notch_parameter", "Notch parameter", "q_s", forms[wheel.name].q_s),
-        ):
-            factors[f"{stem}_{wheel.name}"] = Stated(Described(f"{label} of {wheel.name}", "", symbol), number)
+        said, form = _described(wheel.name), forms[wheel.name]
+        roots[f"root_stress_{wheel.name}"] = Stated(said[0], sigma_F)
+        for stem, about_it, number in zip(FORM, said[1:], (form.Y_F, form.Y_S, form.q_s)):
+            factors[f"{stem}_{wheel.name}"] = Stated(about_it, number)
     values["sheet"] = sheet(system, mesh, wheels, mean[next(iter(mean))])
     values |= dict(mean_torque=load.mean, dynamic_torque=load.dynamic, application_factor=load.K_A, tangential_force=F_t, torque=load.rated)
     values |= dict(root_stress=roots, form=factors, root_helix_factor=Y_beta, forms=forms)
     if F_t > 0:
         values |= _loaded(desk, mesh, load, F_t, values)
     return MeshRating(**values)
+
+
+FORM = ("form_factor", "stress_correction", "notch_parameter")
+
+
+@cache
+def _described(wheel: str) -> tuple[Described, ...]:
+    """What is said of a wheel's nominal root stress, and of its FORM."""
+    return (
+        Described(f"Nominal root stress of {wheel}, K = 1", "MPa", "σ_F0"), Described(f"Form factor of {wheel}", "", "Y_F"),
+        Described(f"Stress correction factor of {wheel}", "", "Y_S"), Described(f"Notch parameter of {wheel}", "", "q_s"),
+    )  # fmt: skip
 
 
 def _loaded(desk: _Desk, mesh: MeshResult, load: Load, F_t: Newton, values: dict[str, Any]) -> dict[str, Any]:
