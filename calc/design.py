@@ -60,6 +60,12 @@ class Design:
         return bushes()
 
     @property
+    def strength_classes(self) -> tuple[str, ...]:
+        from .gears.rating.classes import class_names
+
+        return class_names()
+
+    @property
     def applications(self) -> tuple[str, ...]:
         return tuple(applications())
 
@@ -79,6 +85,7 @@ class Design:
             yield from self._countershaft(self.countershaft)
         if self.bearings is not None:
             yield from self._bearings(self.bearings)
+        yield from self._gear_materials()
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -89,6 +96,15 @@ class Design:
             yield "gears.irregularity_order", "needed where there is no [engine] table whose firing order it is"
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
+
+    def _gear_materials(self) -> Iterable[tuple[str, str]]:
+        wheels = self.gears.wheels if self.gears is not None else ()
+        for i, wheel in enumerate(wheels):
+            if wheel.gear_material is not None:
+                from .gears.rating.classes import class_problem  # brings numpy with it
+
+                if (wrong := class_problem(wheel.gear_material)) is not None:
+                    yield f"gears.wheels.{i}.gear_material", wrong
 
     def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, str]]:
         pins = sum(body.pin is not None for body in imbalance.crank_bodies)

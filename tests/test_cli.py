@@ -436,7 +436,7 @@ def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
 
 
 @pytest.mark.parametrize("arguments, words", [
-    (("choose", GAMMA, "gears"), "nothing to choose here yet"), (("choose", GAMMA, "engine", "--apply", "9"), "from 1 to 2"),
+    (("choose", GAMMA, "friction"), "nothing to choose here yet"), (("choose", GAMMA, "engine", "--apply", "9"), "from 1 to 2"),
     (("choose", DESIGNS / "timing_pair.toml", "engine"), "needed"), (("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1:2:3", "--step", "gear"), "is no step"),
 ])  # fmt: skip
 def test_what_can_not_be_chosen_or_swept_is_said(arguments, words):

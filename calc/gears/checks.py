@@ -7,6 +7,7 @@ from ..sheet.check import Check, check
 from ..sheet.units import Number
 from .formulas import diameter_at
 from .measures import formulas as m
+from .play.judge import freed
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 ISO = "ISO 21771:2007, as generally published"
@@ -50,27 +51,12 @@ def speed_ratio(train: TrainResult, wanted: Number) -> Check:
 
 # --- meshes ----------------------------------------------------------------------------------------------------------------
 def _backlash(system: ToothSystem, id: str, place: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Check:
+    slope = 2 * math.sin(mesh.working_pressure_angle) * math.cos(system.base_helix_angle)
     return check(
-        f"{id}.backlash", f"Smallest backlash {mesh.driver}–{mesh.driven}", mesh.backlash_min, ">=", 0.0, "µm",
-        "teeth must not jam at any combination of the tolerances; runout and temperature are not included",
-        _backlash_advice(system, place, mesh, driver, driven),
+        f"{id}.backlash", f"Smallest backlash {mesh.driver}–{mesh.driven} by its tolerances", mesh.backlash_min, ">=", 0.0, "µm",
+        "teeth must not jam at any combination of the tolerances; without runout, all at 20 °C",
+        freed((driver, driven), mesh.centre_tolerance, f"{place}.tolerance_um", -mesh.backlash_min, slope),
     )  # fmt: skip
-
-
-def _backlash_advice(system: ToothSystem, place: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> str:
-    """What would just pass: an allowance of the span acts micrometre for micrometre, the tolerance by 2·sin α_wt·cos β_b."""
-    missing = -mesh.backlash_min
-    if missing <= 0:
-        return "Give the span an allowance (gears.wheels.NAME.span_allowance_um), so that backlash remains."
-    less = math.ceil(missing * 1e6 - 1e-6)
-    thick = max((driver, driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
-    upper, lower = (round(end * 1e6, 6) for end in thick.allowance or (0.0, 0.0))
-    new = f"[{upper - less:g}, {lower - less:g}]"  # the field of the allowance stays as wide as it is
-    advice = f"Take {less} µm more off the span of the teeth, for example gears.wheels.{thick.name}.span_allowance_um = {new}"
-    held = mesh.centre_tolerance - missing / (2 * math.sin(mesh.working_pressure_angle) * math.cos(system.base_helix_angle))
-    if held > 1e-6:
-        advice += f"; or hold the centre distance to ±{math.floor(held * 1e6):g} µm ({place}.tolerance_um)"
-    return advice + "."
 
 
 def _contact(id: str, mesh: MeshResult) -> list[Check]:

@@ -272,6 +272,8 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         await settled(pilot)
         assert work(pilot).pane == "inputs"
         heading = work(pilot).form.query("ArrayHeading").first()
+        heading.scroll_visible(animate=False)
+        await settled(pilot)
         await pilot.click(heading, offset=(heading.render().plain.index("▸"), 0))  # type: ignore[union-attr]
         await settled(pilot)
         assert "2 of 4" in rows(pilot)

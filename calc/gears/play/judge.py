@@ -3,6 +3,7 @@
 
 import math
 from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from ...sheet.check import Check, check
 from ...sheet.units import Metre, Number
@@ -12,6 +13,9 @@ from .chance import BY_CHANCE
 from .meeting import Meeting
 from .result import PlayResult
 from .temperature import AtState, Expansions
+
+if TYPE_CHECKING:
+    from ..result import WheelResult
 
 
 def checks(gears: GearsInputs, m: Meeting, play: PlayResult, smallest: Sequence[AtState]) -> list[Check]:
@@ -30,7 +34,9 @@ def checks(gears: GearsInputs, m: Meeting, play: PlayResult, smallest: Sequence[
     found.append(
         check(
             f"{id}.backlash_guide", f"Smallest backlash {m.name}, recommended", low, ">=", play.backlash_recommended, "µm", GUIDE,
-            remedy(m, play.backlash_recommended - low, None) + " More backlash turns the last wheel further out of phase.", kind="advice",
+            "Take as much as is missing off the span of the teeth (gears.wheels.NAME.span_allowance_um): the guide is for industrial "
+            "gears, and more backlash turns the last wheel further out of phase.",
+            kind="advice",
         )
     )  # fmt: skip
     if play.backlash_99 is not None:
@@ -83,18 +89,24 @@ def _slope(m: Meeting, at: AtState) -> Number:
 
 
 def remedy(m: Meeting, missing: Metre, slope: Number | None, growth: Number = 1.0) -> str:
+    instead = " in place of contributors_mm" if m.inputs.contributors else ""
+    return freed((m.driver, m.driven), m.mesh.centre_tolerance, f"{m.place}.tolerance_um{instead}", missing, slope, growth)
+
+
+def freed(
+    wheels: "tuple[WheelResult, WheelResult]", tolerance: Metre, place: str, missing: Metre, slope: Number | None, growth: Number = 1.0
+) -> str:
     """What would just pass: an allowance of the span acts micrometre for micrometre, the centre distance by `slope` (None: not offered)."""
     if missing <= 0:
         return "It holds; an allowance of the span (gears.wheels.NAME.span_allowance_um) gives more."
     less = math.ceil(missing / growth * 1e6 - 1e-6)
-    thick = max((m.driver, m.driven), key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
+    thick = max(wheels, key=lambda wheel: wheel.allowance[0] if wheel.allowance else 0.0)
     upper, lower = (round(end * 1e6, 6) for end in thick.allowance or (0.0, 0.0))
     new = f"[{upper - less:g}, {lower - less:g}]"  # the field of the allowance stays as wide as it is
     advice = f"Take {less} µm more off the span of the teeth, for example gears.wheels.{thick.name}.span_allowance_um = {new}"
-    held = 0.0 if slope is None else m.mesh.centre_tolerance - missing / slope
+    held = 0.0 if slope is None else tolerance - missing / slope
     if held > 1e-6:
-        instead = " in place of contributors_mm" if m.inputs.contributors else ""
-        advice += f"; or hold the centre distance to ±{math.floor(held * 1e6):g} µm ({m.place}.tolerance_um{instead})"
+        advice += f"; or hold the centre distance to ±{math.floor(held * 1e6):g} µm ({place})"
     return advice + "."
 
 

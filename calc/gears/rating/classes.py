@@ -159,6 +159,14 @@ def _read(lines: list[list[float]], x: Number) -> tuple[Pascal, Number, Pascal]:
     return A * MEGAPASCAL, end, B * MEGAPASCAL
 
 
+def class_problem(name: str) -> str | None:
+    """Why a word is no strength class; None where it is one."""
+    if name in class_names():
+        return None
+    why = _unknown(name)
+    return f"{why.tried}; {why.advice}"
+
+
 def _unknown(name: str) -> NoSolution:
     if "adi" in name.casefold().replace("-", " ").split() or "austemper" in name.casefold():
         return NoSolution(

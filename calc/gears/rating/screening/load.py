@@ -62,9 +62,7 @@ def reduced_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pas
     return 2 / ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2)
 
 
-@formula(
-    "B_M²", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"}
-)
+@formula("b_M", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"})
 def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePerKilogramKelvin) -> ThermalProduct:
     return lam * rho * c
 

@@ -121,7 +121,7 @@ def load_parameter(p_dyn: Pascal, E_r: Pascal) -> Number:
     return 2 * pi * p_dyn**2 / E_r**2
 
 
-@formula("Θ_fl", f"{ISO} (80), {AS_FOUND}: local flash temperature", names={"b_1": "B_M1²", "b_2": "B_M2²"})
+@formula("Θ_fl", f"{ISO} (80), {AS_FOUND}: local flash temperature", names={"b_1": "b_M1", "b_2": "b_M2"})
 def local_flash_temperature(
     mu_m: Number,
     p_dyn: Pascal,

@@ -117,13 +117,13 @@ def checks(key: str, found: Screening) -> tuple[Check, ...]:
 
 def _pressure(found: Screening) -> str:
     """How the Hertzian pressure stands to that of the test of oils."""
-    there = (found.film_pressure or 0.0) / 1e6
-    if there < LOWEST_TEST_PRESSURE / 1e6:
+    lowest = f"{LOWEST_TEST_PRESSURE / 1e6:.0f} MPa"
+    if (found.film_pressure or 0.0) < LOWEST_TEST_PRESSURE:
         return (
-            f"At {there:.0f} MPa the contact is loaded less than in the first stage of the test of oils against micropitting (FZG C-GF, "
-            f"about {LOWEST_TEST_PRESSURE / 1e6:.0f} MPa, from memory): a thin film alone then need not harm."
+            f"The pressure is below that of the first stage of the test of oils against micropitting (FZG C-GF, about {lowest}, from "
+            "memory): a thin film alone then need not harm."
         )
-    return f"At {there:.0f} MPa have the oil tested (FZG C-GF/8.3/90): its result gives the permissible film."
+    return "Have the oil tested (FZG C-GF/8.3/90): its result gives the permissible film."
 
 
 def curves(key: str, found: Screening) -> tuple[Curve, ...]:

@@ -78,7 +78,7 @@ def hertz_half_width(w: NewtonPerMetre, rho_n: Metre, E_r: Pascal) -> Metre:
     return sqrt(8 * w * rho_n / (pi * E_r))
 
 
-@formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "B_M1²", "b_2": "B_M2²"})
+@formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "b_M1", "b_2": "b_M2"})
 def flash_temperature(
     mu_m: Number,
     X_J: Number,

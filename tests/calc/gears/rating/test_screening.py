@@ -197,7 +197,7 @@ def test_a_thin_film_at_low_pressure_is_put_in_its_place():
     film, _ = checks("central_idler", screened(r753(), "central_idler", F_t=184.0))
     assert "need not harm" in film.advice
     film, _ = checks("a_b", screened(spur(), F_t=8000.0))
-    assert "have the oil tested" in film.advice
+    assert "Have the oil tested" in film.advice
 
 
 def test_many_teeth_in_contact_are_said():
