@@ -62,7 +62,7 @@ def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, 
     limit = width + 1e-6
 
     def wide(part: str) -> float:
-        return text_width(part, style.size, style.face)
+        return _set_width(part, style)
 
     if wide(words) <= limit:
         return (words.strip(),)
@@ -85,10 +85,15 @@ def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, 
     return tuple(made) or ("",)
 
 
+def _set_width(words: str, style: Style) -> float:
+    """How wide words stand: an index is smaller than the letters that it is written with."""
+    return run(words, style).width if "_" in words else text_width(words, style.size, style.face)
+
+
 def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool]]:
     """What may stand on a line of its own, each with whether a blank goes before it."""
     for word in words.split():
-        if text_width(word, style.size, style.face) <= limit:
+        if _set_width(word, style) <= limit:
             yield word, True
             continue
         first = True

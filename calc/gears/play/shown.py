@@ -30,23 +30,23 @@ def tables(gears: GearsInputs, known: Known, play: Mapping[str, PlayResult]) -> 
 
 
 def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
-    """Backlash over the temperature of the housing, one variant for each mesh."""
+    """Backlash over the temperature of the housing, a figure for each mesh."""
     low, high = sorted((gears.lowest_temperature, gears.running_temperature))
     T: Any = np.linspace(low, high, POINTS)
-    series = []
+    drawn = []
     with untraced():
         for m, alpha in known:
             lines = [(limit, T, limit) for limit in LIMITS] + [
                 (f"smallest, wheels {gears.wheels_warmer:g} K warmer", T + gears.wheels_warmer, LIMITS[0])
             ]
-            for label, wheels, limit in lines:
-                series.append(Series(label, T, _at(m, alpha, T, wheels, limit) * UM, m.name))
-    return (
-        Curve(
-            "backlash_temperature", "Normal backlash over temperature", "temperature of the housing, °C", "j_bn, µm", tuple(series),
-            limits=(("jam", 0.0),), variants=tuple(m.name for m, _ in known),
-        ),
-    )  # fmt: skip
+            series = tuple(Series(label, T, _at(m, alpha, T, wheels, limit) * UM) for label, wheels, limit in lines)
+            drawn.append(
+                Curve(
+                    f"backlash_temperature_{m.key}", f"Normal backlash over temperature, {m.name}", "temperature of the housing, °C",
+                    "j_bn, µm", series, limits=(("jam", 0.0),),
+                )
+            )  # fmt: skip
+    return tuple(drawn)
 
 
 def _ends(m: Meeting) -> dict[str, tuple[Any, Any, Any]]:

@@ -327,7 +327,7 @@ def _notes(desk: _Desk, rated: Mapping[str, MeshRating], load: Mapping[str, Load
 
 
 # --- the source's sheet ----------------------------------------------------------------------------------------------------
-def _beside(train: TrainResult, rated: Mapping[str, MeshRating]) -> Iterator[tuple[str, str, SheetResult, dict[str, float | None]]]:
+def _beside(train: TrainResult, rated: Mapping[str, MeshRating]) -> Iterator[tuple[str, SheetResult, dict[str, float | None]]]:
     """What the sheet gives, and what is right in its place."""
     for key, one in rated.items():
         mesh, right = train.meshes[key], dict[str, float | None](
@@ -338,7 +338,7 @@ def _beside(train: TrainResult, rated: Mapping[str, MeshRating]) -> Iterator[tup
             right[f"stress_correction_{end}"] = one.forms[name].Y_S
             right[f"root_stress_{end}"] = one.root_stress[f"root_stress_{name}"].number
             right[f"ideal_ball_{end}"] = _ball_at_working_circle(train.system, mesh, train.wheels[name])
-        yield key, f"{mesh.driver}–{mesh.driven}", one.sheet, right
+        yield f"{mesh.driver}–{mesh.driven}", one.sheet, right
 
 
 def _ball_at_working_circle(system: ToothSystem, mesh: MeshResult, wheel: WheelResult) -> Metre:

@@ -150,11 +150,11 @@ WRONG = {
 }
 
 
-def comparison(rows: "Iterator[tuple[str, str, SheetResult, dict[str, float | None]]]") -> Table:
-    """The sheet's values beside the right ones: (mesh, driver and driven by name, what the sheet gives, what is right)."""
+def comparison(rows: "Iterator[tuple[str, SheetResult, dict[str, float | None]]]") -> Table:
+    """The sheet's values beside the right ones: (driver–driven, what the sheet gives, what is right)."""
     made: list[tuple[str | float | None, ...]] = []
-    for mesh, names, given, right in rows:
-        ends = dict(zip(("driver", "driven"), names.split("–")))
+    for mesh, given, right in rows:
+        ends = dict(zip(("driver", "driven"), mesh.split("–")))
         for key, ours in right.items():
             theirs = getattr(given, key)
             if theirs is None or ours is None:

@@ -244,19 +244,23 @@ def _table(
     id: str, title: str, columns: tuple[tuple[str, str, str, str, str], ...], part: str, meshes: Mapping[str, MeshStrength], note: str
 ) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
-    for key, mesh in meshes.items():
+    for mesh in meshes.values():
         for wheel, strength in getattr(mesh, part).items():
             numbers = ((getattr(strength, attribute), UNITS[unit].factor) for _, _, unit, _, attribute in columns)
-            rows.append((key, wheel, *(None if n is None else n / factor for n, factor in numbers)))
+            rows.append((_pair(mesh), wheel, *(None if n is None else n / factor for n, factor in numbers)))
     hidden = tuple(f"gears.{key}.{name}_{wheel}" for key, mesh in meshes.items() for wheel in mesh.contact for name, *_ in columns[1:])
     return Table(
         id, title, (("mesh", ""), ("wheel", ""), *((symbol, unit) for _, _, unit, symbol, _ in columns)), tuple(rows), note, hidden
     )
 
 
+def _pair(mesh: MeshStrength) -> str:
+    return f"{mesh.sides[0].name}–{mesh.sides[1].name}"
+
+
 def _film_note(meshes: Mapping[str, MeshStrength]) -> str:
     film = "; ".join(
-        f"{key}: Z_L {m.lubricant_factor:.4g}, Z_v {m.velocity_factor:.4g}, Z_R {m.roughness_factor:.4g}" for key, m in meshes.items()
+        f"{_pair(m)}: Z_L {m.lubricant_factor:.4g}, Z_v {m.velocity_factor:.4g}, Z_R {m.roughness_factor:.4g}" for m in meshes.values()
     )
     return f"σ_HG = σ_Hlim·Z_NT·Z_L·Z_v·Z_R·Z_W, Z_X = 1. {film}. S_H is on stress; on load it counts squared."
 

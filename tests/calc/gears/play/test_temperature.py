@@ -183,7 +183,7 @@ def test_the_curve_meets_the_table():
     assert (smallest.y[0], nominal.y[0], largest.y[0]) == pytest.approx(at["cold"][1:])
     assert (smallest.y[-1], nominal.y[-1], largest.y[-1]) == pytest.approx(at["running"][1:])
     assert warmer.y[-1] == pytest.approx(at["wheels warmer"][1])
-    assert curve.limits == (("jam", 0.0),) and curve.variants == ("central–idler",)
+    assert curve.limits == (("jam", 0.0),) and curve.id == "backlash_temperature_central_idler"
 
 
 def test_a_cold_that_lets_the_base_circles_overlap_is_no_solution():

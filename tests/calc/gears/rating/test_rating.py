@@ -118,7 +118,7 @@ def test_what_the_source_prints_is_an_erratum():
     assert erratum.source_value == pytest.approx(528.33, abs=5e-3)
     assert "127.8 N instead of 184 N" in erratum.why
     (table,) = (t for t in rated.tables if t.id == "source_sheet")
-    rows = {row[1]: row[3] for row in table.rows if row[0] == "central_idler"}
+    rows = {row[1]: row[3] for row in table.rows if row[0] == "central–idler"}
     assert rows["root stress of central"] == pytest.approx(11.91, abs=5e-3)
     assert rows["root stress of idler"] == pytest.approx(11.46, abs=5e-3)
     assert "2006" in rated.notes[0]

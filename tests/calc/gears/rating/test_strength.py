@@ -142,7 +142,7 @@ def test_bending_is_judged_by_the_weakest_mesh_of_a_wheel():
 
 def test_tables_cover_the_factors_and_not_the_safeties():
     flanks, roots = strength_tables({"pinion_wheel": mesh_strength(*example_1())})
-    assert [row[:2] for row in flanks.rows] == [("pinion_wheel", "pinion"), ("pinion_wheel", "wheel")]
+    assert [row[:2] for row in flanks.rows] == [("pinion–wheel", "pinion"), ("pinion–wheel", "wheel")]
     assert flanks.columns[3] == ("σ_H", "MPa") and flanks.rows[0][3] == pytest.approx(1301.35343)
     assert "gears.pinion_wheel.pitting_limit_pinion" in flanks.covers
     assert not any("safety" in covered for covered in flanks.covers + roots.covers)
