@@ -18,6 +18,8 @@ from ...sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre
 from ..inputs import GearsInputs
 from ..result import TrainResult
 
+USUAL = 1.25
+
 
 @record
 class Power:
@@ -48,7 +50,7 @@ class Load:
 
 @formula("K_A", "usual for a combustion engine that drives a uniform load through a balanced train (ISO 6336-6, from memory)", shows="1.25")
 def usual_application_factor() -> Number:
-    return float("1.25")
+    return float(str(USUAL))
 
 
 @formula("K_A", "the peak torque holds what the application adds", shows="1")

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The load of the rating: mean torque of a power, and the dynamic torque of an uneven crank from the energy of what it drives."""
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from calc.catalogue import materials
+from calc.design_file import design, read
+from calc.gears.rating.load import USUAL, Irregularity, Power, firing_order, loads, mean_torques
+from calc.solve import solve
+
+from ..trains import SPEED, r753, solved
+
+GAMMA = Path(__file__).parents[4] / "designs" / "r753ie4_gamma.toml"
+GEARS = r753()
+TRAIN = solved(GEARS)
+STEEL = materials()["steel"]
+
+
+def inertia(name):
+    w = TRAIN.wheels[name]
+    return math.pi / 32 * STEEL.density * w.face_width * w.pitch_diameter**4
+
+
+def rated(uneven, gears=GEARS):
+    return loads(gears, TRAIN, mean_torques(TRAIN, 1.0), uneven, materials())
+
+
+def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
+    """d/dt of the kinetic energy of all wheels behind a mesh, over the speed of its driver."""
+    J_S, delta, i = 5e-3, 0.02, 1.5
+    found = rated(Irregularity(delta, i, J_S, True))
+    omega = 2 * math.pi * SPEED
+    alpha = delta / 2 * i * omega**2
+    ratio = {name: 25 / TRAIN.wheels[name].teeth for name in ("central", "idler", "shaft")}
+    energy = J_S * ratio["shaft"] ** 2  # per ω²/2 of the crank
+    for key, driver, driven in (
+        ("idler_shaft", "idler", "shaft"), ("central_idler", "central", "idler"), ("crank_central", "crank", "central"),
+    ):  # fmt: skip
+        if driven != "shaft":
+            energy += inertia(driven) * ratio[driven] ** 2
+        at_crank = energy * alpha
+        assert found[key].dynamic == pytest.approx(at_crank * TRAIN.wheels[driver].teeth / 25, rel=1e-12)
+
+
+def test_the_wheel_on_the_shaft_is_added_where_the_shaft_has_none():
+    bare, whole = (rated(Irregularity(0.02, 1.5, 5e-3, with_wheel)) for with_wheel in (False, True))
+    heavier = rated(Irregularity(0.02, 1.5, 5e-3 + inertia("shaft"), True))
+    assert bare["idler_shaft"].dynamic == pytest.approx(heavier["idler_shaft"].dynamic)
+    assert bare["idler_shaft"].dynamic > whole["idler_shaft"].dynamic
+
+
+def test_either_the_peak_or_the_application_factor():
+    uneven = Irregularity(0.02, 1.5, 5e-3, True)
+    peak, usual = rated(uneven)["idler_shaft"], rated(None)["idler_shaft"]
+    assert peak.K_A == 1.0 and peak.rated == pytest.approx(peak.mean + peak.dynamic)
+    assert (usual.K_A, usual.rated, usual.dynamic) == (USUAL, usual.mean, None)
+    given = rated(uneven, replace(GEARS, application_factor=1.5))["idler_shaft"]
+    assert (given.K_A, given.rated) == (1.5, given.mean) and given.dynamic == peak.dynamic
+
+
+def test_a_power_gives_the_torque_of_every_driver():
+    first = mean_torques(TRAIN, Power(1350.0))
+    assert first["crank_central"] == pytest.approx(1350 / (2 * math.pi * SPEED))
+    assert first["idler_shaft"] == pytest.approx(first["crank_central"] * 39 / 25)
+    each = mean_torques(TRAIN, Power({"crank_central": 1350.0, "central_idler": 1300.0, "idler_shaft": 1200.0}))
+    assert each["central_idler"] == pytest.approx(1300 / (2 * math.pi * SPEED * 25 / 36))
+
+
+@pytest.mark.parametrize("cylinders, strokes, order", [(3, 4, 1.5), (4, 4, 2.0), (2, 2, 2.0)])
+def test_firing_order(cylinders, strokes, order):
+    assert firing_order(cylinders, strokes) == order
+
+
+def test_the_whole_design_hands_on_irregularity_and_inertia():
+    """Given, or that of gas and flywheel, it loads the teeth; the teeth rattle where the least torque is below zero."""
+    document = read(GAMMA)
+    plain = solve(design(document)).outcomes["gears"].result
+    assert plain.meshes["idler_shaft"].rating.dynamic_torque is None
+    uneven = solve(design(document.with_value("gears.speed_irregularity", 0.02)))
+    shaft, mesh = uneven.outcomes["countershaft"].result, uneven.outcomes["gears"].result.meshes["idler_shaft"].rating
+    omega = 2 * math.pi * 2600 / 60
+    assert mesh.dynamic_torque == pytest.approx(shaft.moment_of_inertia * 0.01 * 1.5 * omega**2 * 39 / 25)
+    assert mesh.least_torque == pytest.approx(mesh.mean_torque - mesh.dynamic_torque) and mesh.least_torque < 0
+    verdicts = {c.id: c.verdict for c in uneven.checks()}
+    assert verdicts["gears.idler_shaft.flank_reversal"] == "warn"
