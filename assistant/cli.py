@@ -79,7 +79,10 @@ def parser() -> argparse.ArgumentParser:
     add["set"].add_argument("changes", nargs="+", metavar=KEY_VALUE, help="an empty value takes the key out: KEY=")
 
     add["choose"].add_argument("file")
-    steps = "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: those that pass at every corner"
+    steps = (
+        "engine: firing orders; countershaft: the lightest shafts in the envelope; bearings: those that pass at every corner; "
+        "gears: profile shifts and tip cuts by which the flanks slide least"
+    )
     add["choose"].add_argument("step", metavar="STEP", help=steps)
     add["choose"].add_argument("--json", action="store_true", help="print one JSON object")
     add["choose"].add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")

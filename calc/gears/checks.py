@@ -5,14 +5,24 @@ import math
 
 from ..sheet.check import Check, check
 from ..sheet.units import Number
-from .formulas import diameter_at
 from .measures import formulas as m
+from .play.backlash import way_to
 from .play.judge import freed
+from .practice import (
+    ABOVE_FILLET,
+    CONTACT_RATIO,
+    PRACTICE,
+    TIP_CLEARANCE,
+    TIP_THICKNESS,
+    TIP_THICKNESS_HARDENED,
+    USUAL_ABOVE_FILLET,
+    USUAL_CONTACT_RATIO,
+    above_fillet,
+)
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 ISO = "ISO 21771:2007, as generally published"
 SAME_RATIO = 1e-9
-PRACTICE = "practice for cylindrical gears, as generally published"
 
 
 def checks(train: TrainResult) -> tuple[Check, ...]:
@@ -33,10 +43,7 @@ def speed_ratio(train: TrainResult, wanted: Number) -> Check:
     """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the wanted one."""
     along = list(train.meshes.values())
     first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
-    above = {mesh.driven: mesh for mesh in along}
-    way = [last]
-    while way[0].name in above:
-        way.insert(0, train.wheels[above[way[0].name].driver])
+    way = [*(train.wheels[train.meshes[key].driver] for key in way_to(last.name, train.meshes)), last]
     ratio, parity = last.speed / first.speed, "an odd" if wanted < 0 else "an even"
     teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth / abs(wanted)
     enough = f"{needed:g} teeth" if needed == round(needed) else f"{abs(1 / wanted):g} times the teeth of {first.name}"
@@ -64,36 +71,38 @@ def _contact(id: str, mesh: MeshResult) -> list[Check]:
     advice = "Cut less off the tips, give smaller profile shifts, or take more teeth of a smaller module."
     return [
         check(
-            f"{id}.contact_ratio", name, eps_alpha, ">=", 1.1, "",
+            f"{id}.contact_ratio", name, eps_alpha, ">=", CONTACT_RATIO, "",
             f"{PRACTICE}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted", advice,
         ),
-        check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", 1.25, "", PRACTICE, advice, kind="advice"),
+        check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", USUAL_CONTACT_RATIO, "", PRACTICE, advice, kind="advice"),
     ]  # fmt: skip
 
 
 def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> list[Check]:
     at_root = {mesh.driver: mesh.tip_clearance_driver, mesh.driven: mesh.tip_clearance_driven}
     low = min(at_root, key=at_root.__getitem__)
-    usual, missing = 0.15 * system.m_n, max(0.0, 0.15 * system.m_n - at_root[low]) * 1e3
+    usual = TIP_CLEARANCE * system.m_n
+    missing = max(0.0, usual - at_root[low]) * 1e3
     more = f"Cut the tip of {_mate(mesh, low)} by {missing:.3g} mm more, or take a tool with a larger addendum."
-    above = {driver.name: _above_fillet(mesh, driver, driven), driven.name: _above_fillet(mesh, driven, driver)}
+    T, pair = mesh.line_of_action, ((driver, driven), (driven, driver))
+    above = {w.name: float(above_fillet(w.base_diameter, T, other.tip_curvature, w.form_diameter)) for w, other in pair}
     tight = min(above, key=above.__getitem__)
     mate = _mate(mesh, tight)
     free = f"The tip of {mate} works low on {tight}: cut it (gears.wheels.{mate}.tip_shortening_mm), or give {tight} more shift."
     clearance, start = (f"{what} {mesh.driver}–{mesh.driven}" for what in ("Tip clearance", "Start of contact above the fillet"))
-    enough = 0.1 * system.m_n
+    needed, enough = ABOVE_FILLET * system.m_n, USUAL_ABOVE_FILLET * system.m_n
     return [
-        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", f"{PRACTICE}: 0.15 m_n", more, kind="advice"),
-        check(f"{id}.interference", start, above[tight], ">=", 0.0, "mm", f"{ISO}: (d_Nf − d_Ff)/2", free),
-        check(f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", f"{PRACTICE}: 0.1 m_n", free, kind="advice"),
-    ]
+        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", _modules(TIP_CLEARANCE), more, kind="advice"),
+        check(f"{id}.interference", start, above[tight], ">=", needed, "mm", f"{ISO}: (d_Nf − d_Ff)/2", free),
+        check(
+            f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(USUAL_ABOVE_FILLET), free,
+            kind="advice",
+        ),
+    ]  # fmt: skip
 
 
-def _above_fillet(mesh: MeshResult, wheel: WheelResult, mate: WheelResult) -> float:
-    """(d_N − d_Ff)/2, d_N where the mate's tip arrives; what it reaches past the base circle is counted along the line of action."""
-    rho = mesh.line_of_action - mate.tip_curvature
-    reached = diameter_at(wheel.base_diameter, rho) / 2 if rho > 0 else wheel.base_diameter / 2 + rho
-    return reached - wheel.form_diameter / 2
+def _modules(limit: Number) -> str:
+    return f"{PRACTICE}: {limit:g} m_n"
 
 
 def _mate(mesh: MeshResult, name: str) -> str:
@@ -109,12 +118,14 @@ def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
             f"Give {place}.profile_shift at least {wheel.undercut_limit:.4f}, more teeth, or a tool with a smaller addendum.",
         ),
         check(
-            f"gears.{name}.tip_thickness", f"Normal tip thickness of {name}", s_an, ">=", 0.25 * system.m_n, "mm", f"{PRACTICE}: 0.25 m_n",
+            f"gears.{name}.tip_thickness", f"Normal tip thickness of {name}", s_an, ">=", TIP_THICKNESS * system.m_n, "mm",
+            _modules(TIP_THICKNESS),
             f"Cut the tip ({place}.tip_shortening_mm), or give a smaller {place}.profile_shift.",
         ),
         check(
-            f"gears.{name}.tip_thickness_hardened", f"Tip thickness of {name}, if case-hardened", s_an, ">=", 0.4 * system.m_n, "mm",
-            f"{PRACTICE}: 0.4 m_n if case-hardened", "A thin tip hardens through: cut it, or give less shift.", kind="advice",
+            f"gears.{name}.tip_thickness_hardened", f"Tip thickness of {name}, if case-hardened", s_an, ">=",
+            TIP_THICKNESS_HARDENED * system.m_n, "mm", f"{_modules(TIP_THICKNESS_HARDENED)} if case-hardened",
+            "A thin tip hardens through: cut it, or give less shift.", kind="advice",
         ),
     ]  # fmt: skip
 
@@ -123,12 +134,12 @@ def _measures(system: ToothSystem, wheel: WheelResult) -> list[Check]:
     """Whether span and balls touch where they should."""
     id, name, flank = f"gears.{wheel.name}", wheel.name, (wheel.form_diameter, wheel.tip_diameter)
     balls = (_ball(system, wheel, wheel.form_diameter), _ball(system, wheel, wheel.tip_diameter))
-    touched = m.span_contact_diameter(wheel.base_diameter, wheel.span_length, system.base_helix_angle)
-    needed = m.span_width(wheel.span_length, system.base_helix_angle)
+    measured = wheel.measures
+    assert measured is not None  # of every wheel, once the geometry is solved
     ball = f"Choose a ball near {wheel.ideal_ball * 1e3:.3f} mm (gears.ball_diameter_mm)."
     found = [
         check(
-            f"{id}.span_contact", f"Circle on which the span of {name} touches", touched, "in", flank, "mm",
+            f"{id}.span_contact", f"Circle on which the span of {name} touches", measured.span_contact_diameter, "in", flank, "mm",
             f"{ISO}: the anvils must touch the involute", f"Choose another gears.wheels.{name}.span_teeth.", kind="advice",
         ),
         check(
@@ -146,7 +157,7 @@ def _measures(system: ToothSystem, wheel: WheelResult) -> list[Check]:
     if system.beta:
         found.append(
             check(
-                f"{id}.span_width", f"Face width of {name} for its span", wheel.face_width, ">=", needed, "mm",
+                f"{id}.span_width", f"Face width of {name} for its span", wheel.face_width, ">=", measured.span_width, "mm",
                 f"{ISO}: W·sin β_b, the width of the anvils apart", "Span fewer teeth, or measure over balls.", kind="advice",
             )
         )  # fmt: skip

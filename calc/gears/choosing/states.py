@@ -14,6 +14,7 @@ from ...sheet.record import record
 from .. import formulas as f
 from ..inputs import GearsInputs, Mesh, Wheel
 from ..measures.formulas import generating_shift
+from ..practice import above_fillet
 from ..profile.outline import Cut, form_diameter_of_undercut
 from ..result import ToothSystem
 from ..train import mesh_key
@@ -164,8 +165,6 @@ def _mesh(s: ToothSystem, key: str, a_w: Any, wheels: tuple[_Circles, _Circles],
         sap[at] = f.diameter_at(wheel.d_b, rho_A)  # type: ignore[assignment]
         sliding[at] = np.where((rho_A > 0) & (path > 0), f.specific_sliding(T, rho_A, z, z_m), np.nan)
         lpstc[at] = np.where(single, f.specific_sliding(T, rho_B, z, z_m), np.nan)
-        arrived: Any = T - mate.rho_a
-        reached = np.where(arrived > 0, f.diameter_at(wheel.d_b, arrived) / 2, wheel.d_b / 2 + arrived)
-        margin[at] = reached - wheel.d_Ff_E / 2
+        margin[at] = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
         clearance[at] = f.tip_clearance(a_w, wheel.d_f, mate.d_a)  # type: ignore[assignment]
     return eps_alpha
