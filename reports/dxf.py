@@ -38,6 +38,7 @@ COLOURS = {
     "FORM": 3,
     "WORKING": 30,
 }  # of the DXF palette
+DASH_DOTTED = ("AXIS", "REFERENCE", "WORKING")  # centre lines, and circles that nothing touches, as ISO 128 has them
 WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions
 mm = UNITS["mm"].shown
@@ -82,7 +83,7 @@ def _fixed() -> Iterator[None]:
 
 
 def _layer(document: "Drawing", name: str) -> None:
-    document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name == "AXIS" else "CONTINUOUS")
+    document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name in DASH_DOTTED else "CONTINUOUS")
 
 
 def _view(document: "Drawing", drawing: Sequence[Primitive]) -> None:

@@ -15,6 +15,8 @@ from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
 from ...sheet.quantity import Published, published
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import GearsInputs
+from ..layout.forces import hands
+from ..layout.phase import phase
 from ..result import MeshResult, TrainResult, WheelResult
 from .outline import CHORD_ERROR, repeated, shifts, tooth
 
@@ -55,14 +57,15 @@ def train_drawing(
     """All wheels, meshing, without allowances.
 
     `positions` [up, side] of every wheel from the crank's axis; left out, or not of every wheel: in a row, each beside its driver at
-    their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank rotation.
+    their centre distance.  `tooth_angle`: of a tooth of the first driver, from up in the sense of crank rotation.  Where the train stands
+    as its layout has it, the first tooth of every wheel is the layout's tooth 1.
     """
     known = positions is not None and set(train.wheels) <= set(positions)
     centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else _row(train)
-    phases = tooth_phases(train, centres, UP - tooth_angle)
+    teeth = _teeth(train, centres, tooth_angle)
     made: list[Primitive] = []
     for name, wheel in train.wheels.items():
-        made += _outlines(train, wheel, chord_error, centres[name], phases[name], limits=False)
+        made += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
         made += _circles(wheel, _working(train, name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
     made += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {wheel.teeth}", h) for name, wheel in train.wheels.items()]
@@ -76,18 +79,15 @@ def train_drawing(
     return tuple(made)
 
 
-def tooth_phases(train: TrainResult, centres: Mapping[str, complex], first: Radian) -> dict[str, Radian]:
-    """Direction of the middle of a tooth of every wheel, so that a tooth stands in a space at every pitch point.
-
-    z_1·(θ_1 − γ) + z_2·(θ_2 − γ − π) = π (mod 2π), γ the direction from the driver to the driven wheel.
-    """
-    found = {next(iter(train.meshes.values())).driver: first}
-    for mesh in train.meshes.values():
-        gamma = cmath.phase(centres[mesh.driven] - centres[mesh.driver])
-        z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
-        turn = math.remainder(math.pi - z_1 * (found[mesh.driver] - gamma), 2 * math.pi)
-        found[mesh.driven] = gamma + math.pi + turn / z_2
-    return found
+def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radian) -> dict[str, Radian]:
+    """Middle of a tooth of every wheel, from up in the sense of crank rotation: the layout's where the wheels stand as it has them."""
+    places = {name: complex(at.imag, at.real) for name, at in centres.items()}
+    laid = train.layout.wheels if train.layout is not None else {}
+    found = {name: w.tooth_angle for name, w in laid.items() if w.tooth_angle is not None and w.position == places[name]}
+    if found.keys() == train.wheels.keys():
+        return found
+    directions = {key: cmath.phase(places[mesh.driven] - places[mesh.driver]) for key, mesh in train.meshes.items()}
+    return phase(train, directions, tooth_angle, None).teeth
 
 
 def _row(train: TrainResult) -> dict[str, complex]:
@@ -140,17 +140,16 @@ def _working(train: TrainResult, name: str) -> list[tuple[str, Metre, MeshResult
 def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[str, str], ...]:
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]
-    own = next((w for w in gears.wheels if w.name == name), None) if gears is not None else None
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
-    hand = f", {own.hand}" if own is not None and own.hand and s.beta else ""
+    hand = f", {hands(gears)[name]}" if gears is not None and s.beta else ""
     rows = [
         ("Normal module m_n", _mm(s.m_n)), ("Teeth z", str(wheel.teeth)), ("Normal pressure angle", _degrees(s.alpha_n)),
         ("Helix angle", _degrees(s.beta) + hand), ("Profile shift coefficient x", _number(wheel.profile_shift, 5)),
         ("Tool: addendum, tip radius", f"{_number(s.h_aP0, 4)} / {_number(s.rho_aP0, 4)} m_n"),
         ("Stock; residual undercut", f"{_mm(s.stock)}; {_mm(s.s_pr)}"), ("Face width b", _mm(wheel.face_width)),
         ("Reference diameter d", _mm(wheel.pitch_diameter)), ("Base diameter d_b", _mm(wheel.base_diameter)),
-        ("Tip diameter d_a", _toleranced(wheel.tip_diameter, own.tip_diameter_tolerance if own is not None else None)),
-        ("Root diameter d_f", _root(wheel, own.root_diameter_tolerance if own is not None else None)),
+        ("Tip diameter d_a", _between(wheel.tip_diameter, wheel.tip_diameter_min, wheel.tip_diameter_max)),
+        ("Root diameter d_f", _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
         ("Form diameter d_Ff", _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
     ]  # fmt: skip
     rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in _working(train, name)]
@@ -178,19 +177,6 @@ def _limits(known: Mapping[str, Published], id: str) -> str:
 
 def _shown(value: Published) -> str:
     return _number(value.shown, 4)
-
-
-def _root(wheel: WheelResult, tolerance: tuple[float, ...] | None) -> str:
-    """The root moves with the allowance; its own tolerance stands beside that."""
-    if tolerance is None:
-        return _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)
-    upper, lower = tolerance
-    highest, lowest = wheel.root_diameter_max or wheel.root_diameter, wheel.root_diameter_min or wheel.root_diameter
-    return _between(wheel.root_diameter, lowest + lower, highest + upper)
-
-
-def _toleranced(size: Metre, tolerance: tuple[float, ...] | None) -> str:
-    return _between(size, size + tolerance[1], size + tolerance[0]) if tolerance is not None else _mm(size)
 
 
 def _between(size: Metre, low: Metre | None, high: Metre | None) -> str:

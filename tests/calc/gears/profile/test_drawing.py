@@ -9,12 +9,13 @@ import ezdxf
 import numpy as np
 import pytest
 
-from calc.gears.profile.drawing import LAYERS, data_table, tooth_phases, train_drawing, wheel_drawing
+from calc.gears.profile.drawing import LAYERS, data_table, train_drawing, wheel_drawing
 from calc.gears.profile.outline import Cut, shifts
+from calc.gears.solve import geometry, with_layout
 from calc.sheet.drawing import Polyline
 from reports.dxf import dxf
 
-from ..trains import mesh, r753, solved, train, wheel
+from ..trains import SPEED, mesh, r753, solved, train, wheel
 
 MM = 1e-3
 
@@ -94,17 +95,41 @@ def test_the_table_of_data_stands_on_the_drawing(whole, idler):
     assert rows["Size over balls M, D_M 3.5"] == f"{w.over_balls_min * 1e3:.4f} to {w.over_balls_max * 1e3:.4f}"
 
 
-def test_tolerances_of_tip_and_root_stand_in_the_table():
-    """The root's own tolerance stands beside what the allowance changes: the lowest of both, the highest of both."""
+@pytest.mark.parametrize("allowance", [(-2e-6, -20e-6), None])
+def test_tolerances_of_tip_and_root_stand_once_in_the_table(whole, allowance):
+    """The root's own tolerance stands beside what the allowance changes, E_W/sin α_n in diameter: the lowest of both, the highest of both."""
     gears = r753()
-    idler = dataclasses.replace(gears.wheels[2], tip_diameter_tolerance=(0.0, -1e-4), root_diameter_tolerance=(0.0, -3e-4))
-    gears = dataclasses.replace(gears, wheels=(*gears.wheels[:2], idler, gears.wheels[3]))
-    t = solved(gears)
-    w, rows = t.wheels["idler"], dict(data_table(t, "idler", gears))
+    central = dataclasses.replace(
+        gears.wheels[1], span_allowance=allowance, tip_diameter_tolerance=(0.0, -1e-4), root_diameter_tolerance=(0.0, -3e-4)
+    )
+    gears = dataclasses.replace(gears, wheels=(gears.wheels[0], central, *gears.wheels[2:]))
+    w, rows = whole.wheels["central"], dict(data_table(solved(gears), "central", gears))
     low, high = (float(x) for x in rows["Tip diameter d_a"].split(" to "))
     assert (low, high) == pytest.approx((w.tip_diameter * 1e3 - 0.1, w.tip_diameter * 1e3), abs=5.1e-5)
     low, high = (float(x) for x in rows["Root diameter d_f"].split(" to "))
-    assert (low, high) == pytest.approx((w.root_diameter_min * 1e3 - 0.3, w.root_diameter_max * 1e3), abs=5.1e-5)
+    upper, lower = (E_W * 1e3 / math.sin(whole.system.alpha_n) for E_W in allowance or (0.0, 0.0))
+    assert (low, high) == pytest.approx((w.root_diameter * 1e3 + lower - 0.3, w.root_diameter * 1e3 + upper), abs=5.1e-5)
+
+
+@pytest.mark.parametrize("given, said", [(None, ("right", "left", "right", "left")), ("right", ("left", "right", "left", "right"))])
+def test_the_hand_of_the_helix_stands_in_the_table(whole, given, said):
+    """Given of the central idler, or of no wheel: the hands alternate, and without any the first driver is right-handed."""
+    gears = r753()
+    gears = dataclasses.replace(
+        gears, wheels=tuple(dataclasses.replace(w, hand=given if w.name == "central" else None) for w in gears.wheels)
+    )
+    assert [dict(data_table(whole, name, gears))["Helix angle"] for name in whole.wheels] == [f"21.916°, {hand}" for hand in said]
+
+
+def test_a_spur_wheel_has_no_hand():
+    gears = train([wheel("a", 20, 0.1), wheel("b", 30, 0.0)], [mesh("a", "b")], beta=0.0)
+    assert dict(data_table(solved(gears), "a", gears))["Helix angle"] == "0°"
+
+
+def test_circles_that_nothing_touches_are_dash_dotted(idler):
+    lines = {layer: idler.doc.layers.get(layer).dxf.linetype.upper() for layer in LAYERS}
+    assert {layer for layer, line in lines.items() if line == "CENTER"} == {"AXIS", "REFERENCE", "WORKING"}
+    assert all(entity.dxf.linetype.upper() == "BYLAYER" for entity in idler)
 
 
 def test_a_wheel_without_allowance_has_one_outline():
@@ -169,12 +194,23 @@ def test_a_driver_of_two_wheels_has_them_on_different_sides():
     assert abs(b) == pytest.approx(t.meshes["a_b"].centre_distance) and abs(b - c) > t.wheels["b"].tip_diameter * 0.7
 
 
-def test_phases_close_the_condition_of_assembly(whole):
-    """z_1(θ_1 − γ) + z_2(θ_2 − γ − π) = π (mod 2π) for every mesh."""
-    centres = {name: complex(side, up) for name, (up, side) in placed(whole).items()}
-    found = tooth_phases(whole, centres, 0.4)
-    for m in whole.meshes.values():
-        gamma = np.angle(centres[m.driven] - centres[m.driver])
-        z_1, z_2 = whole.wheels[m.driver].teeth, whole.wheels[m.driven].teeth
-        rest = z_1 * (found[m.driver] - gamma) + z_2 * (found[m.driven] - gamma - math.pi) - math.pi
-        assert math.remainder(rest, 2 * math.pi) == pytest.approx(0.0, abs=1e-9)
+@pytest.mark.parametrize("turned", [0.0, 0.05])
+def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
+    """Tooth 1 of every wheel begins its outline: the last wheel's the one nearest the eccentric, at any angle of the first driver's."""
+    gears = dataclasses.replace(r753(), tooth_angle=turned)
+    t = with_layout(geometry(gears, SPEED), gears, 0.130 + 0.103j, 2.0, None, None, None).result
+    places = {name: (w.position.real, w.position.imag) for name, w in t.layout.wheels.items()}
+    lines = [p for p in train_drawing(t, "x", places, turned) if isinstance(p, Polyline) and p.closed]
+    for line, w, laid in zip(lines, t.wheels.values(), t.layout.wheels.values()):
+        at = np.array([complex(y, x) for x, y in line.points]) - laid.position
+        one = at[: at.size // w.teeth]
+        middle = one[[0, -1]].sum() if one.size % 2 else one[one.size // 2]
+        assert math.remainder(np.angle(middle) - laid.tooth_angle, 2 * math.pi) == pytest.approx(0.0, abs=1e-9), w.name
+    assert abs(math.remainder(np.angle(middle) - 2.0, 2 * math.pi)) <= math.pi / 25 + 1e-9
+
+
+def test_a_train_that_stands_elsewhere_than_its_layout_meshes_there():
+    gears = r753()
+    t = with_layout(geometry(gears, SPEED), gears, 0.130 + 0.103j, 2.0, None, None, None).result
+    places = placed(t)
+    assert dxf(train_drawing(t, "x", places), LAYERS) == dxf(train_drawing(dataclasses.replace(t, layout=None), "x", places), LAYERS)
