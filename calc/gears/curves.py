@@ -5,10 +5,10 @@ import numpy as np
 
 from ..sheet.arrays import Array
 from ..sheet.step import Curve, Series
-from ..sheet.units import Metre
+from ..sheet.units import Metre, Radian
 from . import formulas as f
-from .profile.outline import CHORD_ERROR, Outline, Regions, regions, repeated, whole_tooth
-from .result import MeshResult, ToothSystem, TrainResult, WheelResult
+from .profile.outline import Outline, Regions, regions, repeated, whole_tooth
+from .result import MeshResult, TrainResult, WheelResult
 
 MM = 1e3
 TEETH, TEETH_BETWEEN = range(-2, 3), range(-2, 2)  # the teeth that are drawn of the driver, and of the driven wheel around them
@@ -31,24 +31,13 @@ def curves(train: TrainResult, mesh_key: str | None = None) -> tuple[Curve, ...]
 
 
 def pitch_point_view(
-    system: ToothSystem,
-    mesh: MeshResult,
-    driver: WheelResult,
-    driven: WheelResult,
-    roll: float = 0.0,
-    chord_error: Metre = CHORD_ERROR,
+    mesh: MeshResult, below: tuple[WheelResult, Regions], above: tuple[WheelResult, Regions], roll: Radian = 0.0
 ) -> tuple[Outline, Outline]:
     """Teeth of both wheels around the pitch point at the origin, driver below; x to the right, y up.
 
     With `roll` 0 a tooth of the driver stands in the middle of a space of the driven wheel; `roll` turns the driver, anticlockwise.
     Without allowances and at the centre distance without backlash both flanks of that tooth touch.
     """
-    return _around(mesh, (driver, regions(system, driver, chord_error)), (driven, regions(system, driven, chord_error)), roll)
-
-
-def _around(
-    mesh: MeshResult, below: tuple[WheelResult, Regions], above: tuple[WheelResult, Regions], roll: float = 0.0
-) -> tuple[Outline, Outline]:
     (driver, own), (driven, mate) = below, above
     turned = 1j * np.exp(1j * roll)
     under = repeated(whole_tooth(own), driver.teeth, TEETH) * turned - 1j * mesh.working_diameter_driver / 2
@@ -60,7 +49,7 @@ def _around(
 def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
     mesh = train.meshes[key]
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
-    below, above = _around(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
+    below, above = pitch_point_view(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
     return Curve(
         f"profile_{key}", f"Tooth profiles in mesh, {mesh.driver}–{mesh.driven}", "x, mm", "y, mm",
         (_line(mesh.driver, below), _line(mesh.driven, above), _line("path of contact", _path(mesh, driver, driven))), equal=True,
@@ -70,9 +59,13 @@ def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
 def _path(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Outline:
     """From the driven wheel's tip to the driver's, on the common tangent of the base circles; the driver turns clockwise."""
     ends = np.array([mesh.sap_curvature_driver, mesh.line_of_action - mesh.sap_curvature_driven])
-    pitch_point = mesh.line_of_action * driver.teeth / (driver.teeth + driven.teeth)
-    path: Outline = (ends - pitch_point) * np.exp(1j * mesh.working_pressure_angle)
+    path: Outline = (ends - _pitch_point(mesh, driver, driven)) * np.exp(1j * mesh.working_pressure_angle)
     return path
+
+
+def _pitch_point(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Metre:
+    """Its place on the line of action, from the driver's base circle."""
+    return mesh.line_of_action * driver.teeth / (driver.teeth + driven.teeth)
 
 
 def _line(label: str, points: Outline) -> Series:
@@ -93,10 +86,10 @@ def _sliding(train: TrainResult, keys: list[str]) -> Curve:
     series = []
     for key in keys:
         mesh = train.meshes[key]
-        z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
-        T = mesh.line_of_action
+        driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
+        z_1, z_2, T = driver.teeth, driven.teeth, mesh.line_of_action
         rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, ALONG)
-        way = (rho - T * z_1 / (z_1 + z_2)) * MM
+        way = (rho - _pitch_point(mesh, driver, driven)) * MM
         zeta_1 = f.specific_sliding(T, rho, z_1, z_2)  # type: ignore[arg-type]
         zeta_2 = f.specific_sliding(T, T - rho, z_2, z_1)  # type: ignore[arg-type]
         name = _said(train, key) if len(keys) > 1 else ""

@@ -12,6 +12,7 @@ from ..sheet.trace import about
 from ..sheet.units import Metre, Number, RevPerSecond
 from . import formulas as f
 from .inputs import GearsInputs, Mesh, Wheel
+from .profile.cut import tool_problem
 from .result import ToothSystem
 
 CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by this, in modules
@@ -28,18 +29,14 @@ def tooth_system(gears: GearsInputs) -> ToothSystem:
         alpha_t = f.transverse_pressure_angle(alpha_n, beta)
         h_fP = f.finished_dedendum(gears.tool_addendum, gears.stock, m_n, alpha_n)
         s_pr = f.residual_undercut(gears.protuberance, gears.stock)
-        corner = f.tool_corner_position(m_t, h_fP, gears.tool_tip_radius, m_n, alpha_t, alpha_n, beta, s_pr)
-        if corner < -1e-9 * m_n:
-            raise NoSolution(
-                f"gears.tool_tip_radius = {gears.tool_tip_radius:g} with gears.tool_addendum = {gears.tool_addendum:g}: "
-                f"the round corners of such a tool overlap by {-2e3 * corner:.4g} mm",
-                advice="give a smaller tip radius or addendum of the tool",
-            )
-        return ToothSystem(
+        system = ToothSystem(
             transverse_module=m_t, transverse_pressure_angle=alpha_t, base_helix_angle=f.base_helix_angle(beta, alpha_n),
             base_pitch=f.base_pitch(m_t, alpha_t), h_fP=h_fP, s_pr=s_pr, m_n=m_n, alpha_n=alpha_n, beta=beta,
             h_aP0=gears.tool_addendum, rho_aP0=gears.tool_tip_radius, stock=gears.stock,
         )  # fmt: skip
+        if (problem := tool_problem(system)) is not None:
+            raise problem
+        return system
 
 
 @dataclass(slots=True)

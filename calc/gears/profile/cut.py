@@ -20,6 +20,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.units import Metre, Number, Radian
+from .. import formulas as f
 
 if TYPE_CHECKING:
     from ..result import ToothSystem
@@ -56,6 +57,11 @@ class Cut:
         return reference + math.tan(alpha_t) - alpha_t
 
     @cached_property
+    def pointed_angle(self) -> Radian:
+        """Pressure angle where the flanks of a tooth meet; 0 where they do so inside the base circle."""
+        return f.angle_of_involute.function(self.half_angle_at_base)
+
+    @cached_property
     def offset_of_tool(self) -> Radian:
         """How far the involute that the tool leaves stands off the finished one: s_pr over the base circle, positive inside the tooth."""
         return self.system.s_pr / (math.cos(self.system.base_helix_angle) * self.base_radius)
@@ -64,10 +70,11 @@ class Cut:
     def _corner(self) -> tuple[float, float, float, float]:
         """Centre of the corner (from the middle of the tool's tooth, from the reference circle), its semi-axes."""
         s = self.system
-        alpha_t, slant = s.transverse_pressure_angle, math.cos(s.beta)
         rho = s.rho_aP0 * s.m_n
-        straight = math.pi * s.transverse_module / 4 - (s.h_fP - s.rho_aP0) * s.m_n * math.tan(alpha_t)
-        return straight - (rho - s.s_pr) / (math.cos(s.alpha_n) * slant), (s.rho_aP0 + self.shift - s.h_fP) * s.m_n, rho / slant, rho
+        u_c = f.tool_corner_position.function(
+            s.transverse_module, s.h_fP, s.rho_aP0, s.m_n, s.transverse_pressure_angle, s.alpha_n, s.beta, s.s_pr
+        )
+        return u_c, (s.rho_aP0 + self.shift - s.h_fP) * s.m_n, rho / math.cos(s.beta), rho
 
     # --- points ------------------------------------------------------------------------------------------------------------
     def involute(self, radius: Any) -> Any:
@@ -108,7 +115,8 @@ class Cut:
                 return self._return_of_the_corner(flank)
             found = self._undercut(0.0)
             return flank if found is None else found
-        if self.shift >= undercut_limit(s, self.teeth):
+        x_min = f.undercut_limit.function(s.h_fP, s.rho_aP0, s.alpha_n, self.teeth, s.transverse_pressure_angle, s.beta)
+        if self.shift >= x_min:
             return flank
         found = self._undercut(0.0)
         if found is None:
@@ -173,11 +181,6 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     return (low + high) / 2
 
 
-def undercut_limit(s: "ToothSystem", teeth: int) -> Number:
-    straight = s.h_fP - s.rho_aP0 * (1 - math.sin(s.alpha_n))
-    return straight - teeth * math.sin(s.transverse_pressure_angle) ** 2 / (2 * math.cos(s.beta))
-
-
 @formula("d_Ff", "envelope of the tool's corner", unit="mm", shows="crossing of the fillet that the tool's corner cuts and the involute")
 def form_diameter_of_undercut(cut: Cut) -> Metre:
     """Where the finished involute begins, for a tooth that is undercut by generation or by a protuberance."""
@@ -195,17 +198,30 @@ def finishing_step(s: "ToothSystem") -> Metre:
     return max(0.0, -s.s_pr)
 
 
-def tool_problem(s: "ToothSystem") -> str:
-    """Why there is no such tool, and what is allowed; empty: there is."""
-    cosines, tangent = math.cos(s.alpha_n) * math.cos(s.beta), math.tan(s.transverse_pressure_angle)
-    rho, straight = s.rho_aP0 * s.m_n, math.pi * s.transverse_module / 4
-    corner = straight - (s.h_fP * s.m_n - rho) * tangent - (rho - s.s_pr) / cosines
+def tool_problem(s: "ToothSystem") -> NoSolution | None:
+    """Why there is no such tool, and what is allowed; None: there is."""
+    corner = f.tool_corner_position(
+        m_t=s.transverse_module, h_fP=s.h_fP, rho_aP0=s.rho_aP0, m_n=s.m_n, alpha_t=s.transverse_pressure_angle, alpha_n=s.alpha_n,
+        beta=s.beta, s_pr=s.s_pr,
+    )  # fmt: skip
     if corner >= -1e-9 * s.m_n:
-        return ""
+        return None
+    cosines, tangent = math.cos(s.alpha_n) * math.cos(s.beta), math.tan(s.transverse_pressure_angle)
+    straight = math.pi * s.transverse_module / 4
     widest = (straight - s.h_fP * s.m_n * tangent + s.s_pr / cosines) / ((1 / cosines - tangent) * s.m_n)
-    deepest = (straight + s.s_pr / cosines) / (tangent * s.m_n)
-    allowed = f"a tip radius of at most {widest:.4f} modules" if widest >= 0 else f"an addendum below {deepest:.4f} modules"
-    return f"the round corners of the tool overlap by {-2e3 * corner:.4g} mm: {allowed} is possible"
+    deepest = (straight + (s.s_pr + s.stock) / cosines) / (tangent * s.m_n)  # of the tool itself, where its sharp corners meet
+    return NoSolution(
+        f"gears.tool_tip_radius = {s.rho_aP0:g} with gears.tool_addendum = {s.h_aP0:g}: the round corners of such a tool overlap by "
+        f"{-2e3 * corner:.4g} mm",
+        advice=f"give a gears.tool_tip_radius of at most {_down(widest)}, or a smaller gears.tool_addendum"
+        if widest >= 0
+        else f"give a gears.tool_addendum of less than {_down(deepest)}: that much with sharp corners",
+    )
+
+
+def _down(limit: Number) -> str:
+    """Four digits, of which none is rounded up: what is said to be allowed is allowed."""
+    return f"{math.floor(limit * 1e4) / 1e4:.4f}"
 
 
 def protuberance_note(cut: Cut) -> str:

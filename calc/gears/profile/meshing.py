@@ -35,7 +35,6 @@ class Flank:
 
     cut: Cut
     tip_radius: Metre
-    tip_angle: float  # half the tooth at its tip
 
     @cached_property
     def fillet(self) -> tuple[Array, Array]:
@@ -59,13 +58,8 @@ class Flank:
 def flank(system: "ToothSystem", wheel: "WheelResult", shift: Number | None = None) -> Flank:
     """`shift`: another one than that without allowance.  A pointed tooth ends where its flanks meet."""
     cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
-    tip = wheel.tip_diameter / 2
-    t = math.sqrt((tip / cut.base_radius) ** 2 - 1)
-    half = cut.half_angle_at_base - (t - math.atan(t))
-    if half < 0:
-        radius = np.linspace(cut.base_radius, tip, 2000)
-        tip, half = float(np.interp(0.0, -cut.involute(radius), radius)), 0.0
-    return Flank(cut, tip, half)
+    pointed = wheel.pointed_diameter / 2 if shift is None else cut.base_radius / math.cos(cut.pointed_angle)
+    return Flank(cut, min(wheel.tip_diameter / 2, pointed))
 
 
 def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array) -> tuple[Array, Array]:
@@ -91,16 +85,6 @@ def _places(corner: int, flank: int) -> tuple[Array, Array]:
 
 PLACES = _places(CORNER, ROLL)
 AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each side
-
-
-def flank_gap(a_w: Metre, own: Flank, mate: Flank, positions: int = 400) -> Metre:
-    """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside it.
-
-    Both wheels stand in the middle of their backlash.  Coarse positions find it too large, by the curvature between two of them.
-    """
-    radius, angle = _seen(a_w, own, mate, *_places(positions, positions))
-    there = (radius < own.tip_radius) & (radius >= own.fillet[0][-1])
-    return float(np.where(there, angle - own.cut.involute(radius), np.inf).min()) * own.cut.base_radius
 
 
 @formula(

@@ -15,14 +15,14 @@ from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.units import Metre, Number
 from ..measures.formulas import generating_shift
-from .cut import ROOT, Cut, finishing_step, form_diameter_of_undercut, protuberance_note, tool_problem
+from .cut import ROOT, Cut, form_diameter_of_undercut
 
 if TYPE_CHECKING:
     from ..result import ToothSystem, WheelResult
 
 __all__ = [
-    "CHORD_ERROR", "Cut", "Outline", "Regions", "finishing_step", "form_diameter_of_undercut", "outline", "protuberance_note",
-    "regions", "shifts", "tool_problem", "tooth",
+    "CHORD_ERROR", "Cut", "Outline", "Regions", "form_diameter_of_undercut", "outline", "regions", "repeated", "shifts", "tooth",
+    "whole_tooth",
 ]  # fmt: skip
 
 CHORD_ERROR: Metre = 1e-6  # rule of this program: a polyline stays within a micrometre of the curve, if nothing else is asked
@@ -85,7 +85,7 @@ def _involute(cut: Cut, start: Number, end: Number, chord_error: Metre) -> tuple
     theta = cut.half_angle_at_base
     pointed = end - math.atan(end) > theta
     if pointed:
-        end = _tangent_of_involute(theta)
+        end = math.tan(cut.pointed_angle)
     chords = 2 / 3 * (end**1.5 - start**1.5) * math.sqrt(cut.base_radius / (8 * chord_error))
     t = np.linspace(start**1.5, end**1.5, max(2, math.ceil(SAFETY * chords) + 1)) ** (2 / 3)
     t[0], t[-1] = start, end
@@ -93,17 +93,6 @@ def _involute(cut: Cut, start: Number, end: Number, chord_error: Metre) -> tuple
     if pointed:
         angle[-1] = 0.0
     return cut.base_radius * np.hypot(1.0, t), angle
-
-
-def _tangent_of_involute(involute: Number) -> Number:
-    """t with t − arctan t = inv α, by Newton's method from above."""
-    t = involute + math.pi / 2
-    for _ in range(60):
-        step = (t - math.atan(t) - involute) * (1 + t * t) / (t * t)
-        t -= step
-        if abs(step) <= 1e-15 * t:
-            break
-    return t
 
 
 def _arc(radius: Metre, start: float, end: float, chord_error: Metre) -> tuple[Array, Array]:

@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 
 from calc.gears.curves import pitch_point_view
 from calc.gears.profile.judge import checks, notes, penetration_check
-from calc.gears.profile.meshing import flank, flank_gap, penetration, penetrations
-from calc.gears.profile.outline import CHORD_ERROR, shifts
+from calc.gears.profile.meshing import flank, penetration, penetrations
+from calc.gears.profile.outline import CHORD_ERROR, regions, shifts
 from calc.sheet.errors import NoSolution
 
 from ..trains import mesh, pair_1, r753, solved, train, wheel
@@ -60,7 +60,7 @@ def deepest(t, positions=41):
     (m,) = t.meshes.values()
     driver, driven, found = t.wheels["a"], t.wheels["b"], 0.0
     for roll in np.linspace(-0.5, 0.5, positions) * 2 * np.pi / driver.teeth:
-        below, above = pitch_point_view(t.system, m, driver, driven, roll, 4e-7)
+        below, above = pitch_point_view(m, *((w, regions(t.system, w, 4e-7)) for w in (driver, driven)), roll)
         far = 2 * t.system.m_n
         for points, line, away in ((above, below, -1j), (below, above, 1j)):
             near = points[np.abs(points.imag) < far]
@@ -152,7 +152,42 @@ def test_what_the_protuberance_must_be_like_is_said_of_each_wheel():
     assert notes(solved(gears)) == ()
 
 
+@pytest.mark.parametrize("x", [1.1, 1.2])
+def test_a_pointed_tooth_ends_where_its_flanks_meet(x):
+    t = pair(12, x, 40, 0.0, (1.25, 0.2))
+    w = t.wheels["a"]
+    assert w.tip_thickness < 0
+    for shift in (None, w.profile_shift):
+        found = flank(t.system, w, shift)
+        assert found.tip_radius * 2 == pytest.approx(w.pointed_diameter, rel=1e-14)
+        assert float(found.cut.involute(found.tip_radius)) == pytest.approx(0.0, abs=1e-14)
+    thin = flank(t.system, w, w.profile_shift - 0.01)
+    assert thin.tip_radius < found.tip_radius and float(thin.cut.involute(thin.tip_radius)) == pytest.approx(0.0, abs=1e-14)
+
+
 # --- backlash ------------------------------------------------------------------------------------------------------------------
+def flank_gap(a_w, own, mate):
+    """Smallest distance of the mate's flank from the involute of the wheel, in the transverse plane; negative: inside it.
+
+    Both wheels stand in the middle of their backlash.  Each point of the mate is looked at in many turns, the best of them again.
+    """
+    base = mate.cut.base_radius
+    form = max(float(mate.fillet[0][-1]), base)
+    radius = np.hypot(base, np.linspace(math.sqrt(form**2 - base**2), math.sqrt(mate.tip_radius**2 - base**2), 101))
+    points, pitch = radius * np.exp(1j * mate.cut.involute(radius)), 2 * np.pi / own.cut.teeth
+    turns, best = np.linspace(-3, 3, 1501) * 2 * np.pi / mate.cut.teeth, np.inf
+    for _ in range(3):
+        seen = a_w - points * np.exp(-1j * turns[:, None])  # the mate's tooth towards the wheel, turned on from the line of centres
+        tooth = pitch / 2 + turns[:, None] * mate.cut.teeth / own.cut.teeth
+        off = np.abs((np.angle(seen) - tooth + pitch / 2) % pitch - pitch / 2)
+        there = (np.abs(seen) < own.tip_radius) & (np.abs(seen) >= own.fillet[0][-1])
+        gap = np.where(there, off - own.cut.involute(np.maximum(np.abs(seen), own.cut.base_radius)), np.inf).min(axis=1)
+        best = min(best, float(gap.min()))
+        step, at = turns[1] - turns[0], turns[int(np.argmin(gap))]
+        turns = np.linspace(at - step, at + step, 301)
+    return best * own.cut.base_radius
+
+
 @pytest.mark.parametrize("key", ["crank_central", "central_idler", "idler_shaft"])
 def test_allowances_leave_half_the_backlash_on_each_side(key):
     """Both wheels in the middle of their play: j_bn/2 normal to the flanks, j_bn that of the middle of the allowances."""
@@ -163,8 +198,8 @@ def test_allowances_leave_half_the_backlash_on_each_side(key):
         cut = shifts(t.system, t.wheels[name])
         thin.append(flank(t.system, t.wheels[name], (cut["min"] + cut["max"]) / 2))
     normal = math.cos(t.system.base_helix_angle)
-    assert 2 * normal * flank_gap(m.centre_distance, *thin, 1500) == pytest.approx(m.backlash_nominal, abs=1e-10)
-    assert 2 * normal * flank_gap(m.centre_distance, *thin[::-1], 1500) == pytest.approx(m.backlash_nominal, abs=1e-10)
+    assert 2 * normal * flank_gap(m.centre_distance, *thin) == pytest.approx(m.backlash_nominal, abs=1e-10)
+    assert 2 * normal * flank_gap(m.centre_distance, *thin[::-1]) == pytest.approx(m.backlash_nominal, abs=1e-10)
     assert penetration(m.centre_distance, *thin) == 0.0
 
 
@@ -172,7 +207,7 @@ def test_without_allowance_the_flanks_touch():
     t = solved(r753())
     for m in t.meshes.values():
         both = [flank(t.system, t.wheels[name]) for name in (m.driver, m.driven)]
-        assert flank_gap(m.centre_distance, *both, 1500) == pytest.approx(0.0, abs=1e-10)
+        assert flank_gap(m.centre_distance, *both) == pytest.approx(0.0, abs=1e-10)
 
 
 def test_a_centre_distance_that_is_too_small_is_found_too():

@@ -102,6 +102,7 @@ def test_pointed_tooth_ends_where_its_flanks_meet():
     assert t.wheels["a"].tip_thickness < 0
     flank = regions(t.system, t.wheels["a"])
     assert flank.involute[1][-1] == 0
+    assert flank.involute[0][-1] * 2 == pytest.approx(t.wheels["a"].pointed_diameter, rel=1e-14)
     assert flank.involute[0][-1] < t.wheels["a"].tip_diameter / 2
     assert np.isfinite(tooth(t.system, t.wheels["a"])).all()
 
@@ -114,7 +115,7 @@ def test_teeth_touch_and_never_enter_each_other(pair, turn):
     mesh_ = t.meshes[pair]
     driver, driven = t.wheels[mesh_.driver], t.wheels[mesh_.driven]
     roll = turn * 2 * np.pi / driver.teeth
-    _, above = pitch_point_view(t.system, mesh_, driver, driven, roll)
+    _, above = pitch_point_view(mesh_, *((w, regions(t.system, w)) for w in (driver, driven)), roll)
     seen = (above + 1j * mesh_.working_diameter_driver / 2) * -1j * np.exp(-1j * roll)  # from the driver's middle
     pitch = 2 * np.pi / driver.teeth
     angle = np.abs((np.angle(seen) + pitch / 2) % pitch - pitch / 2)

@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from calc.gears.profile.cut import Cut, finishing_step, form_diameter_of_undercut, protuberance_note, tool_problem
 from calc.gears.profile.outline import regions, tooth
+from calc.gears.train import tooth_system
 from calc.sheet.errors import NoSolution
 
 from ..trains import mesh, solved, train, wheel
@@ -147,17 +148,20 @@ def test_what_the_protuberance_must_be_like_is_said():
 
 
 @pytest.mark.parametrize("q, pr", [(0.0, 0.0), (0.05, 0.02), (0.02, 0.06)])
-def test_a_tool_whose_corners_overlap_says_the_largest_radius(q, pr):
-    """At the radius that is said the tool just has a corner, a little above it no more."""
-    system, _ = made(20, 0.0, 10.0, (1.25, 0.2), q, pr)
-    assert tool_problem(system) == ""
-    said = tool_problem(dataclasses.replace(system, rho_aP0=0.6))
-    widest = float(said.split("at most ")[1].split()[0])
-    assert tool_problem(dataclasses.replace(system, rho_aP0=widest - 1e-4)) == ""
-    assert tool_problem(dataclasses.replace(system, rho_aP0=widest + 1e-4))
-    said = tool_problem(dataclasses.replace(system, h_fP=2.9, rho_aP0=0.0))
-    deepest = float(said.split("below ")[1].split()[0])
-    assert tool_problem(dataclasses.replace(system, h_fP=deepest - 1e-4, rho_aP0=0.0)) == ""
+@pytest.mark.parametrize("addendum, rho, said", [(1.25, 0.6, "at most "), (2.9, 0.3, "less than ")])
+def test_a_tool_whose_corners_overlap_says_what_it_can_have(q, pr, addendum, rho, said):
+    """With the radius, or the addendum, that is said there is such a tool; with a little more there is none."""
+    with pytest.raises(NoSolution, match=f"tool_tip_radius = {rho} with gears.tool_addendum = {addendum}: the round corners") as caught:
+        made(20, 0.0, 10.0, (addendum, rho), q, pr)
+    limit = float(caught.value.advice.split(said)[1].split()[0].rstrip(",:"))
+
+    def tool(size):
+        gears = train([wheel("a", 20)], [], beta=10.0, tool=(addendum, size) if rho == 0.6 else (size, 0.0))
+        return tooth_system(dataclasses.replace(gears, stock=q * 1e-3, protuberance=pr * 1e-3))
+
+    assert tool_problem(tool(limit)) is None
+    with pytest.raises(NoSolution):
+        tool(limit + 1.1e-4)
 
 
 @settings(deadline=None, max_examples=150)
