@@ -5,8 +5,9 @@ from typing import Any
 
 from .countershaft.standing import Drive, Gear
 from .design import Design
-from .gears.rating.load import Irregularity, Power, firing_order
-from .gears.rating.rating import Around
+from .engine.inputs import EngineInputs
+from .gears.rating.desk import Around
+from .gears.rating.load import Irregularity, Power, Swing, firing_order
 from .gears.result import TrainResult
 from .lubricant import Lubricant
 from .sheet.step import Outcome
@@ -91,19 +92,31 @@ def name_of(inputs: Any, attribute: str) -> str:
 
 
 def irregularity(design: Design, engine: Outcome, shaft: Outcome) -> Irregularity | None:
-    """How unevenly the first driver turns: given, else the engine's with gas and flywheel; None where neither is known."""
-    gears = design.gears
-    if gears is None:
+    """How unevenly the first driver turns: given, else by the engine's torque on its flywheel; None where neither is known."""
+    own, crank = design.gears, design.engine
+    speed = first_speed(design)
+    if own is None or speed is None:
         return None
-    torque = engine.result.torque if engine.result is not None else None
-    delta_s = gears.speed_irregularity if gears.speed_irregularity is not None else torque and torque.speed_irregularity
-    order = gears.irregularity_order or (firing_order(design.engine.cylinders, design.engine.strokes) if design.engine else None)
-    if delta_s is None or order is None:
-        return None
+    delta_s, order, swing = own.speed_irregularity, own.irregularity_order, None
+    if delta_s is None:
+        swing = _swing(engine, crank, speed)
+        if swing is None:
+            return None
+    elif order is None and crank is not None:
+        order = firing_order(crank.cylinders, crank.strokes) * crank.rated_speed / speed
     outline = shaft.result.outline if shaft.result is not None else None
     J_S = shaft.result.moment_of_inertia if shaft.result is not None else None
     with_wheel = outline is not None and (not outline.derived or any(piece.what == "gear" for piece in outline.pieces))
-    return Irregularity(delta_s, order, J_S, with_wheel)
+    return Irregularity(delta_s, order, swing, J_S, with_wheel)
+
+
+def _swing(engine: Outcome, crank: EngineInputs | None, speed: float) -> Swing | None:
+    """The engine's torque over its cycle, where its gas and its flywheel are known."""
+    torque = engine.result.torque if engine.result is not None else None
+    if crank is None or torque is None or torque.mean_torque is None or crank.flywheel_inertia is None:
+        return None
+    ratio = speed / crank.rated_speed
+    return Swing(torque.torque_highest, torque.mean_torque, torque.torque_lowest, crank.flywheel_inertia, ratio)
 
 
 def eccentric(design: Design) -> float | None:
@@ -112,11 +125,21 @@ def eccentric(design: Design) -> float | None:
     return masses[0].angle if masses else None
 
 
-def gear_end(design: Design) -> str:
-    """At which journal the shaft's gear stands: where it is given, else ahead of the front one."""
-    shaft = design.countershaft
-    middle = sum(shaft.bearing_positions) / len(shaft.bearing_positions) if shaft is not None else 0.0
-    return "rear" if shaft is not None and shaft.gear_z is not None and shaft.gear_z > middle else "front"
+def gear_end(design: Design, shaft: Outcome) -> str | None:
+    """At which journal the shaft's gear stands: where it is given, else as its outline is put together; None: not known."""
+    given = design.countershaft
+    z = given.gear_z if given is not None else None
+    if z is None and shaft.result is not None and shaft.result.outline is not None:
+        z = next((piece.start for piece in shaft.result.outline.pieces if piece.what == "gear"), None)
+    if given is None or z is None:
+        return None
+    return "rear" if z > sum(given.bearing_positions) / len(given.bearing_positions) else "front"
+
+
+def housing(design: Design) -> str | None:
+    """The material between the centres: that of the gears, else that of the bearings."""
+    own = design.gears.housing_material if design.gears is not None else None
+    return own or name_of(design.bearings, "housing_material") or None
 
 
 def ends(places: tuple[tuple[float, float], ...]) -> tuple[float, float] | None:

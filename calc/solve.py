@@ -116,20 +116,8 @@ def solve(design: Design, before: Results | None = None) -> Results:
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, geometry.result, f))
         b = bearings_with_standing(b, c.result.standing)
-    g = part(
-        "gears", design.gears, gears.with_play, geometry, design.gears, materials, h.name_of(design.bearings, "housing_material") or None,
-        after=(geometry,),
-    )  # fmt: skip
-    g = part(
-        "gears", design.gears, gears.with_layout, g, design.gears, h.shaft_axis(design), h.eccentric(design), h.ends(h.journals(design)),
-        h.gear_end(design), c.result.couple if c.result else None, after=(g,),
-    )  # fmt: skip
-    power = h.power(design, geometry, f, first_speed)
-    if power is not None and design.gears is not None:
-        rated = part(
-            "gears", design.gears, gears.rating, design.gears, geometry.result, power, materials, h.around_gears(design, e, c), after=(g,)
-        )
-        g = gears.with_forces(gears.merge(g, rated), design.gears) if g.state == rated.state == "solved" else rated
+    if g.state == "solved" and design.gears is not None:
+        g = _gear_train(part, g, design, (e, c, f), first_speed)
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
     if g.state == "solved" and design.countershaft is not None:
@@ -138,6 +126,27 @@ def solve(design: Design, before: Results | None = None) -> Results:
         g = replace(g, curves=g.curves + curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
     return Results(design, found, part.now)
+
+
+def _gear_train(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, Outcome, Outcome], first_speed: float | None) -> Outcome:
+    """A train whose geometry is known: its play, its place, its rating and its forces.  What finds no solution fails, the rest stays."""
+    assert design.gears is not None
+    own, (e, c, f) = design.gears, steps
+    played = part("gears", own, gears.with_play, g, own, design.materials, h.housing(design))
+    g = played if played.state == "solved" else gears.without(g, "backlash over parts and temperature", played.reason)
+    couple = c.result.couple if c.result else None
+    placed = part(
+        "gears", own, gears.with_layout, g, own, h.shaft_axis(design), h.eccentric(design), h.ends(h.journals(design)),
+        h.gear_end(design, c), couple,
+    )  # fmt: skip
+    g = placed if placed.state == "solved" else gears.without(g, "layout of the train", placed.reason)
+    power = h.power(design, g, f, first_speed)
+    if power is None:
+        return replace(g, notes=(*g.notes, gears.NOT_RATED))
+    rated = part("gears", own, gears.rating, own, g.result, power, design.materials, h.around_gears(design, e, c))
+    if rated.state != "solved":
+        return gears.without(g, "rating of the teeth", rated.reason)
+    return gears.with_forces(gears.merge(g, rated), own)
 
 
 def _asked(*outcomes: Outcome) -> tuple[Outcome, ...]:

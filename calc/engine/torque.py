@@ -63,6 +63,8 @@ class TorqueResult:
     indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
     mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
     indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
+    torque_highest: NewtonMetre | None = value("Highest torque over the cycle", "N·m", "T_hi", default=None)
+    torque_lowest: NewtonMetre | None = value("Lowest torque over the cycle", "N·m", "T_lo", default=None)
     energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
     speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
     harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
@@ -94,6 +96,18 @@ def whole_torque(T_G: NewtonMetre, T_I: NewtonMetre) -> NewtonMetre:
 def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     """`T` on the crank, `F_I` towards the crank along the axis of the cylinder, which lies d further in the sense of rotation."""
     return -T + d * F_I
+
+
+@formula("T_hi", "largest of the points of the cycle, its corners among them", shows="largest T(ε)")
+def highest(T: NewtonMetre) -> NewtonMetre:
+    found: Any = T
+    return float(found.max())
+
+
+@formula("T_lo", "smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
+def lowest(T: NewtonMetre) -> NewtonMetre:
+    found: Any = T
+    return float(found.min())
 
 
 @formula("|T|", "amount of the torque at the crank angle where it is largest")
@@ -263,6 +277,8 @@ def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, fl
         T_G_k, T_I_k, F_k = at(engine, e, cycle, fires, best_block)
         both = whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k))
         peak_block = amount(T=reaction(T=both, d=engine.cylinder_offset, F_I=inertia_sum(F_k=F_k)))
+    with about("all cylinders over the cycle"):
+        T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
     uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
     return {
@@ -270,6 +286,7 @@ def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, fl
         "compression_end_pressure": cycle.compression_end, "indicated_work": W_i,
         "indicated_mean_pressure": mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), "mean_torque": T_m,
         "indicated_power": indicated_power(T_m=T_m, omega=e.angular_speed), "energy_fluctuation": Delta_E,
+        "torque_highest": T_hi, "torque_lowest": T_lo,
         "speed_irregularity": uneven,
     }  # fmt: skip
 

@@ -20,7 +20,9 @@ class Wheel:
         "Profile shift coefficient", optional=True, low=-3, high=3, symbol="x", step=0.01,
         help="In normal modules. Left out: from a centre distance, else that of a wheel with as many teeth, else 0.",
     )  # fmt: skip
-    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k")
+    tip_shortening: float = quantity(
+        "Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", help="Off the tip radius; eases the mate's dedendum."
+    )
     face_width: float = quantity("Face width", "mm", optional=True, above=0, high=2000, symbol="b", help="Left out: that of the train.")
     hand: str | None = choice(
         "Hand of the helix",
@@ -51,12 +53,18 @@ class Wheel:
         symbol="F_r",
         help="Over a turn; half of it to each side of the centre.",
     )
-    measured_span: float = quantity("Measured span", "mm", optional=True, above=0, high=5000, symbol="W", help="Over the teeth spanned.")
-    measured_over_balls: float = quantity("Measured size over balls", "mm", optional=True, above=0, high=10000, symbol="M_dK")
+    measured_span: float = quantity(
+        "Measured span", "mm", optional=True, above=0, high=5000, symbol="W", help="Over the teeth spanned; gives the tooth that was made."
+    )
+    measured_over_balls: float = quantity(
+        "Measured size over balls", "mm", optional=True, above=0, high=10000, symbol="M_dK", help="Over gears.ball_diameter_mm."
+    )
     measured_over_pins: float = quantity("Measured size over pins", "mm", optional=True, above=0, high=10000, symbol="M_dR",
         help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
     )  # fmt: skip
-    measured_chordal_thickness: float = quantity("Measured chordal thickness", "mm", optional=True, above=0, high=500, symbol="s_c")
+    measured_chordal_thickness: float = quantity(
+        "Measured chordal thickness", "mm", optional=True, above=0, high=500, symbol="s_c", help="Normal, at the height above the chord."
+    )
     position: tuple[float, ...] | None = series(
         "Position of its axis", "mm", optional=True, count=(2, 2), low=-5000, high=5000,
         help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be.",
@@ -100,8 +108,8 @@ class Contributor:
 class Mesh:
     """Two wheels in mesh."""
 
-    driver: str = text("Driver")
-    driven: str = text("Driven")
+    driver: str = text("Driver", help="The wheel nearer to the crank.")
+    driven: str = text("Driven", help="The wheel that it drives.")
     centre_distance: float = quantity(
         "Centre distance",
         "mm",
@@ -118,12 +126,6 @@ class Mesh:
         "Contributors to the tolerance", "mm", optional=True, low=0, high=10,
         help="Fields of the parts between the centres; half their root of squares is the tolerance.",
     )  # fmt: skip
-    stack: tuple[Contributor, ...] = tables(
-        "Parts between the centres",
-        Contributor,
-        optional=True,
-        help="Each with its kind: worst case, root of squares and by chance, side by side.",
-    )
     support_share: float | None = quantity(
         "Share of the support", optional=True, low=0, high=1, symbol="lambda_S",
         help="Of the centre distance, that the support (gears.support_material) spans; the housing spans the rest.",
@@ -139,6 +141,12 @@ class Mesh:
         high=500,
         symbol="f_sh",
         help="Over the face width, under load. Left out: none.",
+    )
+    stack: tuple[Contributor, ...] = tables(
+        "Parts between the centres",
+        Contributor,
+        optional=True,
+        help="Each with its kind: worst case, root of squares and by chance, side by side.",
     )
 
     def problems(self) -> Iterable[tuple[str, str]]:
@@ -176,10 +184,14 @@ class Wall:
 class GearsInputs:
     """The tool, the wheels and the meshes along the flow of power."""
 
-    normal_module: float = quantity("Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25)
+    normal_module: float = quantity(
+        "Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, help="Pitch over π, normal to the teeth."
+    )
     pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20))
-    helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0)
-    face_width: float = quantity("Face width", "mm", above=0, high=2000, symbol="b")
+    helix_angle: float = quantity(
+        "Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, help="At the reference circle; 0: spur wheels."
+    )
+    face_width: float = quantity("Face width", "mm", above=0, high=2000, symbol="b", help="Of all wheels that give none of their own.")
     tool_addendum: float = quantity(
         "Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, help="In modules; makes the root."
     )
@@ -199,17 +211,34 @@ class GearsInputs:
         help="Normal to the flank, for shaving or grinding; the root keeps it.",
     )
     ball_diameter: float = quantity(
-        "Measuring ball", "mm", optional=True, above=0, high=200, symbol="D_M", help="Left out: the ideal ball of each wheel."
+        "Measuring ball",
+        "mm",
+        optional=True,
+        above=0,
+        high=200,
+        symbol="D_M",
+        help="Or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank.",
     )
     iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, help="2006 or 2019.")
     application_factor: float = quantity(
         "Application factor", optional=True, low=1, high=5, symbol="K_A", step=0.05,
         help="Left out: 1 where the torque of the crank's irregularity is known and added, else 1.25.",
     )  # fmt: skip
-    accuracy_grade: int = integer("Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="Q")
+    accuracy_grade: int = integer(
+        "Accuracy grade (ISO 1328-1)",
+        default=7,
+        low=1,
+        high=11,
+        symbol="Q",
+        help="Of pitch, profile and helix; smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
+    )
     life: float = quantity(
         "Life", "h", optional=True, above=0, high=1e6, symbol="L_h", help="Left out: without end; life factors of the endurance limit."
     )
+    tip_relief: float = quantity(
+        "Tip relief", "µm", optional=True, low=0, high=500, symbol="C_a",
+        help="Ground off the tips, for the dynamic factor of grades up to 5. Left out: what running in makes.",
+    )  # fmt: skip
     flank_rz: float = quantity(
         "Flank roughness Rz",
         "µm",
@@ -219,10 +248,12 @@ class GearsInputs:
         symbol="Rz_H",
         help="Left out: six times friction.flank_roughness_um, else 4.",
     )
-    root_rz: float = quantity("Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F")
+    root_rz: float = quantity(
+        "Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", help="Of the fillets, for the strength of the root."
+    )
     scuffing_load_stage: float = quantity(
         "FZG load stage of the oil", optional=True, low=1, high=14, symbol="S_FZG",
-        help="Scuffing test A/8.3/90. Left out: assumed, and said so.",
+        help="Scuffing test A/8.3/90. Left out: stage 10 is assumed.",
     )  # fmt: skip
     permissible_film: float = quantity(
         "Permissible specific film",
@@ -230,7 +261,7 @@ class GearsInputs:
         above=0,
         high=10,
         symbol="lambda_GFP",
-        help="From a micropitting test of the oil. Left out: a rule.",
+        help="λ_GFP from a micropitting test of the oil. Left out: 0.3, a rule.",
     )
     lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
     housing_material: str | None = text(
@@ -240,8 +271,24 @@ class GearsInputs:
     lowest_temperature: float = quantity(
         "Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", help="All parts, cold start."
     )
-    running_temperature: float = quantity("Running temperature of the housing", "°C", default=100.0, low=0, high=200, symbol="T_H")
-    wheels_warmer: float = quantity("Wheels warmer than the housing", "K", default=20.0, low=0, high=150, symbol="Delta_T")
+    running_temperature: float = quantity(
+        "Running temperature of the housing",
+        "°C",
+        default=100.0,
+        low=0,
+        high=200,
+        symbol="T_H",
+        help="At which the warm backlash is taken.",
+    )
+    wheels_warmer: float = quantity(
+        "Wheels warmer than the housing",
+        "K",
+        default=20.0,
+        low=0,
+        high=150,
+        symbol="Delta_T",
+        help="They take backlash where the housing grows less.",
+    )
     speed: float = quantity(
         "Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n", help="Left out: the crank's rated speed."
     )
@@ -258,11 +305,15 @@ class GearsInputs:
         above=0,
         high=50,
         symbol="i",
-        help="Of the first driver. Left out: the engine's firing order.",
+        help="Of the turns of the first driver. Left out: the engine's firing order.",
     )
     tooth_angle: float = quantity(
         "Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
         help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.",
+    )  # fmt: skip
+    source_sheet: str = choice(
+        "Sheet to compare with", "none", "finotti", default="none",
+        help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
     )  # fmt: skip
     wheels: tuple[Wheel, ...] = tables("Wheels", Wheel)
     meshes: tuple[Mesh, ...] = tables("Meshes", Mesh)

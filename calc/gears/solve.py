@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from ..catalogue import Material
-from ..sheet.check import Check
+from ..sheet.check import Check, check
 from ..sheet.step import Erratum, Outcome, Table
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
@@ -27,12 +27,20 @@ from .play.play import play, with_couple
 from .profile.judge import checks as profile_checks
 from .profile.judge import notes as profile_notes
 from .profile.meshing import penetrations
-from .rating.rating import Around, RatingResult, rating
+from .rating.desk import Around
+from .rating.load import Power
+from .rating.rating import RatingResult, rating
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 from .train import Train, mesh_key, settle, speeds, tooth_system
 from .wheel import solve_wheel
 
-__all__ = ["Around", "geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
+__all__ = ["NOT_RATED", "Around", "Power", "geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
+
+
+NOT_RATED = (
+    "Not rated: no torque is known. Give gears.power_kW, or [bearings] and [friction], whose closed power balance gives it; stresses, "
+    "safeties and forces on the axes have no values."
+)
 
 
 def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
@@ -61,7 +69,8 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
     return finite(
         Outcome(
             "gears", result=result, checks=(*checks(result), *judged, *profile_checks(result, depths)), lines=tuple(lines),
-            tables=spans, errata=_errata(result), notes=(*_notes(gears, train, result), *profile_notes(result)),
+            tables=spans, errata=_errata(result) if gears.source_sheet == "finotti" else (),
+            notes=(*_notes(gears, train, result), *profile_notes(result)),
         )
     )  # fmt: skip
 
@@ -85,9 +94,9 @@ def _measured(
 
 
 def with_play(outcome: Outcome, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Outcome:
-    """What the backlash becomes over parts, chance, runout and temperature.  `housing`: the bearings' material, where gears name none."""
+    """What the backlash becomes over parts, chance, runout and temperature.  `housing`: the material between the centres."""
     with trace() as lines:
-        played = play(gears, outcome.result, materials, gears.housing_material or housing)
+        played = play(gears, outcome.result, materials, housing)
     return replace(
         outcome,
         result=replace(outcome.result, play=played.meshes, train_play=played.train),
@@ -131,6 +140,14 @@ def with_forces(outcome: Outcome, gears: GearsInputs) -> Outcome:
     return replace(_joined(outcome, found), result=replace(train, forces=found.result))
 
 
+def without(outcome: Outcome, part: str, reason: str) -> Outcome:
+    """The same outcome, with a failing check for a part of it that has no solution."""
+    failed = check(
+        f"gears.train.{part.split()[0]}", f"No solution: {part}", math.nan, ">=", 0.0, "", "the part has no values", f"{reason}.",
+    )  # fmt: skip
+    return replace(outcome, checks=(*outcome.checks, failed))
+
+
 def _joined(one: Outcome, two: Outcome) -> Outcome:
     """The first outcome with everything that stands beside the result of the second."""
     return replace(
@@ -170,9 +187,9 @@ def _notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[str, 
             notes.append(f"Mesh {name}: no tolerance of the centre distance is given: it is taken as exact.")
         elif not thinned:
             notes.append(f"Mesh {name}: no allowance of the span is given: the teeth are taken without thinning.")
-    notes.append("backlash_min and backlash_max are at equal temperature of wheels and housing, and without runout; these stand beside.")
+    notes.append("backlash_min and backlash_max hold at 20 °C without runout; cold, warm and with runout have values of their own.")
     if gears.ball_diameter is None:
-        notes.append("Measuring ball: not given; chosen: for each wheel the ball that touches it in the middle of its flank.")
+        notes.append("Measuring ball: not given; chosen: for each wheel the preferred one that touches nearest to the middle of its flank.")
     notes.append("The standard tip shortening k*·m_n is shown, not applied: only the tip cut that is given shortens a wheel.")
     return tuple(notes)
 

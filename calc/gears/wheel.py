@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
+import math
 from typing import Any
 
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import Described, Stated
 from ..sheet.record import record
-from ..sheet.trace import about
+from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from . import formulas as f
 from .inputs import GearsInputs, Wheel
 from .measures import formulas as m
+from .measures.preferred import preferred_ball
 from .profile.outline import Cut, form_diameter_of_undercut
 from .result import ToothSystem, WheelResult
 
@@ -45,18 +47,19 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         K = wheel.span_teeth or m.whole_span_teeth(m.span_teeth(wheel.teeth, alpha_m, system.base_helix_angle, alpha_t, x, alpha_n))
         W_K = m.span(system.m_n, alpha_n, K, wheel.teeth, alpha_t, x)
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
-        ball = gears.ball_diameter or ideal
+        preferred = preferred_ball(system, wheel.teeth, s_t, d, d_b, (d_Ff, d_a), d_f, ideal)
+        ball = gears.ball_diameter or preferred or ideal
         pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
         return WheelResult(
             tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed,
             profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
             form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
-            ideal_ball=ideal, ball_diameter=ball, over_balls=_over_balls(bare, s_t, ball),
+            ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball, over_balls=(over := _over_balls(bare, s_t, ball, (d_Ff, d_a))),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
             allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
             tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b),
-            **_limits(bare, ball, x_min), **_tips(wheel, d_a),
+            **_limits(bare, ball if over is not None else None, x_min, d_a), **_tips(wheel, d_a),
         )  # fmt: skip
 
 
@@ -78,10 +81,14 @@ def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metr
         )
     if d_a <= d_Ff:
         cut = f" and the tip cut {wheel.tip_shortening * 1e3:g} mm" if wheel.tip_shortening else ""
+        smaller = x > 0
+        better = f"{'less' if smaller else 'more'} profile shift"
+        if wheel.profile_shift is None:
+            better += f": it follows, so {'bring the centres closer' if smaller else 'set the centres further apart'} or shift its mate"
         raise NoSolution(
             f"{place}{cut}: the tip circle ({d_a * 1e3:.4f} mm) lies inside the form circle ({d_Ff * 1e3:.4f} mm), "
             "no involute flank is left",
-            advice="give a larger profile shift, or " + ("a smaller tip_shortening_mm" if wheel.tip_shortening else "more teeth"),
+            advice=f"give {better}; or " + ("a smaller tip_shortening_mm" if wheel.tip_shortening else "more teeth"),
         )
 
 
@@ -104,13 +111,18 @@ def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:
     return {f"span_{K}{end}": Stated(Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()}
 
 
-def _over_balls(bare: _Bare, s_t: Metre, ball: Metre) -> Metre | None:
-    """None where the ball lies on the root and touches no flank."""
+def _over_balls(bare: _Bare, s_t: Metre, ball: Metre, flank: tuple[Metre, Metre] = (0.0, math.inf)) -> Metre | None:
+    """None where the ball does not touch both flanks between the form and the tip circle."""
     z, s = bare.wheel.teeth, bare.system
     involute = m.ball_involute(s_t, bare.d, s.transverse_pressure_angle, ball, bare.d_b, s.base_helix_angle, z)
     if involute <= 0:
         return None
-    d_K = m.ball_centre_diameter(bare.d_b, f.angle_of_involute(involute))
+    alpha_K = f.angle_of_involute(involute)
+    with untraced():
+        touches = m.ball_contact_diameter(bare.d_b, alpha_K, ball, s.base_helix_angle)
+    if not flank[0] <= touches <= flank[1]:
+        return None
+    d_K = m.ball_centre_diameter(bare.d_b, alpha_K)
     return m.over_balls_odd(d_K, z, ball) if z % 2 else m.over_balls_even(d_K, ball)
 
 
@@ -122,8 +134,8 @@ def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:
     return {"tip_diameter_min": f.with_tolerance(d=d_a, T=lower), "tip_diameter_max": f.with_tolerance(d=d_a, T=upper)}
 
 
-def _limits(bare: _Bare, ball: Metre, x_min: Number) -> dict[str, Any]:
-    """The sizes at both ends of the allowance."""
+def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[str, Any]:
+    """The sizes at both ends of the allowance; `ball` None: no ball fits."""
     roots = bare.wheel.root_diameter_tolerance
     if (allowance := _allowance(bare.wheel)) is None:
         if roots is None:
@@ -137,9 +149,29 @@ def _limits(bare: _Bare, ball: Metre, x_min: Number) -> dict[str, Any]:
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
             d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_fP)
-            if s_t <= 0 or d_f <= 0:
-                raise NoSolution(f"{place} = {E_W * 1e6:g}: takes away the whole tooth", advice="−20 to −50 µm is usual")
+            d_Ff = _form_diameter(bare, x_E, x_min)
+            _must_stay_a_tooth(f"{place} = {E_W * 1e6:g}", bare, s_t, d_f, d_Ff, d_a)
+            s_at = f.thickness_at(d_a, s_t, bare.d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_a))
+            if end == "min":
+                found["tip_thickness_normal_min"] = f.normal_thickness_at(s_at, s.beta, d_a, bare.d)
             found[f"root_diameter_{end}"] = d_f if T is None else f.with_tolerance(d=d_f, T=T)
-            found[f"form_diameter_{end}"] = _form_diameter(bare, x_E, x_min)
-            found[f"over_balls_{end}"] = _over_balls(bare, s_t, ball)
+            found[f"form_diameter_{end}"] = d_Ff
+            found[f"over_balls_{end}"] = None if ball is None else _over_balls(bare, s_t, ball)
     return found
+
+
+def _must_stay_a_tooth(place: str, bare: _Bare, s_t: Metre, d_f: Metre, d_Ff: Metre, d_a: Metre) -> None:
+    """A tooth that its allowance takes away, or that fills its space, is none."""
+    s, advice = bare.system, "−20 to −50 µm is usual"
+    nominal = s.m_n * (math.pi / 2 + 2 * bare.x * math.tan(s.alpha_n))  # s_n without allowance
+    least, most = (-nominal * math.cos(s.alpha_n), (math.pi * s.m_n - nominal) * math.cos(s.alpha_n))
+    between = f"it must stay between {least * 1e6:.0f} and {most * 1e6:.0f} µm; {advice}"
+    if s_t <= 0 or d_f <= 0:
+        raise NoSolution(f"{place}: takes away the whole tooth", advice=between)
+    if s_t >= math.pi * s.transverse_module:
+        raise NoSolution(f"{place}: the teeth fill their spaces", advice=between)
+    if d_Ff >= d_a:
+        raise NoSolution(
+            f"{place}: the form circle ({d_Ff * 1e3:.4f} mm) of such a tooth lies outside its tip circle ({d_a * 1e3:.4f} mm)",
+            advice=between,
+        )

@@ -14,7 +14,6 @@ from .. import formulas as f
 from . import formulas as m
 from . import pins as p
 from .measured import Measured, measured, measured_checks
-from .preferred import preferred_ball
 from .spans import best, spans, spans_table
 
 if TYPE_CHECKING:
@@ -37,7 +36,6 @@ class MeasuresResult:
     best_span_teeth: Number | None = value("Teeth spanned, best", "", "K", default=None)
     span_contact_diameter: Metre = value("Circle on which the span touches", "mm", "d_W")
     span_width: Metre = value("Face width that the span needs", "mm", "b_W")
-    preferred_ball: Metre | None = value("Preferred ball or pin nearest to the middle of the flank", "mm", "D_M", default=None)
     ideal_balls: dict[str, Stated] = group(spread=True)  # ideal_ball_at_MATE
     ball_contact_diameter: Metre | None = value("Circle on which the measuring ball touches", "mm", "d_M", default=None)
     over_one_ball: Metre | None = value("Size over one ball or pin, from the axis", "mm", "M_r", default=None)
@@ -81,7 +79,6 @@ def measures(
         found |= _constant_chord(system, wheel)
         if wheel.teeth % 2 and system.beta > STRAIGHT and found.get("over_pins") is not None:
             found["pins_width"] = p.pins_width(m_n=system.m_n, beta=system.beta, D_M=ball, beta_b=system.base_helix_angle)
-        found["preferred_ball"] = _preferred(system, wheel)
     found["ideal_balls"] = _ideal_balls(system, wheel, working)
     found |= _limits(system, wheel, ball)
     routes = measured(system, given, wheel)
@@ -94,7 +91,7 @@ def measures(
         with about(f"wheel {wheel.name}"):
             found["best_span_teeth"] = m.best_span(K=best_span.K)
     made = MeasuresResult(**found)
-    judged = (*_checks(system, wheel, made), *measured_checks(system, wheel, routes, made.over_pins, made.over_two_pins))
+    judged = (*_checks(wheel, made), *measured_checks(system, wheel, routes, made.over_pins, made.over_two_pins))
     return made, judged, spans_table(wheel, table_of, wheel.span_teeth, None if best_span is None else best_span.K)
 
 
@@ -107,7 +104,9 @@ def _span(system: "ToothSystem", wheel: "WheelResult") -> dict[str, Metre]:
 
 
 def _sizes(system: "ToothSystem", wheel: "WheelResult", s_t: Metre, ball: Metre) -> dict[str, Metre]:
-    """Sizes over one ball and over pins; none where the ball lies on the root and touches no flank."""
+    """Sizes over one ball and over pins; none where the ball does not fit between the flanks."""
+    if wheel.over_balls is None:
+        return {}
     d, d_b, z, beta_b = wheel.pitch_diameter, wheel.base_diameter, wheel.teeth, system.base_helix_angle
     involute = m.ball_involute(s_t=s_t, d=d, alpha_t=system.transverse_pressure_angle, D_M=ball, d_b=d_b, beta_b=beta_b, z=z)
     if involute <= 0:
@@ -138,12 +137,6 @@ def _constant_chord(system: "ToothSystem", wheel: "WheelResult") -> dict[str, Me
         "constant_chord_height": m.constant_chord_height(d_a=wheel.tip_diameter, d=d, s_cc=chord, alpha_n=alpha_n),
         "constant_chord_diameter": m.constant_chord_diameter(d=d, s_cc=chord, alpha_n=alpha_n, beta=system.beta),
     }
-
-
-def _preferred(system: "ToothSystem", wheel: "WheelResult") -> Metre | None:
-    flank = (wheel.form_diameter, wheel.tip_diameter)
-    s_t, d, d_b = wheel.reference_thickness, wheel.pitch_diameter, wheel.base_diameter
-    return preferred_ball(system, wheel.teeth, s_t, d, d_b, flank, wheel.root_diameter, wheel.ideal_ball)
 
 
 def _ideal_balls(system: "ToothSystem", wheel: "WheelResult", working: Iterable[tuple[str, Metre]]) -> dict[str, Stated]:
@@ -183,7 +176,7 @@ def _limits(system: "ToothSystem", wheel: "WheelResult", ball: Metre) -> dict[st
     return found
 
 
-def _checks(system: "ToothSystem", wheel: "WheelResult", made: MeasuresResult) -> list[Check]:
+def _checks(wheel: "WheelResult", made: MeasuresResult) -> list[Check]:
     """What the wheel's own checks do not say yet: the constant chord, the pins of an odd helical wheel."""
     name, flank = wheel.name, (wheel.form_diameter, wheel.tip_diameter)
     advice = "Measure the chord at the reference circle, or the span."

@@ -42,7 +42,9 @@ class TrainPlay:
     phase_error_99: Radian | None = value("Free turn that 99 % of the trains stay below", "°", "Δφ_99", default=None)
     phase_error_running: Radian = value("Largest free turn of the last wheel at running temperature", "°", "Δφ_run")
     share_jammed: Number | None = value("Trains in which a mesh can jam", "%", "p_jam", default=None)
-    residual_couple_nominal: NewtonMetre | None = value("Couple left by it, mid-tolerance", "N·m", "C_Δφ", default=None)
-    residual_couple_rss: NewtonMetre | None = value("Couple left by it, root of squares", "N·m", "C_Δφ", default=None)
-    residual_couple_95: NewtonMetre | None = value("Couple left by it, 95 % of the trains", "N·m", "C_Δφ", default=None)
-    residual_couple_running: NewtonMetre | None = value("Couple left by it at running temperature", "N·m", "C_Δφ", default=None)
+    residual_couple_nominal: NewtonMetre | None = value("Couple left by the play at mid-tolerance", "N·m", "C_Δφ", default=None)
+    residual_couple_rss: NewtonMetre | None = value("Couple left by the play, deviations as root of squares", "N·m", "C_Δφ", default=None)
+    residual_couple_95: NewtonMetre | None = value(
+        "Couple left by the play that 95 % of the trains stay below", "N·m", "C_Δφ", default=None
+    )
+    residual_couple_running: NewtonMetre | None = value("Couple left by the play at running temperature", "N·m", "C_Δφ", default=None)

@@ -145,8 +145,18 @@ def strength_class(
     )  # fmt: skip
 
 
-def of_wheel(wheel: "Wheel", proof_stress: Pascal | None = None) -> StrengthClass:
-    """The class of a wheel of the design, its lines under the wheel's name."""
+STEEL_E = (190e9, 225e9)  # Pa: a material as stiff as this is taken for steel
+
+
+def of_wheel(wheel: "Wheel", E: Pascal, proof_stress: Pascal | None = None) -> StrengthClass | None:
+    """The class of a wheel of the design, its lines under the wheel's name; None: it gives none, and its material is not for the default.
+
+    `E`: of its material.  A steel that the table names is taken for case-hardened only where that is one of its classes.
+    """
+    if wheel.gear_material is None:
+        usual = classes_of(wheel.material)
+        if DEFAULT not in usual if usual else not STEEL_E[0] <= E <= STEEL_E[1]:
+            return None
     with about(f"wheel {wheel.name}, strength class"):
         return strength_class(wheel.gear_material, wheel.quality, wheel.hardness, proof_stress)
 

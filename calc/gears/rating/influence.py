@@ -50,8 +50,8 @@ class Influence:
     face_load_factor_at_100: Number | None = value("Face load factor, flank, if the load were 100 N/mm", "", "K_Hβ,100", default=None)
     transverse_load_factor_flank: Number = value("Transverse load factor, flank", "", "K_Hα")
     transverse_load_factor_root: Number = value("Transverse load factor, root", "", "K_Fα")
-    transverse_load_factor_flank_max: Number = value("its limit: one pair carries all", "", "K_Hα,max")
-    transverse_load_factor_root_max: Number = value("its limit: one pair carries all", "", "K_Fα,max")
+    transverse_load_factor_flank_max: Number = value("Transverse load factor, flank: its limit, one pair carries all", "", "K_Hα,max")
+    transverse_load_factor_root_max: Number = value("Transverse load factor, root: its limit, one pair carries all", "", "K_Fα,max")
     contact_width_share: Number = value("Share of the face width that touches", "%", "b_cal/b")
     resonance_ratio: Number = value("Speed over that of the main resonance", "", "N")
     resonance_speed: RevPerSecond = value("Main resonance, speed of the smaller wheel", "rpm", "n_E1")
@@ -63,14 +63,11 @@ class Influence:
     profile_form_deviation: Metre = value("Deviation of the profile form, larger of both", "µm", "f_fα")
     manufacturing_misalignment: Metre = value("Mesh misalignment by manufacture", "µm", "f_ma")
     effective_misalignment: Metre = value("Misalignment after running in", "µm", "F_βy")
-    pinion: str
     reduced_mass: KilogramPerMetre  # m_red
     speed_range: str
     lower_resonance: Number  # N_S, where the main resonance begins
-    shift_sum: Number
     out_of_range: tuple[str, ...]  # sizes without a tolerance in ISO 1328-1
     misalignment_given: bool
-    floored: bool  # K_Hβ is that of 100 N/mm
 
 
 @record
@@ -105,12 +102,13 @@ def influence(
     f_ma: Metre | None = None,
     C_a: Metre | None = None,
     Z_eps: Number | None = None,
-    light_load_floor: bool = False,
 ) -> Influence:
     """All factors of a mesh.  Wheel 1 of the standard is the one with fewer teeth.
 
-    `f_ma`: misalignment by manufacture; None: from the grade.  `C_a`: tip relief that is ground; None: none.  `light_load_floor`: take
-    K_Hβ at a mean load of at least 100 N/mm, the least that DIN 3990-11 allows its own form of it; ISO 6336-1 has no such floor.
+    `f_ma`: misalignment by manufacture; None: from the grade.  `C_a`: tip relief that is ground; None: none.
+
+    K_Hβ is that of the load as it is.  DIN 3990-11 takes at least 100 N/mm for its own form of it; ISO 6336-1 has no such floor, and with
+    it the peak of the load over the face width would fall with the load in place of with its root.  Both are shown.
     """
     small, large = (driver, driven) if driver.wheel.teeth <= driven.wheel.teeth else (driven, driver)
     one, two = small.wheel, large.wheel
@@ -141,9 +139,7 @@ def influence(
     bent = (f_sh, dev.f_ma, dev.f_Hbeta)
     with about(f"{name}, face load factor"):
         w_m = k.mean_load(w=w, K_V=K_V)
-        floored = light_load_floor and w_m < c.LIGHT
-        stiff = _at_100(c_full, eps_alpha) if floored else c_gamma_beta
-        K_Hbeta, share, F_betay = _face_load(small, large, speed, bent, c.LIGHT if floored else w_m, stiff)
+        K_Hbeta, share, F_betay = _face_load(small, large, speed, bent, w_m, c_gamma_beta)
         r = min(k.slenderness(b=mesh.face_width, d_a=x.tip_diameter, d_f=x.root_diameter) for x in (one, two))
         K_Fbeta = k.face_factor_root(K_Hbeta=K_Hbeta, N_F=k.root_exponent(r=r))
     at_100 = None
@@ -165,8 +161,8 @@ def influence(
         transverse_load_factor_root_max=most_F, contact_width_share=share, resonance_ratio=N, resonance_speed=n_E1, reduced_mass=m_red,
         single_stiffness=c_one, mesh_stiffness=c_gamma_alpha, mesh_stiffness_face=c_gamma_beta, pitch_line_velocity=speed,
         base_pitch_deviation=dev.f_pb, profile_form_deviation=dev.f_falpha, manufacturing_misalignment=dev.f_ma,
-        effective_misalignment=F_betay, pinion=one.name, speed_range=v.speed_range(N, N_S), lower_resonance=N_S,
-        shift_sum=one.profile_shift + two.profile_shift, misalignment_given=f_ma is not None, floored=floored,
+        effective_misalignment=F_betay, speed_range=v.speed_range(N, N_S), lower_resonance=N_S,
+        misalignment_given=f_ma is not None,
         out_of_range=tuple(d.out_of_range(system.m_n, mesh.face_width, one.pitch_diameter, two.pitch_diameter)),
     )  # fmt: skip
 

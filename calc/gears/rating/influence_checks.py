@@ -30,7 +30,7 @@ def influence_checks(key: str, mesh: "MeshResult", found: Influence) -> list[Che
             f"{ISO}: below 50 N/mm flanks can part and hammer; the factors are made for 100 N/mm and more",
             "K_V, K_Hβ and K_Hα are outside their validity here: small deviations over a small load. "
             "What governs is the torque of the speed's irregularity "
-            "(gears.application_factor, engine.flywheel_inertia_kgm2); a narrower face width raises the load per width.",
+            "(gears.speed_irregularity) or the application factor; a narrower face width raises the load per width.",
             kind="advice",
         ),
         check(
@@ -40,7 +40,7 @@ def influence_checks(key: str, mesh: "MeshResult", found: Influence) -> list[Che
             kind="advice",
         ),
         check(
-            f"{id}.shift_sum", f"Sum of the profile shifts {pair}", found.shift_sum, "in", (-0.5, 2.0), "",
+            f"{id}.shift_sum", f"Sum of the profile shifts {pair}", mesh.shift_sum, "in", (-0.5, 2.0), "",
             f"{CLAUSE_9}: range of the stiffness of the teeth",
             "The stiffness of the teeth is extrapolated; the factors K are uncertain.", kind="advice",
         ),
@@ -51,7 +51,7 @@ def influence_checks(key: str, mesh: "MeshResult", found: Influence) -> list[Che
                 f"{id}.contact_width", f"Face width that touches, {pair}", found.contact_width_share, ">=", 1.0, "%",
                 f"{CLAUSE_7}: K_Hβ up to 2",
                 "The load is too small to press the misaligned teeth together over the whole face width: crown or end-relieve the teeth, "
-                "or hold the axes more parallel (gears.meshes.N.mesh_misalignment_um, gears.accuracy_grade).",
+                "or hold the axes more parallel (mesh_misalignment_um of the mesh, gears.accuracy_grade).",
                 kind="advice",
             )
         )  # fmt: skip
@@ -67,10 +67,13 @@ def influence_notes(mesh: "MeshResult", found: Influence, grade: Number) -> tupl
             f"Mesh {pair}: misalignment by manufacture not given; chosen: {found.manufacturing_misalignment * 1e6:.3g} µm from the helix "
             f"slopes that grade {grade:g} of ISO 1328-1 permits both wheels; no crowning."
         )
+    if found.face_load_factor_at_100 is not None:
+        said.append(
+            f"Mesh {pair}: K_Hβ is that of the load as it is, {found.face_load_factor_flank:.3g}; held at 100 N/mm, as DIN 3990-11 does, "
+            f"it would be {found.face_load_factor_at_100:.3g}."
+        )
     if found.out_of_range:
         said.append(f"Mesh {pair}: ISO 1328-1 has no tolerances for {', '.join(found.out_of_range)}: they are extrapolated.")
-    if found.floored:
-        said.append(f"Mesh {pair}: K_Hβ is that of 100 N/mm, as DIN 3990-11 bounds it; the load is {found.line_load / 1e3:.3g} N/mm.")
     return tuple(said)
 
 

@@ -7,6 +7,7 @@ times the mean; never both.
 """
 
 from collections.abc import Mapping
+from typing import TYPE_CHECKING
 
 from ...catalogue import Material
 from ...sheet.check import Check, check
@@ -16,7 +17,10 @@ from ...sheet.record import record
 from ...sheet.trace import about
 from ...sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, RadPerSecond, RadPerSecond2, RevPerSecond, Watt
 from ..inputs import GearsInputs
-from ..result import TrainResult
+from .influence import inner_diameter
+
+if TYPE_CHECKING:
+    from ..result import TrainResult, WheelResult
 
 USUAL = 1.25
 
@@ -29,11 +33,23 @@ class Power:
 
 
 @record
-class Irregularity:
-    """How unevenly the first driver turns, and what hangs on the last wheel."""
+class Swing:
+    """The torque of the engine over its cycle, on its flywheel; `ratio`: speed of the first driver over that of the crank."""
 
-    delta_s: Number  # (ω_max − ω_min)/ω
-    order: Number  # of the crank
+    highest: NewtonMetre
+    mean: NewtonMetre
+    lowest: NewtonMetre
+    inertia: KilogramMetre2
+    ratio: Number
+
+
+@record
+class Irregularity:
+    """How unevenly the first driver turns, and what hangs on the last wheel.  Either a given δ_s of one order, or the engine's torque."""
+
+    delta_s: Number | None  # (ω_max − ω_min)/ω
+    order: Number | None  # turns of the first driver
+    swing: Swing | None
     shaft_inertia: KilogramMetre2 | None  # on the axis of the last wheel, with that wheel where `with_wheel`
     with_wheel: bool
 
@@ -43,7 +59,8 @@ class Load:
     """Torques at the driver of one mesh."""
 
     mean: NewtonMetre
-    dynamic: NewtonMetre | None
+    dynamic: NewtonMetre | None  # where the crank speeds up
+    least: NewtonMetre | None  # over the cycle
     rated: NewtonMetre  # that of F_t
     K_A: Number
 
@@ -78,7 +95,17 @@ def angular_acceleration(delta_s: Number, i: Number, omega: RadPerSecond) -> Rad
     return delta_s / 2 * i * omega**2
 
 
-@formula("J_i", "disc of the reference diameter, with its bore", unit="kg·mm²")
+@formula("ω'", "what the engine's torque has above its mean accelerates the flywheel", names={"T": "T_max", "T_E": "T_m", "J": "J_F"})
+def acceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
+    return (T - T_E) / J * i_1
+
+
+@formula("ω'", "what the engine's torque lacks of its mean slows the flywheel down", names={"T": "T_min", "T_E": "T_m", "J": "J_F"})
+def deceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
+    return (T_E - T) / J * i_1
+
+
+@formula("J_i", "disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
 def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
     return pi / 32 * rho * b * (d**4 - d_i**4)
 
@@ -109,7 +136,7 @@ def least_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     return abs(T_m) - T_dyn
 
 
-def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
+def mean_torques(train: "TrainResult", torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
     """Torque at the driver of every mesh; one number is handed on from the first driver, whole into each branch."""
     if isinstance(torque, Power):
         torque = _torques(train, torque.of)
@@ -124,7 +151,7 @@ def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonM
     return found
 
 
-def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
+def _torques(train: "TrainResult", power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
     if not isinstance(power, Mapping):
         first = train.wheels[next(iter(train.meshes.values())).driver]
         with about(f"wheel {first.name}"):
@@ -138,35 +165,54 @@ def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, 
 
 
 def loads(
-    gears: GearsInputs, train: TrainResult, mean: Mapping[str, NewtonMetre], uneven: Irregularity | None, materials: Mapping[str, Material]
+    gears: GearsInputs,
+    train: "TrainResult",
+    mean: Mapping[str, NewtonMetre],
+    uneven: Irregularity | None,
+    materials: Mapping[str, Material],
 ) -> dict[str, Load]:
     """What every mesh is rated with.  A given application factor is taken with the mean; else the dynamic torque where it is known."""
-    dynamic = _dynamic(gears, train, uneven, materials) if uneven is not None else {}
+    up, down = _dynamic(gears, train, uneven, materials) if uneven is not None else ({}, {})
     found = {}
     for key, T_m in mean.items():
-        T_dyn = dynamic.get(key)
-        if gears.application_factor is not None:
-            found[key] = Load(T_m, T_dyn, T_m, gears.application_factor)
-        elif T_dyn is None:
-            with about(_name(train, key)):
-                found[key] = Load(T_m, None, T_m, usual_application_factor())
-        else:
-            with about(_name(train, key)):
-                found[key] = Load(T_m, T_dyn, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak())
+        with about(_name(train, key)):
+            T_dyn = up.get(key)
+            T_min = None if T_dyn is None else least_torque(T_m=T_m, T_dyn=down[key])
+            if gears.application_factor is not None:
+                found[key] = Load(T_m, T_dyn, T_min, T_m, gears.application_factor)
+            elif T_dyn is None:
+                found[key] = Load(T_m, None, None, T_m, usual_application_factor())
+            else:
+                found[key] = Load(T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak())
     return found
 
 
-def _name(train: TrainResult, key: str) -> str:
+def _name(train: "TrainResult", key: str) -> str:
     return f"mesh {train.meshes[key].driver}–{train.meshes[key].driven}"
 
 
-def _dynamic(gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]) -> dict[str, NewtonMetre]:
-    """Dynamic torque at the driver of every mesh, from the last mesh to the first."""
+def _accelerations(first: "WheelResult", uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
+    """The largest acceleration and deceleration of the first driver."""
+    with about("irregularity of the first driver"):
+        if uneven.swing is not None:
+            s = uneven.swing
+            return (
+                acceleration_of_engine(T=s.highest, T_E=s.mean, J=s.inertia, i_1=s.ratio),
+                deceleration_of_engine(T=s.lowest, T_E=s.mean, J=s.inertia, i_1=s.ratio),
+            )
+        assert uneven.delta_s is not None and uneven.order is not None
+        alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first.speed)))
+        return alpha, alpha
+
+
+def _dynamic(
+    gears: GearsInputs, train: "TrainResult", uneven: Irregularity, materials: Mapping[str, Material]
+) -> tuple[dict[str, NewtonMetre], dict[str, NewtonMetre]]:
+    """Dynamic torque at the driver of every mesh where the crank speeds up, and where it slows down; from the last mesh to the first."""
     meshes = list(train.meshes.items())
     first, last = train.wheels[meshes[0][1].driver], train.wheels[meshes[-1][1].driven]
-    bores = {w.name: w.bore_diameter or 0.0 for w in gears.wheels}
-    with about("irregularity of the first driver"):
-        alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first.speed)))
+    inside = {w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness) for w in gears.wheels}
+    faster, slower = _accelerations(first, uneven)
     behind: dict[str, KilogramMetre2] = {}
     for name, wheel in train.wheels.items():
         with about(f"wheel {name}, inertia"):
@@ -174,16 +220,32 @@ def _dynamic(gears: GearsInputs, train: TrainResult, uneven: Irregularity, mater
                 behind[name] = uneven.shaft_inertia
                 continue
             rho = materials[wheel.material].density
-            behind[name] = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=bores[name])
+            behind[name] = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
             if wheel is last and uneven.shaft_inertia is not None:
                 behind[name] = with_shaft(J=behind[name], J_S=uneven.shaft_inertia)
-    found: dict[str, NewtonMetre] = {}
+    up: dict[str, NewtonMetre] = {}
+    down: dict[str, NewtonMetre] = {}
     for key, mesh in reversed(meshes):
-        z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
+        z_1, z_2, z_d = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth, first.teeth
         with about(f"mesh {mesh.driver}–{mesh.driven}, inertia"):
-            found[key] = dynamic_torque(J_2=behind[mesh.driven], z_1=z_1, z_2=z_2, alpha=alpha, z_d=first.teeth)
+            up[key] = down[key] = dynamic_torque(J_2=behind[mesh.driven], z_1=z_1, z_2=z_2, alpha=faster, z_d=z_d)
+            if slower is not faster:
+                down[key] = dynamic_torque(J_2=behind[mesh.driven], z_1=z_1, z_2=z_2, alpha=slower, z_d=z_d)
             behind[mesh.driver] = with_driven(J=behind[mesh.driver], J_2=behind[mesh.driven], z_1=z_1, z_2=z_2)
-    return found
+    return up, down
+
+
+def overlooked(key: str, name: str, load: Load) -> list[Check]:
+    """Whether a given application factor covers the torque that is known."""
+    if load.dynamic is None or load.rated is not load.mean or not load.mean:
+        return []
+    needed = 1 + load.dynamic / abs(load.mean)
+    return [
+        check(
+            f"gears.{key}.application_factor", f"Application factor {name}", load.K_A, ">=", needed, "",
+            "mean and dynamic torque over the mean", "Leave gears.application_factor out: the peak of both is then rated.", kind="advice",
+        )
+    ]  # fmt: skip
 
 
 def rattle(key: str, name: str, least: NewtonMetre) -> Check:

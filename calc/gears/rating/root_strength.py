@@ -28,7 +28,7 @@ IRON = ("GG", "GGG(ferr.)")
 SIZE = {"St": (1.03, 0.006, 0.85), "V": (1.03, 0.006, 0.85), "GTS": (1.03, 0.006, 0.85), "GGG(perl.)": (1.03, 0.006, 0.85)}
 SIZE |= dict.fromkeys(IRON, (1.075, 0.015, 0.70))
 SIZE_HARDENED = (1.05, 0.010, 0.80)  # Eh, IF and the nitrided
-LOADING = {"pulsating": 1.0, "occasional": 0.9, "reversed": 0.7}
+LOADING = {"pulsating": 1.0, "reversed": 0.7}
 
 
 # --- the body: factors of the stress -----------------------------------------------------------------------------------------
@@ -94,7 +94,7 @@ def size_factor(a: Number, b: Number, m_n: Metre, Y: Number) -> Number:
     return largest(smallest(a - b * m_n / MILLIMETRE, 1.0), Y)
 
 
-@formula("Y_M", "IACS UR M56 (Rev. 4), design factor; idlers also ISO 6336-3", shows="1 pulsating, 0.9 occasionally reversed, 0.7 reversed")
+@formula("Y_M", "IACS UR M56 (Rev. 4), design factor; idlers also ISO 6336-3", shows="1 pulsating, 0.7 reversed")
 def mean_stress_factor(loading: str) -> Number:
     return LOADING[loading] * 1.0
 
@@ -164,10 +164,8 @@ def deep_tooth_factor(grade: int, eps_alphan: Number) -> Number:
 
 
 def loading_of(driven: int, drives: int, reverses: bool = False) -> str:
-    """How a wheel's root is loaded, by the meshes in which it is driven or drives; `reverses`: the torque changes sign now and then."""
-    if driven and drives:
-        return "reversed"
-    return "occasional" if reverses else "pulsating"
+    """How a wheel's root is loaded: reversed where it is driven by one and drives another, or where the torque changes its sign."""
+    return "reversed" if (driven and drives) or reverses else "pulsating"
 
 
 def surface_factor(kind: str, Rz_F: Metre) -> Number:
@@ -183,7 +181,7 @@ def root_strength(
     own: StrengthClass, *, sigma_F0: Pascal, K_F: Number, Y_B: Number, Y_DT: Number, q_s: Number, Rz_F: Metre, m_n: Metre, loading: str,
     cycles: Number | None, S_Fmin: Number,
 ) -> RootStrength:  # fmt: skip
-    """Stress and strength of one root.  `loading`: pulsating, occasional or reversed; `cycles` None: the endurance limit."""
+    """Stress and strength of one root.  `loading`: pulsating or reversed; `cycles` None: the endurance limit."""
     rho = own.slip_layer if own.proof_stress is None else slip_layer(R_p=own.proof_stress, structural=float(own.kind == "St"))
     assert rho is not None  # every row of the table has one of the two
     a, b, least = SIZE.get(own.kind, SIZE_HARDENED)

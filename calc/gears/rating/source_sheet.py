@@ -14,7 +14,7 @@ from ...sheet.functions import cos, pi, sin, sqrt
 from ...sheet.quantity import result, value
 from ...sheet.step import Table
 from ...sheet.trace import about
-from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RevPerSecond, Watt
+from ...sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
 from .. import formulas as f
 from . import stress as s
 from .tooth_form import ToothForm, lever, section
@@ -29,11 +29,6 @@ E_OF_SHEET: Pascal = 2.1e12  # 210000 daN/mm², ten times that of steel
 @formula("H_0", "Finotti 2013, Fig. 4.20: addendum of the tool in transverse modules (printed as mm)")
 def transverse_addendum(h_aP0: Number, beta: Radian) -> Number:
     return h_aP0 * cos(beta)
-
-
-@formula("T", f"{SHEET}: torque from power and speed of the train's first wheel, for every driver")
-def torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
-    return P / (2 * pi * n)
 
 
 @formula("σ_H,F", f"{SHEET} (wrong: E, β for β_b, and √cos β of the withdrawn edition)", unit="MPa")
@@ -59,9 +54,9 @@ def space_angle(z: Number, s_w: Metre, d_w: Metre) -> Radian:
     return pi / z - s_w / d_w
 
 
-@formula("α_tr", "Finotti 2013, Fig. 4.22 (wrong: the product of two angles in degrees stands for their sum); in degrees")
-def ball_angle(alpha_wt: Radian, eta: Radian) -> Number:
-    return (180 / pi) ** 2 * alpha_wt * eta
+@formula("α_tr", "Finotti 2013, Fig. 4.22 (wrong: the product of two angles in degrees stands for their sum)")
+def ball_angle(alpha_wt: Radian, eta: Radian) -> Radian:
+    return 180 / pi * alpha_wt * eta
 
 
 @formula("D_F", "Finotti 2013, Fig. 4.22: ball from the angle above", unit="mm")
@@ -86,18 +81,12 @@ def sheet_tooth_form(system: "ToothSystem", wheel: "WheelResult", sap_curvature:
     return ToothForm(Y_F, s.stress_correction(s.slenderness(cut.chord, arm), cut.q_s), cut.q_s)
 
 
-def sheet_root(system: "ToothSystem", mesh: "MeshResult", wheel: "WheelResult", sap_curvature: Metre, F_t: Newton) -> Pascal:
-    """σ_F of the sheet."""
-    form = sheet_tooth_form(system, wheel, sap_curvature)
-    Y_beta = s.helix_factor_root(mesh.overlap_ratio, system.beta)
-    return s.root_stress(F_t, mesh.face_width, system.m_n, form.Y_F, form.Y_S, Y_beta)
-
-
 # --- the sheet as a result -------------------------------------------------------------------------------------------------
 @result
 class SheetResult:
     """What the sheet gives for one mesh."""
 
+    tool_addendum: Number = value("Source's sheet: addendum of the tool, in transverse modules", "", "H_0")
     tangential_force: Newton = value("Source's sheet: tangential force", "N", "F_t")
     contact_stress: Pascal = value("Source's sheet: contact stress", "MPa", "σ_H,F")
     helix_factor: Number = value("Source's sheet: helix angle factor of the root", "", "Y_β")
@@ -109,8 +98,8 @@ class SheetResult:
     stress_correction_driven: Number | None = value("Source's sheet: stress correction factor, driven", "", "Y_S", default=None)
     root_stress_driver: Pascal | None = value("Source's sheet: root stress, driver", "MPa", "σ_F,F", default=None)
     root_stress_driven: Pascal | None = value("Source's sheet: root stress, driven", "MPa", "σ_F,F", default=None)
-    ball_angle_driver: Number = value("Source's sheet: pressure angle at the ball, driver, in degrees", "", "α_tr")
-    ball_angle_driven: Number = value("Source's sheet: pressure angle at the ball, driven, in degrees", "", "α_tr")
+    ball_angle_driver: Radian = value("Source's sheet: pressure angle at the ball, driver", "°", "α_tr")
+    ball_angle_driven: Radian = value("Source's sheet: pressure angle at the ball, driven", "°", "α_tr")
     ideal_ball_driver: Metre | None = value("Source's sheet: theoretical ball, driver", "mm", "D_F", default=None)
     ideal_ball_driven: Metre | None = value("Source's sheet: theoretical ball, driven", "mm", "D_F", default=None)
 
@@ -121,6 +110,7 @@ def sheet(system: "ToothSystem", mesh: "MeshResult", wheels: "tuple[WheelResult,
     found: dict[str, Any] = {}
     with about(f"source's sheet, mesh {mesh.driver}–{mesh.driven}"):
         F_t = s.tangential_force(T, driver.pitch_diameter)
+        found["tool_addendum"] = transverse_addendum(h_aP0=system.h_aP0, beta=system.beta)
         found["contact_stress"] = sheet_contact(system, mesh, driver, driven, F_t)
         found["helix_factor"] = s.helix_factor_root(mesh.overlap_ratio, system.beta)
         for end, wheel, rho, s_w, d_w in (
@@ -135,11 +125,12 @@ def sheet(system: "ToothSystem", mesh: "MeshResult", wheels: "tuple[WheelResult,
                 pass
             eta = space_angle(wheel.teeth, s_w, d_w)
             angle = found[f"ball_angle_{end}"] = ball_angle(mesh.working_pressure_angle, eta)
-            if 0 < angle < 90:
-                found[f"ideal_ball_{end}"] = ball(d_w, system.base_helix_angle, eta, math.radians(angle))
+            if 0 < angle < math.pi / 2:
+                found[f"ideal_ball_{end}"] = ball(d_w, system.base_helix_angle, eta, angle)
     return SheetResult(tangential_force=F_t, **found)
 
 
+ALIKE = 1e-3  # a value of the sheet that comes this near is not called wrong
 WRONG = {
     "tangential_force": "first wheel's speed for all",
     "contact_stress": "10 times E; β for β_b; √cos β",
@@ -165,7 +156,8 @@ def comparison(rows: "Iterator[tuple[str, SheetResult, dict[str, float | None]]]
                 stem if end in ends else key, ""
             )
             shown = UNITS[unit].shown
-            made.append((mesh, what, unit, shown(theirs), shown(ours), WRONG[stem if end in ends else key]))
+            wrong = WRONG[stem if end in ends else key] if abs(theirs - ours) > ALIKE * abs(ours) else ""
+            made.append((mesh, what, unit, shown(theirs), shown(ours), wrong))
     return Table(
         "source_sheet", "The sheet of Finotti 2013 for this load, beside ISO 6336 with K = 1",
         (("Mesh", ""), ("Quantity", ""), ("Unit", ""), ("Sheet", ""), ("Right", ""), ("Wrong in the sheet", "")), tuple(made),

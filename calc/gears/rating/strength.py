@@ -35,7 +35,7 @@ MINIMUM_F = MINIMUM.format(S_F_LEAST, S_F_USUAL, "1.4 to 1.45")
 class Side:
     """One wheel as its strength in one mesh needs it.
 
-    `sigma_F0`: nominal root stress, K = 1.  `cycles` None: no life is given.  `loading`: pulsating, occasional or reversed.
+    `sigma_F0`: nominal root stress, K = 1.  `cycles` None: no life is given.  `loading`: pulsating or reversed.
     `tooth_depth` and `rim` (None: solid body) give the rim factor.
     """
 
@@ -219,8 +219,11 @@ def _advice(wheel: str, width: Number) -> str:
     """`width`: by how much the face width, or the load, would have to change."""
     better = f"a stronger class (gears.wheels.{wheel}.gear_material) or quality"
     if width <= 1:
-        return f"It would pass with {width:.3g} times the face width."
-    return f"Give {width:.3g} times the face width, or {better}; or bring the load down to {1 / width:.3g} of it."
+        return "It holds."
+    return (
+        f"Give more than {width:.3g} times the face width, or bring the load to less than {1 / width:.3g} of it (the load factors rise as "
+        f"the load per width falls), {better}, or finer teeth (gears.accuracy_grade)."
+    )
 
 
 def roughness_check(root_rz: Metre) -> Check:
@@ -236,7 +239,7 @@ def strength_tables(meshes: Mapping[str, MeshStrength]) -> tuple[Table, Table]:
     """Flanks and roots of all meshes, every factor in its column."""
     return _table("gear_flank_strength", "Flanks: stress and strength", CONTACT, "contact", meshes, _film_note(meshes)), _table(
         "gear_root_strength", "Tooth roots: stress and strength", BENDING, "bending", meshes,
-        "σ_FG = σ_Flim·Y_ST·Y_NT·Y_δrelT·Y_RrelT·Y_X·Y_M, Y_ST = 2; Y_M 0.7 where a wheel is driven by one and drives another.",
+        "σ_FG = σ_Flim·Y_ST·Y_NT·Y_δrelT·Y_RrelT·Y_X·Y_M, Y_ST = 2; Y_M 0.7 where a wheel is driven by one and drives another, or the torque changes its sign.",
     )  # fmt: skip
 
 

@@ -13,7 +13,7 @@ from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian
 
 CONTACT = "ISO 6336-2:2006, the same in 2019, as generally published"
 ROOT = "ISO 6336-3:2006, method B, the same in 2019, as generally published"
-ROOT_2019 = "ISO 6336-3:2019, method B, as generally published"
+ROOT_2019 = "ISO 6336-3:2019, method B, from memory"
 BETA_MOST: Radian = math.radians(30)  # the helix angle factor does not grow further
 BETA_FULL: Radian = math.radians(120)
 
@@ -21,11 +21,6 @@ BETA_FULL: Radian = math.radians(120)
 @formula("F_t", "ISO 6336-1, as generally published: tangential force at the reference circle")
 def tangential_force(T: NewtonMetre, d: Metre) -> Newton:
     return 2 * abs(T) / d
-
-
-@formula("T_2", "torque handed on without loss")
-def torque_of_driven(T: NewtonMetre, z_2: Number, z_1: Number) -> NewtonMetre:
-    return T * z_2 / z_1
 
 
 # --- contact ---------------------------------------------------------------------------------------------------------------

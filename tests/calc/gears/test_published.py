@@ -38,15 +38,16 @@ def of_pair(row):
         "alpha_wt": values["central_idler.working_pressure_angle"], "beta_w": values["central_idler.working_helix_angle"],
         "m_wt": values["central_idler.working_diameter_driver"] / 36, "x_sum": x, "k*m_n": values["central_idler.standard_tip_shortening"],
         "eps_alpha": mesh_.transverse_contact_ratio, "eps_beta": mesh_.overlap_ratio, "eps_gamma": mesh_.total_contact_ratio,
-        "H_0": sheet.transverse_addendum(1.41, math.radians(21.916)),
-        "sigma_H": sheet.sheet_contact(t.system, mesh_, *t.wheels.values(), sheet_force(t)) / 1e7,
+        "H_0": sheet_of(t).tool_addendum, "sigma_H": sheet_of(t).contact_stress / 1e7,
         "Y_beta": s.helix_factor_root(mesh_.overlap_ratio, t.system.beta),
         "RSS": 2e3 * tolerance_of_contributors([c * 1e-3 for k in ("36", "39") for c in FINOTTI["inputs"][f"contributors_{k}_mm"]]),
     }[row["quantity"]]  # fmt: skip
 
 
-def sheet_force(t):
-    return s.tangential_force(sheet.torque(1350.0, SPEED), t.wheels["central"].pitch_diameter)
+def sheet_of(t):
+    """The sheet with 1.35 kW at 2600 rpm on the driver, as the source enters them."""
+    wheels = t.wheels["central"], t.wheels["idler"]
+    return sheet.sheet(t.system, t.meshes["central_idler"], wheels, 1350.0 / (2 * math.pi * SPEED))
 
 
 def of_wheel(row):
@@ -58,19 +59,9 @@ def of_wheel(row):
     values = shown(geometry(gears, SPEED))
     w, pair, system = t.wheels[name], t.meshes["central_idler"], t.system
     alpha_t, d_w = system.transverse_pressure_angle, getattr(pair, f"working_diameter_{side}")
-    sap = {36: pair.sap_curvature_driver, 39: pair.sap_curvature_driven}[z]
 
     def thickness(d_y):
         return 1e3 * f.thickness_at(d_y, w.reference_thickness, w.pitch_diameter, alpha_t, f.pressure_angle_at(w.base_diameter, d_y))
-
-    def eta():
-        return math.pi / z - thickness(d_w) * 1e-3 / d_w
-
-    def ball():
-        return 1e3 * sheet.ball(d_w, system.base_helix_angle, eta(), math.radians(angle()))
-
-    def angle():
-        return sheet.ball_angle(pair.working_pressure_angle, eta())
 
     d_Ff = printed("d_Ff", z) * 1e-3
     return {
@@ -84,9 +75,10 @@ def of_wheel(row):
         "zeta_LPSTC": lambda: -values[f"central_idler.specific_sliding_lpstc_{side}"],
         "zeta_SAP": lambda: -values[f"central_idler.specific_sliding_{side}"], "s_Ft": lambda: thickness(d_Ff),
         "W_5": lambda: values[f"{name}.span_5"], "W_6": lambda: values[f"{name}.span_6"],
-        "M_dK": lambda: values[f"{name}.over_balls_max"], "alpha_tr": angle, "ball": ball,
-        "Y_F": lambda: sheet.sheet_tooth_form(system, w, sap).Y_F, "Y_S": lambda: sheet.sheet_tooth_form(system, w, sap).Y_S,
-        "q_s": lambda: section(system, w).q_s, "sigma_F": lambda: sheet.sheet_root(system, pair, w, sap, sheet_force(t)) / 1e7,
+        "M_dK": lambda: values[f"{name}.over_balls_max"], "alpha_tr": lambda: math.degrees(getattr(sheet_of(t), f"ball_angle_{side}")),
+        "ball": lambda: 1e3 * getattr(sheet_of(t), f"ideal_ball_{side}"),
+        "Y_F": lambda: getattr(sheet_of(t), f"form_factor_{side}"), "Y_S": lambda: getattr(sheet_of(t), f"stress_correction_{side}"),
+        "q_s": lambda: section(system, w).q_s, "sigma_F": lambda: getattr(sheet_of(t), f"root_stress_{side}") / 1e7,
     }[row["quantity"]]()  # fmt: skip
 
 

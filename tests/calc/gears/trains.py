@@ -31,6 +31,7 @@ def mesh(driver, driven, a=None, *, tolerance=None, contributors=None):
 
 def train(wheels, meshes, *, m_n=2.0, alpha_n=20.0, beta=21.916, b=15.0, tool=(1.41, 0.2), ball=3.5, edition=2006):
     return GearsInputs(
+        source_sheet="finotti",
         normal_module=m_n * 1e-3, pressure_angle=math.radians(alpha_n), helix_angle=math.radians(beta), face_width=b * 1e-3,
         tool_addendum=tool[0], tool_tip_radius=tool[1], ball_diameter=None if ball is None else ball * 1e-3, iso_6336_edition=edition,
         wheels=tuple(wheels), meshes=tuple(meshes),

@@ -100,6 +100,12 @@ class OilBath:
     X_S: Number
 
 
+@formula("X_W", "ISO/TR 13989-1:2000, structural factor, from memory: case-hardened steel 1, nitrided 1.5", shows="1, nitrided 1.5")
+def structural_factor(kind: str) -> Number:
+    """`kind`: of ISO 6336-5."""
+    return 1.5 if kind.startswith(("NT", "NV")) else float("1")
+
+
 def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = "spray") -> OilBath:
     """`lubrication` "spray", "dip" or "submerged".
 

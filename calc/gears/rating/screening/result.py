@@ -11,8 +11,8 @@ class Screening:
     """Film and temperatures of one mesh at its load.  A screening, not a rating."""
 
     specific_film_min: Number | None = value("Smallest specific film thickness (screening)", "", "λ_GF,min", default=None)
-    film_min: Metre | None = value("Film thickness there", "µm", "h_min", default=None)
-    film_pressure: Pascal | None = value("Hertzian pressure there", "MPa", "p_dyn", default=None)
+    film_min: Metre | None = value("Film thickness where the specific film is smallest", "µm", "h_min", default=None)
+    film_pressure: Pascal | None = value("Hertzian pressure where the specific film is smallest", "MPa", "p_dyn", default=None)
     friction_film: Number = value("Mean coefficient of friction, micropitting method", "", "μ_m")
     bulk_temperature_film: Celsius = value("Bulk temperature, micropitting method", "°C", "Θ_M")
     flash_temperature_max: Kelvin = value("Highest flash temperature (screening)", "K", "Θ_fl,max")

@@ -113,17 +113,17 @@ def test_odd_spur_and_even_wheels_have_no_loose_pins():
 def test_a_ball_that_lies_on_the_root_has_no_sizes():
     found, _, _ = of(pair_1(ball=1.0), "idler")
     assert found.over_one_ball is found.over_pins is found.over_one_ball_min is None
-    assert found.preferred_ball == 3.25e-3
+    assert geometry(pair_1(ball=1.0), SPEED).result.wheels["idler"].preferred_ball == 3.25e-3
 
 
 @pytest.mark.parametrize(("z", "beta", "m_n", "x"), [(25, 21.9, 2.0, 0.0), (60, 0.0, 1.0, 0.4), (18, 30.0, 6.0, 0.3)])
 def test_the_preferred_ball_is_the_nearest_that_suits(z, beta, m_n, x):
     gears = train([wheel("a", z, x), wheel("mate", 40)], [mesh("a", "mate")], m_n=m_n, beta=beta, ball=None, tool=(1.25, 0.3))
-    found, _, _ = of(gears, "a")
     a = geometry(gears, SPEED).result.wheels["a"]
-    chosen, _, _ = of(replace(gears, ball_diameter=found.preferred_ball), "a")
+    assert a.ball_diameter == a.preferred_ball  # chosen where none is given
+    chosen, _, _ = of(replace(gears, ball_diameter=a.preferred_ball), "a")
     assert a.form_diameter < chosen.ball_contact_diameter < a.tip_diameter < 2 * chosen.over_one_ball
-    nearer = [D for D in PREFERRED if abs(D - a.ideal_ball) < abs(found.preferred_ball - a.ideal_ball)]
+    nearer = [D for D in PREFERRED if abs(D - a.ideal_ball) < abs(a.preferred_ball - a.ideal_ball)]
     for D in nearer:
         other, _, _ = of(replace(gears, ball_diameter=D), "a")
         low, high = a.form_diameter, a.tip_diameter
@@ -131,8 +131,8 @@ def test_the_preferred_ball_is_the_nearest_that_suits(z, beta, m_n, x):
 
 
 def test_no_preferred_ball_is_small_enough():
-    found, _, _ = of(train([wheel("a", 30), wheel("mate", 40)], [mesh("a", "mate")], m_n=0.3, ball=None), "a")
-    assert found.preferred_ball is None
+    a = geometry(train([wheel("a", 30), wheel("mate", 40)], [mesh("a", "mate")], m_n=0.3, ball=None), SPEED).result.wheels["a"]
+    assert a.preferred_ball is None and a.ball_diameter == a.ideal_ball
 
 
 # --- measured sizes -----------------------------------------------------------------------------------------------------------------
@@ -188,4 +188,4 @@ def test_ids_are_unique_and_every_line_has_its_wheel():
     assert len(lines) > 40 and all("idler" in line.about for line in lines)
     returned = {id(line.value) for line in lines}
     for v in published(found, "gears.idler"):  # each is the very object that a formula returned, save what is chosen or a difference
-        assert id(v.inside) in returned or v.id.rpartition(".")[2] in ("preferred_ball", "best_span_teeth", "measured_spread")
+        assert id(v.inside) in returned or v.id.rpartition(".")[2] in ("best_span_teeth", "measured_spread")

@@ -9,7 +9,7 @@ import pytest
 
 from calc.catalogue import materials
 from calc.design_file import design, read
-from calc.gears.rating.load import USUAL, Irregularity, Power, firing_order, loads, mean_torques
+from calc.gears.rating.load import USUAL, Irregularity, Power, Swing, firing_order, loads, mean_torques, overlooked
 from calc.solve import solve
 
 from ..trains import SPEED, r753, solved
@@ -32,7 +32,7 @@ def rated(uneven, gears=GEARS):
 def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
     """d/dt of the kinetic energy of all wheels behind a mesh, over the speed of its driver."""
     J_S, delta, i = 5e-3, 0.02, 1.5
-    found = rated(Irregularity(delta, i, J_S, True))
+    found = rated(Irregularity(delta, i, None, J_S, True))
     omega = 2 * math.pi * SPEED
     alpha = delta / 2 * i * omega**2
     ratio = {name: 25 / TRAIN.wheels[name].teeth for name in ("central", "idler", "shaft")}
@@ -47,19 +47,45 @@ def test_dynamic_torque_is_what_the_energy_behind_the_mesh_asks_for():
 
 
 def test_the_wheel_on_the_shaft_is_added_where_the_shaft_has_none():
-    bare, whole = (rated(Irregularity(0.02, 1.5, 5e-3, with_wheel)) for with_wheel in (False, True))
-    heavier = rated(Irregularity(0.02, 1.5, 5e-3 + inertia("shaft"), True))
+    bare, whole = (rated(Irregularity(0.02, 1.5, None, 5e-3, with_wheel)) for with_wheel in (False, True))
+    heavier = rated(Irregularity(0.02, 1.5, None, 5e-3 + inertia("shaft"), True))
     assert bare["idler_shaft"].dynamic == pytest.approx(heavier["idler_shaft"].dynamic)
     assert bare["idler_shaft"].dynamic > whole["idler_shaft"].dynamic
 
 
 def test_either_the_peak_or_the_application_factor():
-    uneven = Irregularity(0.02, 1.5, 5e-3, True)
+    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
     peak, usual = rated(uneven)["idler_shaft"], rated(None)["idler_shaft"]
     assert peak.K_A == 1.0 and peak.rated == pytest.approx(peak.mean + peak.dynamic)
     assert (usual.K_A, usual.rated, usual.dynamic) == (USUAL, usual.mean, None)
     given = rated(uneven, replace(GEARS, application_factor=1.5))["idler_shaft"]
     assert (given.K_A, given.rated) == (1.5, given.mean) and given.dynamic == peak.dynamic
+
+
+def test_a_factor_that_overlooks_the_known_torque_is_said():
+    """K_A on the mean against the peak of mean and dynamic torque."""
+    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
+    for K_A, verdict in ((1.25, "warn"), (20.0, "pass")):
+        load = rated(uneven, replace(GEARS, application_factor=K_A))["idler_shaft"]
+        (check,) = overlooked("idler_shaft", "idler–shaft", load)
+        assert check.verdict == verdict and check.limit == pytest.approx(1 + load.dynamic / load.mean)
+    assert not overlooked("idler_shaft", "idler–shaft", rated(uneven)["idler_shaft"])
+
+
+def test_the_engine_torque_accelerates_its_flywheel_and_all_behind():
+    """Up by what the torque has above its mean, down by what it lacks; a first driver that turns slower than the crank gets its share."""
+    swing = Swing(1000.0, 200.0, -300.0, 0.6, 1.0)
+    found = rated(Irregularity(None, None, swing, 5e-3, True))["idler_shaft"]
+    assert found.dynamic == pytest.approx(5e-3 * 800 / 0.6 * 39 / 25)
+    assert found.least == pytest.approx(found.mean - 5e-3 * 500 / 0.6 * 39 / 25)
+    half = rated(Irregularity(None, None, replace(swing, ratio=0.5), 5e-3, True))["idler_shaft"]
+    assert half.dynamic == pytest.approx(found.dynamic / 2)
+
+
+def test_a_rim_is_lighter_than_a_disc():
+    thin = replace(GEARS, wheels=tuple(replace(w, rim_thickness=5e-3) for w in GEARS.wheels))
+    uneven = Irregularity(0.02, 1.5, None, 5e-3, True)
+    assert rated(uneven, thin)["crank_central"].dynamic < rated(uneven)["crank_central"].dynamic
 
 
 def test_a_power_gives_the_torque_of_every_driver():
@@ -87,3 +113,22 @@ def test_the_whole_design_hands_on_irregularity_and_inertia():
     assert mesh.least_torque == pytest.approx(mesh.mean_torque - mesh.dynamic_torque) and mesh.least_torque < 0
     verdicts = {c.id: c.verdict for c in uneven.checks()}
     assert verdicts["gears.idler_shaft.flank_reversal"] == "warn"
+
+
+def test_gas_and_flywheel_load_the_teeth():
+    """(T_hi − T_m)/J of the engine's own torque; a first driver that is not the crank turns with its share of it."""
+    document = read(GAMMA)
+    for key, value in (
+        ("engine.gas.peak_pressure_bar", 140.0), ("engine.gas.compression_ratio", 17.0), ("engine.flywheel_inertia_kgm2", 0.6),
+    ):  # fmt: skip
+        document = document.with_value(key, value)
+    results = solve(design(document))
+    torque, shaft = results.outcomes["engine"].result.torque, results.outcomes["countershaft"].result
+    mesh = results.outcomes["gears"].result.meshes["idler_shaft"].rating
+    up = (torque.torque_highest - torque.mean_torque) / 0.6
+    assert mesh.dynamic_torque == pytest.approx(shaft.moment_of_inertia * up * 39 / 25)
+    down = (torque.mean_torque - torque.torque_lowest) / 0.6
+    assert mesh.least_torque == pytest.approx(mesh.mean_torque - shaft.moment_of_inertia * down * 39 / 25)
+    assert torque.torque_lowest < torque.mean_torque < torque.torque_highest
+    slower = solve(design(document.with_value("gears.speed_rpm", 1300.0))).outcomes["gears"].result.meshes["idler_shaft"].rating
+    assert slower.dynamic_torque == pytest.approx(mesh.dynamic_torque / 2)

@@ -124,7 +124,7 @@ def test_a_steel_by_its_classes():
 def test_of_a_wheel_of_the_design():
     given = wheel("idler", 39, gear_material="quenched and tempered alloy steel", quality="ME", hardness=300.0)
     with trace() as lines:
-        found = of_wheel(given, 900e6)
+        found = of_wheel(given, 206e9, 900e6)
     assert found.quality == "ME" and found.proof_stress == 900e6
     assert {line.about for line in lines} == {"wheel idler, strength class"}
     assert any(line.arguments.get("x") is given.hardness for line in lines)  # linked to the input
