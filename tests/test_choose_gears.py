@@ -67,9 +67,23 @@ def test_a_pair_alone_and_its_contradicting_shift(copy):
     done = run("choose", path, "gears")
     assert done.returncode == 0 and "distance held" in done.stdout and "No worse than it" in done.stdout
     assert max(map(len, done.stdout.splitlines())) <= 118
-    assert run("choose", path, "gears", "--apply", 1).returncode == 0
+    assert run("choose", path, "gears", "--apply", 2).returncode == 0
     text = path.read_text(encoding="utf-8")
     assert text.count("profile_shift =") == 1 and "centre_distance_mm = 132.6703" in text
+
+
+def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_written(copy):
+    """It keeps the limits of the design itself; with the usual ones nothing but 3.353 is left where the distance is free."""
+    path = copy("timing_pair")
+    listed = json.loads(run("choose", path, "gears", "--json").stdout)
+    labels = [c["label"] for c in listed["columns"]]
+    rows = [dict(zip(labels, row)) for row in listed["rows"]]
+    assert [(row["what"], row["keeps"]) for row in rows[1:]] == [
+        ("distance free", "as now"), ("distance held", "as now"), ("distance free", "usual")
+    ]  # fmt: skip
+    assert [row["max |ζ_A|"] for row in rows] == pytest.approx([1.017, 0.882, 1.017, 3.353], abs=5e-4)
+    assert run("choose", path, "gears", "--apply", 1).returncode == 0
+    assert largest_sliding(path) == pytest.approx(0.8819, abs=5e-5)
 
 
 def test_the_whole_train_fits_the_terminal(listed):

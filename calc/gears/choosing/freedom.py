@@ -50,6 +50,10 @@ class Freedom:
             )
         return found
 
+    def contains(self, other: "Freedom") -> bool:
+        """Whether all that the other can reach can be reached so: where every distance is free no way has more."""
+        return self.key == "free" and other.key != "free"
+
     def bounds(self, lowest: Mapping[str, float], highest: float) -> dict[str, tuple[float, float, str, str]]:
         """For each free shift (low, high, wheel that makes the low, wheel that makes the high): no wheel below its lowest or too high."""
         found = {}

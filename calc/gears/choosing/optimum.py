@@ -6,7 +6,7 @@ looked at.  Several: a grid that narrows around its best point, which follows th
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 import numpy as np
@@ -36,10 +36,14 @@ class Case:
 
 @record
 class Best:
-    """A point of the lattice.  `margin`: the least of all rules there; negative: no point keeps them, and this misses by least."""
+    """A point of the lattice.  `margin`: the least of all rules there; negative: no point keeps them, and this misses by least.
+
+    `wanted`: what is made least.
+    """
 
     free: Mapping[str, float]
     margin: float
+    wanted: float
 
 
 @record
@@ -95,8 +99,8 @@ def first(wanted: Array, margin: Array) -> int:
     return int(np.argmin(np.where(kept, wanted, np.inf))) if kept.any() else int(np.argmax(margin))
 
 
-def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar) -> Best | None:
-    """None where undercut leaves no shift at all."""
+def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = ()) -> Best | None:
+    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well."""
     found = ends(case, freedom)
     low = np.array([_up(found[name][0]) for name in freedom.free])
     high = np.array([_down(found[name][1]) for name in freedom.free])
@@ -106,16 +110,21 @@ def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar) -> B
         made = slice_of(case, freedom, bar=bar)
         assert made is not None
         margin = least(made.rules)
-        i = first(objective(made.states), margin)
-        return Best({freedom.free[0]: float(made.t[i])}, float(margin[i]))
-    return _narrowed(case, freedom, cuts, bar, low, high)
+        wanted = objective(made.states)
+        i = first(wanted, margin)
+        return Best({freedom.free[0]: float(made.t[i])}, float(margin[i]), float(wanted[i]))
+    step = np.maximum(-(-(high - low) // (GRID[len(freedom.free)] - 1)), 1)
+    starts = [((low + high) // 2, step)]
+    for shifts in near:
+        point = np.array([round(float(shifts[name]) * ROUND) for name in freedom.free])
+        starts.append((np.clip(point, low, high), np.ones_like(step)))
+    reached = [_narrowed(case, freedom, cuts, bar, low, high, *start) for start in starts]
+    return min(reached, key=lambda one: (0.0, one.wanted) if one.margin >= 0 else (1.0, -one.margin))
 
 
-def _narrowed(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, low: Any, high: Any) -> Best:
+def _narrowed(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, low: Any, high: Any, centre: Any, step: Any) -> Best:
     side = GRID[len(freedom.free)]
     offsets = np.stack(np.meshgrid(*[np.arange(side) - side // 2] * len(freedom.free), indexing="ij"), -1).reshape(-1, len(freedom.free))
-    step = np.maximum(-(-(high - low) // (side - 1)), 1)
-    centre = (low + high) // 2
     while True:
         points = np.clip(centre + offsets * step, low, high)
         found = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
@@ -126,7 +135,7 @@ def _narrowed(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar,
         centre = points[i] if better else centre
         if not better:
             if (step == 1).all():
-                return Best(dict(zip(freedom.free, (centre / ROUND).tolist())), float(margin[middle]))
+                return Best(dict(zip(freedom.free, (centre / ROUND).tolist())), float(margin[middle]), float(wanted[middle]))
             step = np.maximum(step // 2, 1)
 
 

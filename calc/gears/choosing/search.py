@@ -5,7 +5,7 @@ In this order: the optimum of each way to leave shifts free, what each pair alon
 with the shifts as they are, and tip cuts with the shift that is then the best.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -79,6 +79,7 @@ class Found:
     along: Slice
     exact: tuple[float, float] | None  # shift and largest sliding of the optimum along one free shift, unrounded
     refused: tuple[str, ...]  # ways to leave shifts free in which nothing passes
+    no_better: tuple[str, ...]  # those in which something does, but nothing better than with less freedom
     unsought: tuple[str, ...]  # those with more free shifts than are searched
 
     @property
@@ -106,7 +107,14 @@ def search(gears: GearsInputs) -> Found:
     now = _now(case)
     if now is not None and (bar := eased(now.states, case.system)) is not None:
         case = replace(case, bars=(*case.bars, bar))
-    optima = sorted((row for way in ways for row in _optima(case, way)), key=lambda row: (round(row.largest, 4), len(row.free)))
+    offered: list[Row] = []
+    passed: set[str] = set()
+    for way in ways:
+        within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
+        rows = _optima(case, way, within=within)
+        passed |= {way.name for _ in rows}
+        offered += [row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))]
+    optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
     main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
     way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
     bar = main.bar if main else case.bars[-1]
@@ -114,7 +122,7 @@ def search(gears: GearsInputs) -> Found:
     along = slice_of(case, way, nearest, bar)
     if along is None or nearest is None:
         raise too_narrow(case, way)
-    cut_best = tuple(_cut_best(case, way, main))
+    cut_best = tuple(_cut_best(case, way, [row for row in optima if row.freedom is way]))
     if not optima and not cut_best:
         raise nothing(along)
     i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
@@ -123,7 +131,8 @@ def search(gears: GearsInputs) -> Found:
         case=case, freedoms=ways, now=now, optima=tuple(optima), wants=tuple(_wants(case, along, nearest)),
         around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
         limits=tuple(limits(along, i)), along=along, exact=exact,
-        refused=tuple(one.name for one in ways if not any(row.freedom is one for row in optima)),
+        refused=tuple(one.name for one in ways if one.name not in passed),
+        no_better=tuple(one.name for one in ways if one.name in passed and not any(row.freedom is one for row in optima)),
         unsought=tuple(one.name for one in every if one not in ways),
     )  # fmt: skip
 
@@ -151,14 +160,29 @@ def _now(case: Case) -> Row | None:
     return None if train is None else _row(case, "now", None, {}, {}, states(case.system, case.gears, train.shifts))
 
 
-def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, name: str = "") -> list[Row]:
-    """By the strictest limits that let something pass; where the tips need not be hardened and that allows another one, that as well."""
+def _shown(row: Row) -> float:
+    """The largest sliding, without the digits that are those of round shifts."""
+    return round(row.largest, 4)
+
+
+def _keeps(case: Case, row: Row, bar: Bar) -> bool:
+    """Whether a row that passes keeps these limits, or stricter ones."""
+    return case.bars.index(row.bar) <= case.bars.index(bar)
+
+
+def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, name: str = "", within: Sequence[Row] = ()) -> list[Row]:
+    """By the strictest limits that let something pass; then by each of the less strict ones that allow less sliding.
+
+    `within`: rows of ways with less freedom, beside which is looked as well.
+    """
     found: list[Row] = []
     for bar in case.bars:
-        one = best(case, way, cuts or {}, bar) if not found or bar is USUAL else None
-        if one is not None and one.margin >= 0 and not (found and found[0].free == one.free):
-            made = evaluated(case, way, one.free, cuts or {})
-            found.append(_row(case, name or way.name, way, one.free, cuts or {}, made))
+        near = [row.states.shifts for row in within if _keeps(case, row, bar)]
+        one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near])
+        if one is not None and one.margin >= 0:
+            row = _row(case, name or way.name, way, one.free, cuts or {}, evaluated(case, way, one.free, cuts or {}))
+            if not found or _shown(row) < _shown(found[-1]):
+                found.append(row)
     return found
 
 
@@ -210,15 +234,14 @@ def _cut_now(case: Case, now: Row | None) -> list[Row]:
     return found
 
 
-def _cut_best(case: Case, way: Freedom, main: Row | None) -> list[Row]:
-    """Cuts by which the largest sliding is less than without them, or more limits are kept, and less than by a smaller cut of the wheel."""
+def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row]) -> list[Row]:
+    """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
     found = []
     for wheel in case.gears.wheels:
-        reached = main
+        reached = list(uncut)
         for k in cut_steps(case, wheel):
-            rows = _optima(case, way, {wheel.name: k}, wheel.name) if k != wheel.tip_shortening else []
-            for row in rows[:1]:
-                if reached is None or row.largest < reached.largest - GAIN or (row.usual and not reached.usual):
-                    reached = row
+            for row in _optima(case, way, {wheel.name: k}, wheel.name) if k != wheel.tip_shortening else ():
+                if all(row.largest < one.largest - GAIN for one in reached if _keeps(case, one, row.bar)):
+                    reached.append(row)
                     found.append(row)
     return sorted(found, key=lambda row: (not row.usual, row.largest))

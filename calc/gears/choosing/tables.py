@@ -1,18 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """What was found, as tables and a curve, and the keys that put a row into a design file."""
 
+from dataclasses import replace
+
 import numpy as np
 
-from ...sheet.step import Curve, Series, Table
+from ...sheet.step import Table
 from ..inputs import GearsInputs
 from .optimum import GRID
-from .rules import CLEARANCE, CONTACT, FILLET, HARDENED, TIP, USUAL
+from .rules import CLEARANCE, CONTACT, FILLET, HARD_CASE, HARDENED, TIP, USUAL
 from .search import Found, Row
 from .states import Place
 
 Cells = tuple[str | float | None, ...]
-POINTS = 201  # of the curve
-HIGHEST = 3.0  # times the optimum: where the curve ends
+VERDICT = (("max |ζ_A|", ""), ("of", ""), ("margin", "%"), ("by", ""))
+BARS = {
+    "hardened": "the usual limits and that of case-hardened tips",
+    "usual": "the usual limits",
+    "as now": "limits no lower than the design as it is, which stands below the usual ones",
+}
 
 EXPLAIN = (
     "x: profile shifts. max |ζ_A|: the largest specific sliding at the start of contact, of which wheel/in mesh with which. margin: the "
@@ -58,14 +64,33 @@ def around_table(found: Found) -> Table | None:
 
 def _rows_table(found: Found, id: str, title: str, rows: list[tuple[str, Row]], note: str) -> Table:
     wheels = [w.name for w in found.case.gears.wheels]
-    columns = [("no.", ""), ("what", ""), *((f"x {name}", "") for name in wheels)]
-    columns += [("max |ζ_A|", ""), ("of", ""), ("margin", "%"), ("by", "")]
+    columns = [("no.", ""), ("what", ""), *((f"x {name}", "") for name in wheels), *VERDICT]
     cells = [(n, row.name, *(_shift(row, name) for name in wheels), *_verdict(row)) for n, row in rows]
-    return Table(id, title, tuple(columns), tuple(cells), note)
+    return _with_bars(Table(id, title, tuple(columns), tuple(cells), note), [row for _, row in rows])
+
+
+def _with_bars(table: Table, rows: list[Row]) -> Table:
+    """The limits that each row keeps, of which its margin is: in a column of their own, in the note where they are the same."""
+    kept = [_kept(row) for row in rows]
+    bars = [bar for bar in BARS if bar in kept]
+    if len(bars) > 1:
+        note = f"keeps: {'; '.join(f'{bar}: {BARS[bar]}' for bar in bars)}."
+        columns, cells = (*table.columns, ("keeps", "")), tuple((*row, bar) for row, bar in zip(table.rows, kept))
+        table = replace(table, columns=columns, rows=cells)
+    else:
+        note = f"All numbered rows keep {BARS[bars[0]]}." if bars else ""
+    return replace(table, note=f"{table.note} {note}".strip())
 
 
 def _verdict(row: Row) -> Cells:
-    return (_round(row.largest, 3), _of(row.of), _round(row.margin * 100, 1), f"{row.least.rule.brief} {row.least.place}")
+    stopped = f"{row.least.rule.brief} {row.least.place}"
+    return (_round(row.largest, 3), _of(row.of), _round(row.margin * 100, 1), stopped)
+
+
+def _kept(row: Row) -> str:
+    if not row.passes:
+        return ""
+    return "hardened" if row.bar == HARD_CASE else "usual" if row.bar == USUAL else "as now"
 
 
 def _shift(row: Row, wheel: str) -> float:
@@ -159,30 +184,17 @@ def cuts_best_table(found: Found, top: int) -> Table | None:
     if not found.cut_best:
         return None
     free = found.along.freedom.free
-    columns = [("no.", ""), ("cut", ""), ("k", "mm"), *((f"x {name}", "") for name in free)]
-    columns += [("max |ζ_A|", ""), ("of", ""), ("margin", "%"), ("by", "")]
+    columns = [("no.", ""), ("cut", ""), ("k", "mm"), *((f"x {name}", "") for name in free), *VERDICT]
     cells = [
         (found.number(row), row.name, round(row.cuts[row.name] * 1e3, 6), *(_shift(row, name) for name in free), *_verdict(row))
         for row in found.cut_best[:top]
     ]
     left = len(found.cut_best) - len(cells)
-    note = "One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding." + (
+    note = "One wheel is cut at a time, the others as they are; only cuts that lower the largest sliding, or keep stricter limits." + (
         f" {left} more; --top N shows more." if left else ""
     )
-    return Table("tip_cuts_best", f"Tip cuts with their best shift ({found.along.freedom.name})", tuple(columns), tuple(cells), note)
-
-
-def sliding_curve(found: Found) -> Curve:
-    """|ζ| at the start of contact over the free shift, of every wheel in every mesh and the largest of them, where all rules can be met."""
-    along = found.along
-    largest = along.states.largest
-    near = np.flatnonzero(largest <= HIGHEST * float(np.min(largest)))
-    pick = np.unique(np.linspace(near[0], near[-1], POINTS).astype(int)) if len(near) else np.arange(0)
-    series = [Series("largest", along.t[pick], largest[pick])]
-    for place, zeta in along.states.sliding.items():
-        series.append(Series(_of(place), along.t[pick], np.abs(zeta[pick])))
-    title = f"Specific sliding over the shift of {along.leader} ({along.freedom.name})"
-    return Curve("shift_sliding", title, f"profile shift of {along.leader}", "|ζ_A|", tuple(series))
+    title = f"Tip cuts with their best shift ({found.along.freedom.name})"
+    return _with_bars(Table("tip_cuts_best", title, tuple(columns), tuple(cells), note), list(found.cut_best[:top]))
 
 
 # --- words -----------------------------------------------------------------------------------------------------------------
@@ -199,7 +211,7 @@ def summary(found: Found) -> tuple[str, ...]:
             if opened
             else ""
         )
-        refused = " Nothing passes so." if way.name in found.refused else ""
+        refused = " Nothing passes so." if way.name in found.refused else " Nothing better so." if way.name in found.no_better else ""
         words.append(f"{way.name}: {way.words[0].lower()}{way.words[1:]}{more}{refused}")
     words += [f"{name}: not searched, more than {max(GRID)} shifts are free." for name in found.unsought]
     if found.exact is not None:

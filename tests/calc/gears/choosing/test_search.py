@@ -6,11 +6,12 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from calc.gears.choosing import optimum
 from calc.gears.choosing.freedom import freedoms, tied
 from calc.gears.choosing.optimum import Case, best, evaluated, objective
 from calc.gears.choosing.rules import USUAL, judged, least
 from calc.gears.choosing.search import cut_steps, search
-from calc.gears.choosing.tables import changes, limits_table, sliding_curve, summary
+from calc.gears.choosing.tables import changes, choices_table, limits_table, summary
 from calc.gears.train import settle, tooth_system
 from calc.sheet.errors import NoSolution
 
@@ -217,14 +218,6 @@ def test_a_tip_cut_helps_the_mate_and_its_best_shift_uses_it(pair):
     assert [z for *_, z in of_central] == sorted((z for *_, z in of_central), reverse=True)
 
 
-def test_curve_has_its_least_at_the_optimum(source):
-    curve = sliding_curve(source)
-    largest = curve.series[0]
-    assert len(curve.series) == 7 and len(largest.x) > 100
-    assert largest.x[np.argmin(largest.y)] == pytest.approx(source.exact[0], abs=0.01)
-    assert np.all(np.max([one.y for one in curve.series[1:]], axis=0) == largest.y)
-
-
 def test_where_the_tool_leaves_no_clearance_the_rule_is_named():
     gears = train([wheel("a", 30, 0.1), wheel("b", 40, 0.1)], [mesh("a", "b", 70.2)], beta=0.0, tool=(1.0, 0.2))
     with pytest.raises(NoSolution, match="no profile shift keeps every rule") as none:
@@ -248,3 +241,81 @@ def test_a_design_below_what_is_usual_is_met_where_it_stands():
     floor = min(float(m[0]) for m in found.now.states.margin.values())
     assert not held.usual and min(float(m[0]) for m in held.states.margin.values()) >= floor - 1e-12
     assert any(row.usual and row.largest < found.now.largest for row in found.cut_best)
+
+
+# --- more freedom ------------------------------------------------------------------------------------------------------------------
+def timing(**changes):
+    """The spur pair of a timing drive: its contact starts less far above the fillet than is usual."""
+    wheels = [wheel("crank", 38, 0.22404, cut=0.034808), wheel("pump", 76, 0.22404, cut=0.034808)]
+    return train(wheels, [mesh("crank", "pump")], **{"m_n": 2.31, "alpha_n": 18.02525, "beta": 0.0, "tool": (1.25, 0.38), **changes})
+
+
+def test_the_limits_of_the_design_itself_are_looked_at_even_where_the_usual_ones_can_be_kept():
+    """With the distance free a far corner keeps the usual limits, with three times the sliding; by those of the design it is far less."""
+    found = search(timing())
+    free = [row for row in found.optima if row.freedom.key == "free"]
+    assert [row.usual for row in free] == [False, True] and free[1].largest > 3 * found.now.largest
+    assert found.optima[0] is free[0] and free[0].largest < 0.9 * found.now.largest
+    one, two = (axis.ravel() for axis in np.meshgrid(np.arange(-0.8, 1.6, 0.01), np.arange(-1.9, 1.6, 0.01)))
+    many = evaluated(found.case, free[0].freedom, {"crank": one, "pump": two}, {})
+    kept = least(judged(many, found.case.system, found.case.bars[-1])) >= 0
+    assert free[0].largest <= np.min(many.largest[kept]) <= free[0].largest + 0.01
+    floor = min(float(m[0]) for m in found.now.states.margin.values())
+    assert min(float(m[0]) for m in free[0].states.margin.values()) >= floor - 1e-12
+
+
+def test_a_row_says_which_limits_it_keeps(source):
+    table = choices_table(search(timing()), 20)
+    assert table.columns[-1][0] == "keeps" and [row[-1] for row in table.rows] == ["", "as now", "as now", "usual"]
+    assert "as now: limits no lower than the design" in table.note
+    same = choices_table(source, 20)
+    assert same.columns[-1][0] == "by" and "All numbered rows keep the usual limits and that of case-hardened tips." in same.note
+
+
+@pytest.mark.parametrize("gears", [
+    r753(), timing(), timing(tool=(1.4, 0.2)), train([wheel("a", 20, 0.3), wheel("b", 33, 0.1)], [mesh("a", "b")], beta=15.0),
+])  # fmt: skip
+def test_more_freedom_never_ranks_worse(gears):
+    """By the limits that a row keeps, the way that contains its way has one that slides no more; also once the best of all is taken."""
+    for _ in range(2):
+        found = search(gears)
+        case = found.case
+        for row in found.optima:
+            for way in found.freedoms:
+                if way.contains(row.freedom) and way.name not in found.no_better:
+                    rows = [one for one in found.optima if one.freedom is way and case.bars.index(one.bar) <= case.bars.index(row.bar)]
+                    assert min(round(one.largest, 4) for one in rows) <= round(row.largest, 4)
+        assert not found.refused
+        best_row = found.optima[0]
+        wheels = tuple(replace(w, profile_shift=best_row.free.get(w.name, w.profile_shift)) for w in best_row.freedom.gears.wheels)
+        gears = replace(best_row.freedom.gears, wheels=wheels)
+
+
+def test_a_way_with_more_freedom_starts_from_those_within_it(monkeypatch):
+    """A search that stays in a far corner is brought to what less freedom has found."""
+    narrowed = optimum._narrowed
+
+    def astray(case, freedom, cuts, bar, low, high, centre, step):
+        if freedom.key == "free" and (step > 1).any():
+            point = dict(zip(freedom.free, (low / optimum.ROUND).tolist()))
+            made = evaluated(case, freedom, point, {})
+            return optimum.Best(point, float(least(judged(made, case.system, bar))[0]), float(objective(made)[0]))
+        return narrowed(case, freedom, cuts, bar, low, high, centre, step)
+
+    monkeypatch.setattr(optimum, "_narrowed", astray)
+    found = search(r753())
+    assert found.optima[0].freedom.key == "free" and found.optima[0].largest < found.optima[1].largest
+
+
+def test_a_way_that_has_nothing_better_is_said_and_not_offered(monkeypatch):
+    def poor(case, way, cuts, bar, near=()):
+        if way.key != "free":
+            return best(case, way, cuts, bar, near)
+        now = {"crank": 0.0142, "central": 0.014}
+        made = evaluated(case, way, now, {})
+        return optimum.Best(now, float(least(judged(made, case.system, bar))[0]), float(objective(made)[0]))
+
+    monkeypatch.setattr("calc.gears.choosing.search.best", poor)
+    found = search(r753())
+    assert found.no_better == ("distance free",) and found.refused == () and len(found.optima) == 2
+    assert "Nothing better so." in summary(found)[2]
