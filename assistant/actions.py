@@ -45,7 +45,7 @@ ACTIONS: tuple[Action, ...] = (
     Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step."),
     Action("report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
     Action("curve", "f9", "c", "Plot", "Next curve", "Shows the next curve of the step; after the curves its tables."),
-    Action("variant", "f10", "b", "Shaft", "Counter-shaft on or off",
+    Action("variant", "f10", "b", "Variant", "Next variant of the curve",
            "Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it."),
     Action("crank_on", "", "greater_than_sign", "", "Turn the crank on", "Turns the vectors of a curve on by 10°.", call="crank(1)"),
     Action("crank_back", "", "less_than_sign", "", "Turn the crank back", "Turns the vectors of a curve back by 10°.", call="crank(-1)"),

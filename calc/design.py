@@ -86,6 +86,7 @@ class Design:
         if self.bearings is not None:
             yield from self._bearings(self.bearings)
         yield from self._gear_materials()
+        yield from self._gear_places()
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -96,6 +97,15 @@ class Design:
             yield "gears.irregularity_order", "needed where there is no [engine] table whose firing order it is"
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
+
+    def _gear_places(self) -> Iterable[tuple[str, str]]:
+        """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
+        own = self.gears
+        if own is None or self.engine is None or (own.speed is not None and own.speed != self.engine.rated_speed) or not own.meshes:
+            return
+        for i, wheel in enumerate(own.wheels):
+            if wheel.name == own.meshes[0].driver and wheel.position is not None and any(wheel.position):
+                yield f"gears.wheels.{i}.position_mm", "must be [0, 0]: it stands on the crank, from whose axis positions count"
 
     def _gear_materials(self) -> Iterable[tuple[str, str]]:
         wheels = self.gears.wheels if self.gears is not None else ()

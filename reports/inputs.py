@@ -74,6 +74,13 @@ def _left_out(key: Key) -> str:
     return f"{label} ({said})" if said else label
 
 
+def _part_name(part: dict[str, Any], i: int) -> str:
+    """What a part of a list is called: its name, the wheels of a mesh, else its number."""
+    if "driver" in part and "driven" in part:
+        return f"{part['driver']}–{part['driven']}"
+    return str(part.get("name", i + 1))
+
+
 class _Tables:
     """Collects the tables of one step."""
 
@@ -114,7 +121,7 @@ class _Tables:
             key = inner[n]
             content = data.get(key.key)
             if key.about.kind == "tables":
-                named = [(str(p.get("name", i + 1)), p) for i, p in enumerate(content or [])]
+                named = [(_part_name(p, i), p) for i, p in enumerate(content or [])]
                 self.parts(key.about.label, key.about.table, named, f"{prefix}.{key.key}")
                 n += 1
                 continue
@@ -132,8 +139,9 @@ class _Tables:
         if not parts or cls is None:
             return
         if not _flat(cls):
-            for name, data in parts:
-                self.plain(f"{title}: {name}" if title else name, cls, data, prefix)
+            for i, (name, data) in enumerate(parts):
+                here = f"{prefix}.{data.get('name', i)}" if title else prefix
+                self.plain(f"{title}: {name}" if title else name, cls, data, here)
             return
         total = len(parts)
         between = 0 if self.all or total <= LONG else total - 2 * ENDS

@@ -199,7 +199,7 @@ class Doing:
         pane = me.query_one(CurvePane)
         shown = pane.next_variant()
         if not shown:
-            me.app.tell("This curve has one variant only: the counter-shaft can not be switched off in it.")
+            me.app.tell("This curve has one variant only.")
         elif not pane.display:
             me.app.tell(f"The curve is shown {shown}.")
 

@@ -80,7 +80,7 @@ class Checks(ItemList):
         """The name in one row, the numbers in the next."""
         start, style = self._start(check)
         room = width - VERDICT - MARGIN
-        names = wrap(check.name, room)
+        names = wrap(check.name, room - 1)
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble((start, style), pad(names[0], room), (f"{check.margin_text():>{MARGIN}}", style))
         limit = check.limit_text()

@@ -17,7 +17,6 @@ from .practice import (
     TIP_THICKNESS_HARDENED,
     USUAL_ABOVE_FILLET,
     USUAL_CONTACT_RATIO,
-    above_fillet,
 )
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
@@ -44,7 +43,7 @@ def speed_ratio(train: TrainResult, wanted: Number) -> Check:
     along = list(train.meshes.values())
     first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
     way = [*(train.wheels[train.meshes[key].driver] for key in way_to(last.name, train.meshes)), last]
-    ratio, parity = last.speed / first.speed, "an odd" if wanted < 0 else "an even"
+    ratio, parity = train.speed_ratio, "an odd" if wanted < 0 else "an even"
     teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth / abs(wanted)
     enough = f"{needed:g} teeth" if needed == round(needed) else f"{abs(1 / wanted):g} times the teeth of {first.name}"
     return check(
@@ -58,7 +57,9 @@ def speed_ratio(train: TrainResult, wanted: Number) -> Check:
 
 # --- meshes ----------------------------------------------------------------------------------------------------------------
 def _backlash(system: ToothSystem, id: str, place: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Check:
-    slope = 2 * math.sin(mesh.working_pressure_angle) * math.cos(system.base_helix_angle)
+    closest = mesh.centre_distance - mesh.centre_tolerance  # where the slope is least: what it asks for is enough
+    touching = (driver.base_diameter + driven.base_diameter) / 2
+    slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
     return check(
         f"{id}.backlash", f"Smallest backlash {mesh.driver}–{mesh.driven} by its tolerances", mesh.backlash_min, ">=", 0.0, "µm",
         "teeth must not jam at any combination of the tolerances; without runout, all at 20 °C",
@@ -75,7 +76,13 @@ def _contact(id: str, mesh: MeshResult) -> list[Check]:
             f"{PRACTICE}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted", advice,
         ),
         check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", USUAL_CONTACT_RATIO, "", PRACTICE, advice, kind="advice"),
+        *_least(f"{id}.contact_ratio_least", f"{name}, shortest tips, widest centres", mesh.transverse_contact_ratio_min, 1.0, "", advice),
     ]  # fmt: skip
+
+
+def _least(id: str, name: str, value: float | None, limit: float, unit: str, advice: str) -> list[Check]:
+    """What must hold at the end of the tolerances too, where they are given."""
+    return [] if value is None else [check(id, name, value, ">=", limit, unit, f"{ISO}: at the end of the tolerances", advice)]
 
 
 def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> list[Check]:
@@ -83,9 +90,8 @@ def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResu
     low = min(at_root, key=at_root.__getitem__)
     usual = TIP_CLEARANCE * system.m_n
     missing = max(0.0, usual - at_root[low]) * 1e3
-    more = f"Cut the tip of {_mate(mesh, low)} by {missing:.3g} mm more, or take a tool with a larger addendum."
-    T, pair = mesh.line_of_action, ((driver, driven), (driven, driver))
-    above = {w.name: float(above_fillet(w.base_diameter, T, other.tip_curvature, w.form_diameter)) for w, other in pair}
+    more = f"Cut the tip of {_mate(mesh, low)} by {missing:.3g} mm more, or take a tool with a larger addendum." if missing else "It holds."
+    above = {driver.name: mesh.form_margin_driver, driven.name: mesh.form_margin_driven}
     tight = min(above, key=above.__getitem__)
     mate = _mate(mesh, tight)
     free = f"The tip of {mate} works low on {tight}: cut it (gears.wheels.{mate}.tip_shortening_mm), or give {tight} more shift."
@@ -98,6 +104,8 @@ def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResu
             f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(USUAL_ABOVE_FILLET), free,
             kind="advice",
         ),
+        *_least(f"{id}.tip_clearance_least", f"{clearance}, longest tips and closest centres", mesh.tip_clearance_min, 0.0, "mm", more),
+        *_least(f"{id}.interference_least", f"{start}, longest tips and closest centres", mesh.form_margin_min, needed, "mm", free),
     ]  # fmt: skip
 
 
@@ -111,7 +119,8 @@ def _mate(mesh: MeshResult, name: str) -> str:
 
 # --- wheels ----------------------------------------------------------------------------------------------------------------
 def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
-    name, place, s_an = wheel.name, f"gears.wheels.{wheel.name}", wheel.tip_thickness_normal
+    name, place = wheel.name, f"gears.wheels.{wheel.name}"
+    s_an = wheel.tip_thickness_normal if wheel.tip_thickness_normal_min is None else wheel.tip_thickness_normal_min
     return [
         check(
             f"gears.{name}.undercut", f"Profile shift of {name} against undercut", wheel.profile_shift, ">=", wheel.undercut_limit, "", ISO,
@@ -136,7 +145,9 @@ def _measures(system: ToothSystem, wheel: WheelResult) -> list[Check]:
     balls = (_ball(system, wheel, wheel.form_diameter), _ball(system, wheel, wheel.tip_diameter))
     measured = wheel.measures
     assert measured is not None  # of every wheel, once the geometry is solved
-    ball = f"Choose a ball near {wheel.ideal_ball * 1e3:.3f} mm (gears.ball_diameter_mm)."
+    fits = wheel.preferred_ball if wheel.preferred_ball is not None else wheel.ideal_ball
+    ball = f"Choose a ball of {fits * 1e3:.4g} mm (gears.ball_diameter_mm), or leave it out: each wheel then has its own."
+    kind = "advice" if wheel.ball_diameter is fits else "limit"  # a ball that is given must fit
     found = [
         check(
             f"{id}.span_contact", f"Circle on which the span of {name} touches", measured.span_contact_diameter, "in", flank, "mm",
@@ -144,16 +155,31 @@ def _measures(system: ToothSystem, wheel: WheelResult) -> list[Check]:
         ),
         check(
             f"{id}.ball", f"Measuring ball of {name}", wheel.ball_diameter, "in", balls, "mm",
-            "the ball must touch between form and tip circle", ball, kind="advice",
+            "the ball must touch between form and tip circle", ball, kind=kind,
         ),
     ]  # fmt: skip
     if wheel.over_balls is not None:
         found.append(
             check(
-                f"{id}.ball_proud", f"Size over balls of {name} against its tip", wheel.over_balls, ">", wheel.tip_diameter, "mm",
-                "the balls must stand proud of the tip circle", ball, kind="advice",
+                f"{id}.ball_proud", f"Balls of {name} above its tip", (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm",
+                "the balls must stand proud of the tip circle", ball, kind=kind,
             )
         )  # fmt: skip
+    if measured.over_one_ball is not None:
+        free = measured.over_one_ball - wheel.ball_diameter - wheel.root_diameter / 2
+        found.append(
+            check(
+                f"{id}.ball_root",
+                f"Ball of {name} above the root",
+                free,
+                ">=",
+                0.0,
+                "mm",
+                "the ball must not lie on the root",
+                ball,
+                kind=kind,
+            )
+        )
     if system.beta:
         found.append(
             check(

@@ -147,6 +147,11 @@ def driven_speed(n_1: RevPerSecond, z_1: Number, z_2: Number) -> RevPerSecond:
     return -n_1 * z_1 / z_2
 
 
+@formula("i", "ratio of the speeds, − where the last wheel turns against the first")
+def speed_ratio(n_last: RevPerSecond, n_1: RevPerSecond) -> Number:
+    return n_last / n_1
+
+
 # --- a pair: centre distance and shifts ------------------------------------------------------------------------------------
 @formula("α_wt", f"{ISO}: working transverse pressure angle")
 def working_pressure_angle(d_b1: Metre, d_b2: Metre, a_w: Metre) -> Radian:
@@ -288,11 +293,6 @@ def lowest_single_contact(T: Metre, rho_Am: Metre, p_bt: Metre) -> Metre:
 def highest_single_contact(rho_A: Metre, p_bt: Metre) -> Metre:
     """One base pitch after its own start of contact."""
     return rho_A + p_bt
-
-
-@formula("c_F", f"{ISO}: how far above the fillet contact begins", unit="mm")
-def form_margin(d_Nf: Metre, d_Ff: Metre) -> Metre:
-    return (d_Nf - d_Ff) / 2
 
 
 @formula("ζ", f"{ISO}: specific sliding, negative below the working circle", names={"T": "T_1T_2"})

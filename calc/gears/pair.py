@@ -8,8 +8,9 @@ from ..sheet.trace import about
 from ..sheet.units import Metre, Number, Radian
 from . import formulas as f
 from .inputs import Mesh
-from .play.backlash import Pair, backlash, widest
+from .play.backlash import Pair, backlash, narrowest, widest
 from .play.stack import centre_tolerance
+from .practice import above_fillet
 from .result import MeshResult, ToothSystem, WheelResult
 
 
@@ -24,7 +25,8 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
         if path <= 0:
             raise NoSolution(
                 f"{place}.centre_distance_mm = {a_w * 1e3:.6g}: the flanks of {mesh.driver} and {mesh.driven} do not reach each other",
-                advice="bring the wheels closer, cut less off the tips, or give larger profile shifts",
+                advice=f"the tips reach {(driver.tip_diameter + driven.tip_diameter) / 2 * 1e3:.4f} mm together; bring the wheels closer, "
+                "cut less off the tips, or give larger profile shifts",
             )
         eps_alpha = f.transverse_contact_ratio(path, system.base_pitch)
         b = min(driver.face_width, driven.face_width)
@@ -45,7 +47,8 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
             ),
             transverse_contact_ratio=eps_alpha, overlap_ratio=eps_beta, total_contact_ratio=f.total_contact_ratio(eps_alpha, eps_beta),
             sap_diameter_driver=d_Nf1, sap_diameter_driven=d_Nf2,
-            form_margin_driver=f.form_margin(d_Nf1, driver.form_diameter), form_margin_driven=f.form_margin(d_Nf2, driven.form_diameter),
+            form_margin_driver=above_fillet(driver.base_diameter, T, driven.tip_curvature, driver.form_diameter),
+            form_margin_driven=above_fillet(driven.base_diameter, T, driver.tip_curvature, driven.form_diameter),
             tip_clearance_driver=f.tip_clearance(a_w, driver.root_diameter, driven.tip_diameter),
             tip_clearance_driven=f.tip_clearance(a_w, driven.root_diameter, driver.tip_diameter),
             specific_sliding_driver=f.specific_sliding(T, rho_A1, z_1, z_2),
@@ -58,6 +61,9 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
     if tolerance or driver.tip_diameter_min is not None or driven.tip_diameter_min is not None:
         with about(f"mesh {mesh.driver}–{mesh.driven}, shortest tips and widest centres"):
             values["transverse_contact_ratio_min"] = _least_contact(system, a_w, tolerance, (driver, driven))
+    if tolerance or any(w.tip_diameter_max is not None or w.root_diameter_max is not None for w in (driver, driven)):
+        with about(f"mesh {mesh.driver}–{mesh.driven}, longest tips and closest centres"):
+            values |= _closest(a_w, tolerance, (driver, driven))
     play = backlash(system, Pair(place, driver, driven, a_w, tolerance))
     return MeshResult(
         **values, driver=mesh.driver, driven=mesh.driven, backlash_min=play.smallest, backlash_nominal=play.nominal,
@@ -92,6 +98,23 @@ def _least_contact(system: ToothSystem, a_w: Metre, tolerance: Metre, wheels: tu
     rho_a = [w.tip_curvature if w.tip_diameter_min is None else f.curvature_at(w.tip_diameter_min, w.base_diameter) for w in wheels]
     starts = [f.start_of_active_profile(T, rho_a[1 - i], w.form_curvature) for i, w in enumerate(wheels)]
     return f.transverse_contact_ratio(f.path_of_contact(T, *starts), system.base_pitch)
+
+
+def _closest(a_w: Metre, tolerance: Metre, wheels: tuple[WheelResult, WheelResult]) -> dict[str, Metre]:
+    """Clearance and start of contact where the tips are longest, the roots and fillets highest, and the centres closest."""
+    a = narrowest(a_w, tolerance) if tolerance else a_w
+    found: dict[str, Metre] = {}
+    if a <= (wheels[0].base_diameter + wheels[1].base_diameter) / 2:
+        return found  # which the backlash says
+    T = f.line_of_action(a, f.working_pressure_angle(wheels[0].base_diameter, wheels[1].base_diameter, a))
+    clearances, margins = [], []
+    for own, mate in (wheels, wheels[::-1]):
+        d_f = own.root_diameter if own.root_diameter_max is None else own.root_diameter_max
+        d_Ff = own.form_diameter if own.form_diameter_max is None else own.form_diameter_max
+        d_a = mate.tip_diameter if mate.tip_diameter_max is None else mate.tip_diameter_max
+        clearances.append(f.tip_clearance(a, d_f, d_a))
+        margins.append(above_fillet(own.base_diameter, T, f.curvature_at(d_a, mate.base_diameter), d_Ff))
+    return {"tip_clearance_min": min(clearances), "form_margin_min": min(margins)}
 
 
 def _start(wheel: WheelResult, mate: WheelResult, T: Metre) -> Metre:

@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from .formulas import diameter_at
+from ..sheet.formula import formula
+from ..sheet.units import Metre
 
 PRACTICE = "practice for cylindrical gears, as generally published"
 
@@ -19,10 +20,15 @@ ABOVE_FILLET, USUAL_ABOVE_FILLET = 0.0, 0.1
 TIP_CLEARANCE = 0.15
 
 
-def above_fillet(d_b: Any, T: Any, rho_a: Any, d_Ff: Any) -> Any:
-    """(d_N − d_Ff)/2 of a wheel, numbers or arrays; d_N: where the mate's tip arrives, whose curvature there is ρ_a.
+@formula(
+    "c_F", "ISO 21771:2007, as generally published: how far above the fillet contact begins", unit="mm",
+    shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives",
+)  # fmt: skip
+def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
+    """Numbers or arrays; ρ_a: curvature at the mate's tip.
 
     What the tip reaches past the base circle, where there is no flank, is counted along the line of action.
     """
-    rho = T - rho_a
-    return np.where(rho > 0, diameter_at(d_b, rho) / 2, d_b / 2 + rho) - d_Ff / 2
+    rho: Any = T - rho_a
+    reach: Any = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
+    return reach if isinstance(rho, np.ndarray) else float(reach)

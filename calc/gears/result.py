@@ -97,12 +97,16 @@ class MeshResult:
     sap_diameter_driven: Metre = value("Start of active profile, driven", "mm", "d_Nf2")
     form_margin_driver: Metre = value("Contact begins above the fillet, driver", "mm", "c_F1")
     form_margin_driven: Metre = value("Contact begins above the fillet, driven", "mm", "c_F2")
+    form_margin_min: Metre | None = value(
+        "Contact begins above the fillet, longest tips and closest centres", "mm", "c_F,min", default=None
+    )
     lpstc_diameter_driver: Metre | None = value("Lowest single contact, driver", "mm", "d_B1", default=None)
     lpstc_diameter_driven: Metre | None = value("Lowest single contact, driven", "mm", "d_B2", default=None)
     hpstc_diameter_driver: Metre | None = value("Highest single contact, driver", "mm", "d_D1", default=None)
     hpstc_diameter_driven: Metre | None = value("Highest single contact, driven", "mm", "d_D2", default=None)
     tip_clearance_driver: Metre = value("Tip clearance at the driver's root", "mm", "c_1")
     tip_clearance_driven: Metre = value("Tip clearance at the driven wheel's root", "mm", "c_2")
+    tip_clearance_min: Metre | None = value("Tip clearance, longest tips and closest centres", "mm", "c_min", default=None)
     specific_sliding_driver: Number = value("Specific sliding at the start of contact, driver", "", "ζ_A1")
     specific_sliding_driven: Number = value("Specific sliding at the start of contact, driven", "", "ζ_A2")
     specific_sliding_tip_driver: Number = value("Specific sliding at the end of contact, driver", "", "ζ_E1")
@@ -131,6 +135,7 @@ class TrainResult:
     system: ToothSystem = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     meshes: dict[str, MeshResult] = group(spread=True)
+    speed_ratio: Number = value("Speed of the last wheel over that of the first (−: against it)", "", "i")
     phase_error: Radian = value("Free turn of the last wheel by backlash", "°", "Δφ")
     residual_couple: NewtonMetre | None = value("Couple left by the phase error", "N·m", "C_Δφ", default=None)
     play: dict[str, PlayResult] | None = group(spread=True, default=None)  # by mesh

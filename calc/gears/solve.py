@@ -15,6 +15,7 @@ from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
 from .checks import checks, speed_ratio
 from .finite import finite
+from .formulas import speed_ratio as speed_ratio_of
 from .inputs import GearsInputs
 from .layout.drawing import layout_curve
 from .layout.forces import forces
@@ -62,8 +63,9 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
         last = gears.meshes[-1].driven
         with about(f"train, to {last}"):
             free = backlash_at_shaft(wheels, meshes, last)
+            ratio = speed_ratio_of(n_last=n[last], n_1=n[gears.meshes[0].driver])
         measured, spans, judged = _measured(gears, system, wheels, meshes)
-        result = TrainResult(system=system, wheels=measured, meshes=meshes, phase_error=free)
+        result = TrainResult(system=system, wheels=measured, meshes=meshes, speed_ratio=ratio, phase_error=free)
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     return finite(

@@ -161,17 +161,18 @@ def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[
 
 
 def _must_stay_a_tooth(place: str, bare: _Bare, s_t: Metre, d_f: Metre, d_Ff: Metre, d_a: Metre) -> None:
-    """A tooth that its allowance takes away, or that fills its space, is none."""
+    """A tooth that its allowance takes away, or that fills its space where the flank begins, is none."""
     s, advice = bare.system, "−20 to −50 µm is usual"
     nominal = s.m_n * (math.pi / 2 + 2 * bare.x * math.tan(s.alpha_n))  # s_n without allowance
-    least, most = (-nominal * math.cos(s.alpha_n), (math.pi * s.m_n - nominal) * math.cos(s.alpha_n))
-    between = f"it must stay between {least * 1e6:.0f} and {most * 1e6:.0f} µm; {advice}"
     if s_t <= 0 or d_f <= 0:
-        raise NoSolution(f"{place}: takes away the whole tooth", advice=between)
-    if s_t >= math.pi * s.transverse_module:
-        raise NoSolution(f"{place}: the teeth fill their spaces", advice=between)
+        least = -nominal * math.cos(s.alpha_n)
+        raise NoSolution(f"{place}: takes away the whole tooth", advice=f"it must stay above {least * 1e6:.0f} µm; {advice}")
     if d_Ff >= d_a:
         raise NoSolution(
-            f"{place}: the form circle ({d_Ff * 1e3:.4f} mm) of such a tooth lies outside its tip circle ({d_a * 1e3:.4f} mm)",
-            advice=between,
+            f"{place}: the form circle ({d_Ff * 1e3:.4f} mm) of such teeth lies outside the tip circle ({d_a * 1e3:.4f} mm)",
+            advice=advice,
         )
+    with untraced():
+        at_form = f.thickness_at(d_Ff, s_t, bare.d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_Ff))
+    if at_form >= math.pi * d_Ff / bare.wheel.teeth:
+        raise NoSolution(f"{place}: the teeth fill their spaces at the form circle ({d_Ff * 1e3:.4f} mm)", advice=advice)

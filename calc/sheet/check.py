@@ -68,6 +68,8 @@ class Check:
         if self.nearest[1] == 0:
             return f"{self.margin:+.3g} {self.unit}".rstrip().replace("-", "−")
         percent = self.margin * 100
+        if abs(percent) > 99999:  # of a limit that is all but zero
+            return "beyond −99999 %" if percent < 0 else "beyond +99999 %"
         digits = 1 if 0 < abs(percent) < 0.5 else 0
         return f"{percent:+.{digits}f} %".replace("-", "−")
 

@@ -89,12 +89,12 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
         await strike(pilot, "f3")
         await settled(pilot)
         said = footer.render().plain
-        assert "F9 Plot" in said and "F10 Shaft" in said and footer.render().cell_length <= 80
+        assert "F9 Plot" in said and "F10 Variant" in said and footer.render().cell_length <= 80
         curves = work(pilot).query_one(CurvePane)
         seen = set()
         for _ in curves.leaves:
             has = isinstance(curves.leaf, Curve) and len(curves.leaf.variants) > 1
-            await until(pilot, lambda has=has: ("F10 Shaft" in rows(pilot)) == has)  # type: ignore[misc]
+            await until(pilot, lambda has=has: ("F10 Variant" in rows(pilot)) == has)  # type: ignore[misc]
             seen.add(has)
             await strike(pilot, "f9")
         assert seen == {True, False}

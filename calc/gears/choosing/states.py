@@ -165,6 +165,7 @@ def _mesh(s: ToothSystem, key: str, a_w: Any, wheels: tuple[_Circles, _Circles],
         sap[at] = f.diameter_at(wheel.d_b, rho_A)  # type: ignore[assignment]
         sliding[at] = np.where((rho_A > 0) & (path > 0), f.specific_sliding(T, rho_A, z, z_m), np.nan)
         lpstc[at] = np.where(single, f.specific_sliding(T, rho_B, z, z_m), np.nan)
-        margin[at] = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
+        reached: Any = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
+        margin[at] = reached
         clearance[at] = f.tip_clearance(a_w, wheel.d_f, mate.d_a)  # type: ignore[assignment]
     return eps_alpha

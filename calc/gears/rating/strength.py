@@ -192,7 +192,14 @@ def strength_checks(meshes: Mapping[str, MeshStrength]) -> tuple[Check, ...]:
         name, advice = f"Safety of {wheel} against tooth breakage", _advice(wheel, S_F_USUAL / S_F)
         found.append(
             check(
-                f"gears.{wheel}.safety_bending", f"{name}, in {key}", S_F, ">=", S_F_LEAST, "", MINIMUM_F, _advice(wheel, S_F_LEAST / S_F)
+                f"gears.{wheel}.safety_bending",
+                f"{name}, in {_pair(meshes[key])}",
+                S_F,
+                ">=",
+                S_F_LEAST,
+                "",
+                MINIMUM_F,
+                _advice(wheel, S_F_LEAST / S_F),
             )
         )
         found.append(
@@ -239,7 +246,8 @@ def strength_tables(meshes: Mapping[str, MeshStrength]) -> tuple[Table, Table]:
     """Flanks and roots of all meshes, every factor in its column."""
     return _table("gear_flank_strength", "Flanks: stress and strength", CONTACT, "contact", meshes, _film_note(meshes)), _table(
         "gear_root_strength", "Tooth roots: stress and strength", BENDING, "bending", meshes,
-        "σ_FG = σ_Flim·Y_ST·Y_NT·Y_δrelT·Y_RrelT·Y_X·Y_M, Y_ST = 2; Y_M 0.7 where a wheel is driven by one and drives another, or the torque changes its sign.",
+        "σ_FG = σ_Flim·Y_ST·Y_NT·Y_δrelT·Y_RrelT·Y_X·Y_M, Y_ST = 2; Y_M 0.7 where a wheel is driven by one and drives "
+        "another, or the torque changes its sign.",
     )  # fmt: skip
 
 

@@ -63,7 +63,7 @@ def test_what_is_poor_fails_its_check_with_advice(wheels, failing):
 def test_a_ball_that_touches_no_flank_gives_no_size():
     outcome = solve.geometry(train([wheel("a", 30, 0.0), wheel("b", 30, 0.0)], AB, ball=0.5), SPEED)
     assert outcome.result.wheels["a"].over_balls is None
-    assert {c.id: c.verdict for c in outcome.checks}["gears.a.ball"] == "warn"
+    assert {c.id: c.verdict for c in outcome.checks}["gears.a.ball"] == "fail"
 
 
 def test_a_narrow_wheel_can_not_carry_its_span():

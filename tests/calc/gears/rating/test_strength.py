@@ -137,7 +137,7 @@ def test_bending_is_judged_by_the_weakest_mesh_of_a_wheel():
     light, heavy = mesh_strength(pinion, wheel, load), mesh_strength(replace(pinion, name="other"), wheel, replace(load, K_F=1.5))
     found = {c.id: c for c in strength_checks({"light": light, "heavy": heavy})}
     assert found["gears.wheel.safety_bending"].value == pytest.approx(heavy.bending["wheel"].S_F)
-    assert "in heavy" in found["gears.wheel.safety_bending"].name
+    assert "in other–wheel" in found["gears.wheel.safety_bending"].name
 
 
 def test_tables_cover_the_factors_and_not_the_safeties():
