@@ -5,6 +5,7 @@ import math
 
 from ..sheet.check import Check, check
 from ..sheet.units import Number
+from .formulas import ISO
 from .measures import formulas as m
 from .play.backlash import way_to
 from .play.judge import freed
@@ -20,7 +21,6 @@ from .practice import (
 )
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
-ISO = "ISO 21771:2007, as generally published"
 SAME_RATIO = 1e-9
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.record import record
-from ..checks import ISO
+from ..formulas import ISO
 from ..practice import (
     ABOVE_FILLET,
     CONTACT_RATIO,

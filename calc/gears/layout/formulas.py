@@ -8,7 +8,7 @@ directions and angles of teeth are counted from up in that sense.  1 is the driv
 import math
 
 from ...sheet.formula import formula
-from ...sheet.functions import argument, cis, conj, cos, imag, joined, modulus, pi, resultant, sin, sqrt, tan
+from ...sheet.functions import argument, cis, conj, cos, imag, joined, modulus, pi, resultant, sqrt, tan
 from ...sheet.units import (
     Metre,
     Newton,
@@ -19,12 +19,12 @@ from ...sheet.units import (
     PhasorNewtonMetre,
     Radian,
 )
+from ..formulas import ISO
 
 PLANE = "plane geometry"
 TEETH = "meshing of involute teeth"
 NUMBERS = "arithmetic of whole tooth numbers"
 STATICS = "equilibrium of a wheel"
-ISO = "ISO 21771:2007, as generally published"
 ROOM = "room around a turning wheel, worst case"
 
 
@@ -162,11 +162,6 @@ def error_of_tooth(delta: Radian) -> Radian:
 @formula("ε_s", "error of phase, where the middle of a space is set on the axis of the eccentric instead")
 def error_of_space(tau: Radian, delta: Radian) -> Radian:
     return tau / 2 - modulus(delta)
-
-
-@formula("C_ε", "exact difference of two couples of equal length, an angle apart")
-def couple_left(C: NewtonMetre, epsilon: Radian) -> NewtonMetre:
-    return 2 * C * sin(epsilon / 2)
 
 
 # --- forces ----------------------------------------------------------------------------------------------------------------

@@ -9,6 +9,7 @@ from ...sheet.step import Erratum, Outcome, Table
 from ...sheet.trace import about, trace
 from ...sheet.units import UNITS, Metre, NewtonMetre, Radian
 from ..inputs import GearsInputs
+from ..play.backlash import residual_couple
 from . import formulas as f
 from .clearances import clearance_checks, clearances
 from .phase import Phase, hunting, insertion_check, marks_table, phase
@@ -108,7 +109,7 @@ def _assembly(
             errors["eccentric_tooth"] = found["eccentric_tooth_error"] = f.error_of_tooth(delta=teeth.offset)
             errors["eccentric_space"] = found["eccentric_space_error"] = f.error_of_space(tau=tau, delta=teeth.offset)
         if couple is not None:
-            found |= {f"{name}_couple": f.couple_left(C=couple, epsilon=error) for name, error in errors.items()}
+            found |= {f"{name}_couple": residual_couple(C=couple, Delta_phi=error) for name, error in errors.items()}
         if journals is not None:
             wheel = next(w for w in gears.wheels if w.name == last.name)
             upper = wheel.tip_diameter_tolerance[0] if wheel.tip_diameter_tolerance else 0.0

@@ -8,8 +8,7 @@ the calliper stands at the height above the chord, from a tip circle of the nomi
 from ...sheet.formula import formula
 from ...sheet.functions import asin, cos, inv, pi, sin, tan
 from ...sheet.units import Metre, Number, Radian
-
-ISO = "ISO 21771:2007, as generally published"
+from ..formulas import ISO
 
 
 @formula("x_E", f"{ISO}: generating shift of a measured span, from the base tangent length", names={"W": "W_K"})

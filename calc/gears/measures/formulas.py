@@ -10,8 +10,8 @@ import math
 from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, pi, sin, sqrt, tan
 from ...sheet.units import Metre, Number, Radian
+from ..formulas import ISO
 
-ISO = "ISO 21771:2007, as generally published"
 STEEPEST: Radian = 1.5  # no ball touches a flank further out than this pressure angle of its centre
 
 

@@ -183,7 +183,7 @@ def _checks(wheel: "WheelResult", made: MeasuresResult) -> list[Check]:
     found = [
         check(
             f"gears.{name}.constant_chord", f"Circle of the ends of the constant chord of {name}", made.constant_chord_diameter,
-            "in", flank, "mm", f"{m.ISO}: the calliper must touch the involute", advice, kind="advice",
+            "in", flank, "mm", f"{f.ISO}: the calliper must touch the involute", advice, kind="advice",
         )
     ]  # fmt: skip
     if made.pins_width is not None:

@@ -13,8 +13,8 @@ import math
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, pi, sin, sqrt, tan
 from ...sheet.units import Metre, Number, Radian
+from ..formulas import ISO
 
-ISO = "ISO 21771:2007, as generally published"
 OPPOSITE = f"{ISO}, from memory; agrees with centre lines of pins that lie flat between faces parallel to the axis"
 SKEW = "geometry of two skew lines, tangents of the helix of the ball centres in opposite tooth spaces"
 

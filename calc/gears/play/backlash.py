@@ -15,11 +15,11 @@ from ...sheet.record import record
 from ...sheet.trace import about
 from ...sheet.units import Metre, NewtonMetre, Number, Radian
 from .. import formulas as f
+from ..formulas import ISO
 from ..measures.formulas import generating_shift
 from ..result import MeshResult, ToothSystem, WheelResult
 
 DUST: Metre = 1e-12  # a backlash below this is none
-ISO = "ISO 21771:2007, as generally published"
 GUIDE = "ISO/TR 10064-2, from memory"
 LEAST_BACKLASH: Metre = 0.06e-3  # the constant term of the guide value
 

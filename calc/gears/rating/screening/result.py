@@ -24,7 +24,6 @@ class Screening:
     scuffing_margin: Kelvin
     title: str  # "driver–driven"
     film_place: str  # A, AB, B, C, D, DE or E; empty: no film
-    flash_place: Metre  # way on the line of action from the pitch point, + after it
     permissible_film: Number
     permissible_given: bool
     load_stage: Number

@@ -69,7 +69,7 @@ def screening(
         specific_film_min=thin.lam, film_min=thin.h, film_pressure=thin.p_dyn, friction_film=thin.mu_m, bulk_temperature_film=thin.T_M,
         flash_temperature_max=hot.T_fl, friction_flash=hot.mu_m, bulk_temperature_flash=hot.T_M, contact_temperature_max=hot.T_B,
         scuffing_temperature=hot.T_S, scuffing_safety=hot.S_B, scuffing_margin=hot.margin, title=title, film_place=thin.place,
-        flash_place=hot.rho_1 - path.C, permissible_film=PERMISSIBLE_FILM if permissible_film is None else permissible_film,
+        permissible_film=PERMISSIBLE_FILM if permissible_film is None else permissible_film,
         permissible_given=permissible_film is not None, load_stage=stage, load_stage_given=load_stage is not None,
         line_load=load.w_Bt, pitch_line_speed=math.pi * abs(driver.speed) * mesh.working_diameter_driver, oil_temperature=oil.T_oil,
         method_applies=path.shared_by_two, way=samples - path.C, flash=hot.along, specific_film=thin.along,
