@@ -21,6 +21,7 @@ from .solve import Results
 
 WORD = re.compile(r"[\w-]+")
 SHORT = 64  # elements of an array that single numbers are looked for in
+MATES = ("z_1", "z_2", "z_m", "z_d", "z_last")  # teeth of the wheels of a pair or a train
 Origins = dict[int, list[tuple[str, str]]]  # identity of a number or text → its keys in the file, each with its symbol
 
 
@@ -248,7 +249,8 @@ def _counts(design: Design) -> Iterator[tuple[str, tuple[str, ...], int]]:
     for inputs, prefix in _tables(design):
         for key in _keys_of(inputs):
             if key.about.kind == "integer" and (number := getattr(inputs, key.attribute)) is not None:
-                yield f"{prefix}.{key.key}", (key.about.symbol, key.attribute), number
+                names = (key.about.symbol, key.attribute, *(MATES if key.about.symbol == "z" else ()))
+                yield f"{prefix}.{key.key}", names, number
 
 
 def _columns(design: Design) -> Iterator[tuple[str, tuple[float, ...], str]]:

@@ -121,7 +121,7 @@ def solve(design: Design, before: Results | None = None) -> Results:
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
     if g.state == "solved" and design.countershaft is not None:
-        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio)
+        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine.rated_speed if design.engine else first_speed)
     if g.state == "solved":
         g = replace(g, curves=g.curves + curves(g.result))
     found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
@@ -142,7 +142,10 @@ def _gear_train(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, 
     g = placed if placed.state == "solved" else gears.without(g, "layout of the train", placed.reason)
     power = h.power(design, g, f, first_speed)
     if power is None:
-        return replace(g, notes=(*g.notes, gears.NOT_RATED))
+        missing = (
+            f"Not rated: {TITLES['friction']} gives no power: {f.reason}." if f.state in ("no_solution", "blocked") else gears.NOT_RATED
+        )
+        return replace(g, notes=(*g.notes, missing))
     rated = part("gears", own, gears.rating, own, g.result, power, design.materials, h.around_gears(design, e, c))
     if rated.state != "solved":
         return gears.without(g, "rating of the teeth", rated.reason)

@@ -38,16 +38,18 @@ def checks(train: TrainResult) -> tuple[Check, ...]:
 
 
 # --- the train -------------------------------------------------------------------------------------------------------------
-def speed_ratio(train: TrainResult, wanted: Number) -> Check:
+def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) -> Check:
     """Whether the last wheel turns as the shaft must: its speed over that of the first driver, as far as it is off the wanted one."""
     along = list(train.meshes.values())
     first, last = train.wheels[along[0].driver], train.wheels[along[-1].driven]
     way = [*(train.wheels[train.meshes[key].driver] for key in way_to(last.name, train.meshes)), last]
-    ratio, parity = train.speed_ratio, "an odd" if wanted < 0 else "an even"
-    teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth / abs(wanted)
-    enough = f"{needed:g} teeth" if needed == round(needed) else f"{abs(1 / wanted):g} times the teeth of {first.name}"
+    driven_by = abs(first.speed) / crank if crank else 1.0  # of the crank's speed
+    ratio, parity = train.speed_ratio * driven_by, "an odd" if wanted < 0 else "an even"
+    teeth, needed = " → ".join(f"{wheel.name} {wheel.teeth}" for wheel in way), first.teeth * driven_by / abs(wanted)
+    enough = f"{needed:g} teeth" if needed == round(needed) else f"{driven_by / abs(wanted):g} times the teeth of {first.name}"
+    to = first.name if driven_by == 1.0 else "the crank"
     return check(
-        "gears.train.speed_ratio", f"Speed ratio {last.name} to {first.name}, {ratio:+.6g}: off the wanted {wanted:+g} by",
+        "gears.train.speed_ratio", f"Speed ratio {last.name} to {to}, {ratio:+.6g}: off the wanted {wanted:+g} by",
         abs(ratio - wanted), "<=", SAME_RATIO, "",
         f"counter-rotating shaft: product of the tooth ratios {abs(wanted):g} and {parity} number of meshes",
         f"The teeth {teeth} give {ratio:+.6g} by {len(way) - 1} meshes: give {last.name} {enough} "
@@ -89,24 +91,39 @@ def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResu
     at_root = {mesh.driver: mesh.tip_clearance_driver, mesh.driven: mesh.tip_clearance_driven}
     low = min(at_root, key=at_root.__getitem__)
     usual = TIP_CLEARANCE * system.m_n
-    missing = max(0.0, usual - at_root[low]) * 1e3
-    more = f"Cut the tip of {_mate(mesh, low)} by {missing:.3g} mm more, or take a tool with a larger addendum." if missing else "It holds."
+    missing = math.ceil(max(0.0, usual - at_root[low]) * 1e6 - 1e-6) / 1e3
+    tips = " and ".join(_mate(mesh, name) for name, c in at_root.items() if c - at_root[low] < 1e-6)
+    more = f"Cut the tip of {tips} by {missing:.3f} mm more, or take a tool with a larger addendum." if missing else "It holds."
+    needed, enough = ABOVE_FILLET * system.m_n, USUAL_ABOVE_FILLET * system.m_n
     above = {driver.name: mesh.form_margin_driver, driven.name: mesh.form_margin_driven}
     tight = min(above, key=above.__getitem__)
-    mate = _mate(mesh, tight)
-    free = f"The tip of {mate} works low on {tight}: cut it (gears.wheels.{mate}.tip_shortening_mm), or give {tight} more shift."
+    own, other = (driver, driven) if tight == driver.name else (driven, driver)
+    free, free_usual = (_eased(mesh, own, other, reach) for reach in (needed, enough))
     clearance, start = (f"{what} {mesh.driver}–{mesh.driven}" for what in ("Tip clearance", "Start of contact above the fillet"))
-    needed, enough = ABOVE_FILLET * system.m_n, USUAL_ABOVE_FILLET * system.m_n
     return [
         check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", _modules(TIP_CLEARANCE), more, kind="advice"),
         check(f"{id}.interference", start, above[tight], ">=", needed, "mm", f"{ISO}: (d_Nf − d_Ff)/2", free),
         check(
-            f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(USUAL_ABOVE_FILLET), free,
+            f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(USUAL_ABOVE_FILLET), free_usual,
             kind="advice",
         ),
         *_least(f"{id}.tip_clearance_least", f"{clearance}, longest tips and closest centres", mesh.tip_clearance_min, 0.0, "mm", more),
         *_least(f"{id}.interference_least", f"{start}, longest tips and closest centres", mesh.form_margin_min, needed, "mm", free),
     ]  # fmt: skip
+
+
+def _eased(mesh: MeshResult, own: WheelResult, mate: WheelResult, enough: float) -> str:
+    """How much of the mate's tip has to go, so that it arrives far enough above the fillet."""
+    reach = own.form_diameter / 2 + enough
+    rho = math.sqrt(max(reach**2 - (own.base_diameter / 2) ** 2, 0.0))
+    left = math.hypot(mate.base_diameter / 2, max(mesh.line_of_action - rho, 0.0))
+    cut = math.ceil((mate.tip_diameter / 2 - left) * 1e5 - 1e-6) / 1e2
+    if cut <= 0:
+        return "It holds."
+    return (
+        f"The tip of {mate.name} works low on {own.name}: cut {cut:g} mm more off it (gears.wheels.{mate.name}.tip_shortening_mm), as far "
+        "as the contact ratio allows, take a tool with a larger addendum, or more teeth."
+    )
 
 
 def _modules(limit: Number) -> str:

@@ -229,7 +229,7 @@ class GearsInputs:
         default=7,
         low=1,
         high=11,
-        symbol="Q",
+        symbol="A",
         help="Of pitch, profile and helix; smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
     )
     life: float = quantity(

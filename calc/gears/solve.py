@@ -172,11 +172,14 @@ def with_residual_couple(outcome: Outcome, couple: NewtonMetre) -> Outcome:
     return replace(outcome, result=replace(outcome.result, residual_couple=left, train_play=whole), lines=outcome.lines + tuple(lines))
 
 
-def with_speed_ratio(outcome: Outcome, wanted: Number) -> Outcome:
-    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the first, the other way."""
+def with_speed_ratio(outcome: Outcome, wanted: Number, crank: RevPerSecond | None = None) -> Outcome:
+    """The same outcome with the check that its last wheel turns as the shaft must; `wanted` −1: as fast as the crank, the other way.
+
+    `crank`: its speed, where the first driver does not stand on it; the first driver is taken to turn as the crank does.
+    """
     if outcome.state != "solved" or outcome.result is None:
         return outcome
-    return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted)))
+    return replace(outcome, checks=(*outcome.checks, speed_ratio(outcome.result, wanted, crank)))
 
 
 def _notes(gears: GearsInputs, train: Train, result: TrainResult) -> tuple[str, ...]:

@@ -8,13 +8,14 @@ without backlash.  Nothing is rounded on the way.
 from dataclasses import dataclass, field
 
 from ..sheet.errors import NoSolution
-from ..sheet.trace import about
+from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, RevPerSecond
 from . import formulas as f
 from .inputs import GearsInputs, Mesh, Wheel
 from .profile.cut import tool_problem
 from .result import ToothSystem
 
+MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
 CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by this, in modules
 
 
@@ -93,7 +94,24 @@ def _derive(gears: GearsInputs, train: Train, compared: set[int]) -> None:
                 x = f.mate_shift(_shift_sum(train, mesh, i), train.shifts[known[0]])
             if len(known) == 2:
                 _compare(train, mesh, i, x)
+            elif abs(x) > MOST_SHIFT:
+                raise _too_much(train, mesh, i, known[0], mate, x)
             train.shifts[mate] = x
+
+
+def _too_much(train: Train, mesh: Mesh, i: int, known: str, mate: str, x: Number) -> NoSolution:
+    """A centre distance that asks for a shift which no key would allow."""
+    s, z = train.system, (train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth)
+    ends = []
+    with untraced():
+        for end in (-MOST_SHIFT, MOST_SHIFT):
+            involute = f.working_involute(s.transverse_pressure_angle, s.alpha_n, train.shifts[known], end, *z)
+            ends.append(f.centre_distance(*z, s.transverse_module, s.transverse_pressure_angle, f.angle_of_involute(involute)))
+    return NoSolution(
+        f"gears.meshes.{i}.centre_distance_mm = {mesh.centre_distance * 1e3:g}: with the shift {train.shifts[known]:.6g} of {known} it "
+        f"needs {x:.4g} of {mate}; −{MOST_SHIFT} to {MOST_SHIFT} is the most that is tried",
+        advice=f"a distance from {ends[0] * 1e3:.3f} to {ends[1] * 1e3:.3f} mm, other numbers of teeth, or another shift of {known}",
+    )
 
 
 def _compare(train: Train, mesh: Mesh, i: int, x: Number) -> None:

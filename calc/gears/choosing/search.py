@@ -211,7 +211,7 @@ def _around(case: Case, along: Slice, at: Mapping[str, float], i: int) -> list[R
     low = max(along.t[passing[0]], along.t[i] - EACH_SIDE * AROUND)
     high = min(along.t[passing[1]], along.t[i] + EACH_SIDE * AROUND)
     n = np.arange(np.ceil(low / AROUND - 1e-6), np.floor(high / AROUND + 1e-6) + 1)
-    return [_along(case, along, at, float(t), "round") for t in np.round(n * AROUND, 4) if t != at[along.leader]]
+    return [_along(case, along, at, float(t), "round") for t in np.round(n * AROUND, 4) + 0.0 if t != at[along.leader]]
 
 
 # --- tip cuts --------------------------------------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ from ...catalogue import Material
 from ...sheet.formula import formula
 from ...sheet.functions import cos, inv, smallest
 from ...sheet.record import record
+from ...sheet.trace import about
 from ...sheet.units import Celsius, Kelvin, Metre, Number, PerKelvin, Radian
 from .. import formulas as f
 from ..inputs import GearsInputs
@@ -27,7 +28,7 @@ def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
 
 
-@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
+@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K", names={"lambda_S": "λ_S"})
 def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: Number) -> PerKelvin:
     return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
 
@@ -117,7 +118,8 @@ def expansions(m: Meeting, gears: GearsInputs, materials: Mapping[str, Material]
     if not share or gears.support_material is None:
         return Expansions(alpha_H, alpha_1, alpha_2)
     support = materials[gears.support_material].expansion
-    return Expansions(expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
+    with about(f"mesh {m.name}"):
+        return Expansions(expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
 
 
 def grown(m: Meeting, alpha: Expansions, T_housing: Any, T_wheels: Any) -> Grown:

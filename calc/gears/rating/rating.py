@@ -22,7 +22,7 @@ from .influence_checks import influence_table
 from .life import contacts_per_turn, load_cycles
 from .load import Load, Power, loads, mean_torques
 from .result import MeshRating
-from .root_strength import loading_of
+from .root_strength import loading_of, rim_of
 from .screening.load import structural_factor
 from .screening.screen import screening
 from .source_sheet import comparison, sheet
@@ -153,6 +153,7 @@ def _side(desk: Desk, name: str, values: dict[str, Any], load: Load) -> Side:
         with about(f"wheel {name}"):
             cycles = load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(driven, drives)))
     return Side(
-        name, desk.classes[name], wheel.teeth, wheel.tip_diameter, wheel.base_diameter, wheel.tooth_depth, given.rim_thickness,
+        name, desk.classes[name], wheel.teeth, wheel.tip_diameter, wheel.base_diameter, wheel.tooth_depth,
+        rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness),
         values["forms"][name].q_s, values["root_stress"][f"root_stress_{name}"].number, loading_of(driven, drives, reverses), cycles,
     )  # fmt: skip

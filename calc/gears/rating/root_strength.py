@@ -146,13 +146,19 @@ def usual_tooth() -> Number:
     return float("1")
 
 
+def rim_of(d_f: Metre, bore: Metre | None, rim: Metre | None) -> Metre | None:
+    """What carries the teeth: the rim that is given, else what the bore leaves below the root; None: a solid body."""
+    return rim if rim is not None or bore is None else (d_f - bore) / 2
+
+
 def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
     """Y_B; `h_t`: tooth depth.  No rim given: a solid body, 1.  A rim of half the tooth depth or less is refused."""
     if s_R is None or s_R >= RIM_FULL * h_t:
         return solid_rim()
     if s_R <= RIM_LEAST * h_t:
         raise NoSolution(
-            f"gears.wheels.{wheel}.rim_thickness_mm = {s_R * 1e3:.4g}: rim factor Y_B", "ISO 6336-3 ends at half the tooth depth",
+            f"gears.wheels.{wheel}.rim_thickness_mm (or what its bore leaves) = {s_R * 1e3:.4g}: rim factor Y_B",
+            "ISO 6336-3 ends at half the tooth depth",
             f"give it more than {RIM_LEAST * h_t * 1e3:.4g} mm; from {RIM_FULL * h_t * 1e3:.4g} mm on the rim counts as solid",
         )  # fmt: skip
     return thin_rim_factor(h_t=h_t, s_R=s_R)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train in the whole design: what has no solution keeps its reason, and what is known stays."""
 
+import re
 from pathlib import Path
 
 import pytest
@@ -87,3 +88,34 @@ def test_an_iron_wheel_is_not_rated_as_case_hardened_steel():
         assert any("gears.wheels.crank.gear_material" in note for note in outcome.notes)
     named = solved(GAMMA, wheels__crank__material="42CrMo4", wheels__crank__gear_material="quenched and tempered alloy steel")
     assert named.state == "solved"
+
+
+@pytest.mark.parametrize("changes", [{"meshes__1__centre_distance_mm": 95.0}, {"wheels__central__teeth": 8}])
+def test_a_distance_that_asks_for_an_absurd_shift_is_named_with_its_limits(changes):
+    outcome = solved(GAMMA, **changes)
+    assert outcome.reason.startswith("gears.meshes.1.centre_distance_mm") and "a distance from" in outcome.reason
+
+
+def test_a_bore_leaves_a_rim():
+    """A wheel bored out is weaker, and none where its bore nears the root."""
+    solid, bored = (solved(GAMMA, wheels__idler__bore_diameter_mm=bore).result for bore in (None, 69.0))
+    S_F = [t.meshes["idler_shaft"].rating.strength.wheels["safety_bending_idler"].number for t in (solid, bored)]
+    assert S_F[1] < S_F[0]
+    thin = solved(GAMMA, wheels__idler__bore_diameter_mm=76.0)
+    assert next(c for c in thin.checks if c.id == "gears.train.rating").verdict == "fail"
+
+
+def test_the_shaft_is_held_against_the_crank_and_not_against_the_first_driver():
+    """A first driver at half the crank's speed needs twice the teeth of the shaft's wheel."""
+    verdict = {c.id: c.verdict for c in solved(GAMMA, speed_rpm=1300.0).checks}
+    assert verdict["gears.train.speed_ratio"] == "fail"
+
+
+def test_following_the_advice_on_the_fillet_passes():
+    (before,) = (c for c in solved(PAIR).checks if c.id == "gears.crank_pump.interference_usual")
+    assert before.verdict == "warn"
+    cut, name = re.search(r"cut (\S+) mm more off it \(gears\.wheels\.([\w-]+)\.", before.advice).groups()
+    there = next(w.tip_shortening for w in design(PAIR).gears.wheels if w.name == name) * 1e3
+    after = solved(PAIR, **{f"wheels__{name}__tip_shortening_mm": there + float(cut)})
+    one = next(c for c in after.checks if c.id == "gears.crank_pump.interference_usual")
+    assert one.value > before.value and (one.verdict == "pass" or name not in one.advice.partition(":")[0])
