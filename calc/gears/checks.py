@@ -5,23 +5,15 @@ import math
 
 from ..sheet.check import Check, check
 from ..sheet.units import Number
+from . import practice as p
 from .formulas import ISO
 from .measures import formulas as m
 from .play.backlash import way_to
 from .play.judge import freed
-from .practice import (
-    ABOVE_FILLET,
-    CONTACT_RATIO,
-    PRACTICE,
-    TIP_CLEARANCE,
-    TIP_THICKNESS,
-    TIP_THICKNESS_HARDENED,
-    USUAL_ABOVE_FILLET,
-    USUAL_CONTACT_RATIO,
-)
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult
 
 SAME_RATIO = 1e-9
+DUST = 1e-12
 
 
 def checks(train: TrainResult) -> tuple[Check, ...]:
@@ -50,7 +42,7 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
     to = first.name if driven_by == 1.0 else "the crank"
     return check(
         "gears.train.speed_ratio", f"Speed ratio {last.name} to {to}, {ratio:+.6g}: off the wanted {wanted:+g} by",
-        abs(ratio - wanted), "<=", SAME_RATIO, "",
+        off if (off := abs(ratio - wanted)) > DUST else 0.0, "<=", SAME_RATIO, "",
         f"counter-rotating shaft: product of the tooth ratios {abs(wanted):g} and {parity} number of meshes",
         f"The teeth {teeth} give {ratio:+.6g} by {len(way) - 1} meshes: give {last.name} {enough} "
         f"and {parity} number of meshes from {first.name} to {last.name}.",
@@ -74,10 +66,10 @@ def _contact(id: str, mesh: MeshResult) -> list[Check]:
     advice = "Cut less off the tips, give smaller profile shifts, or take more teeth of a smaller module."
     return [
         check(
-            f"{id}.contact_ratio", name, eps_alpha, ">=", CONTACT_RATIO, "",
-            f"{PRACTICE}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted", advice,
+            f"{id}.contact_ratio", name, eps_alpha, ">=", p.CONTACT_RATIO, "",
+            f"{p.PRACTICE}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted", advice,
         ),
-        check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", USUAL_CONTACT_RATIO, "", PRACTICE, advice, kind="advice"),
+        check(f"{id}.contact_ratio_usual", f"{name}, usual", eps_alpha, ">=", p.USUAL_CONTACT_RATIO, "", p.PRACTICE, advice, kind="advice"),
         *_least(f"{id}.contact_ratio_least", f"{name}, shortest tips, widest centres", mesh.transverse_contact_ratio_min, 1.0, "", advice),
     ]  # fmt: skip
 
@@ -90,21 +82,21 @@ def _least(id: str, name: str, value: float | None, limit: float, unit: str, adv
 def _clearance(system: ToothSystem, id: str, mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> list[Check]:
     at_root = {mesh.driver: mesh.tip_clearance_driver, mesh.driven: mesh.tip_clearance_driven}
     low = min(at_root, key=at_root.__getitem__)
-    usual = TIP_CLEARANCE * system.m_n
+    usual = p.TIP_CLEARANCE * system.m_n
     missing = math.ceil(max(0.0, usual - at_root[low]) * 1e6 - 1e-6) / 1e3
     tips = " and ".join(_mate(mesh, name) for name, c in at_root.items() if c - at_root[low] < 1e-6)
     more = f"Cut the tip of {tips} by {missing:.3f} mm more, or take a tool with a larger addendum." if missing else "It holds."
-    needed, enough = ABOVE_FILLET * system.m_n, USUAL_ABOVE_FILLET * system.m_n
+    needed, enough = p.ABOVE_FILLET * system.m_n, p.USUAL_ABOVE_FILLET * system.m_n
     above = {driver.name: mesh.form_margin_driver, driven.name: mesh.form_margin_driven}
     tight = min(above, key=above.__getitem__)
     own, other = (driver, driven) if tight == driver.name else (driven, driver)
     free, free_usual = (_eased(mesh, own, other, reach) for reach in (needed, enough))
     clearance, start = (f"{what} {mesh.driver}–{mesh.driven}" for what in ("Tip clearance", "Start of contact above the fillet"))
     return [
-        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", _modules(TIP_CLEARANCE), more, kind="advice"),
+        check(f"{id}.tip_clearance", clearance, at_root[low], ">=", usual, "mm", _modules(p.TIP_CLEARANCE), more, kind="advice"),
         check(f"{id}.interference", start, above[tight], ">=", needed, "mm", f"{ISO}: (d_Nf − d_Ff)/2", free),
         check(
-            f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(USUAL_ABOVE_FILLET), free_usual,
+            f"{id}.interference_usual", f"{start}, usual", above[tight], ">=", enough, "mm", _modules(p.USUAL_ABOVE_FILLET), free_usual,
             kind="advice",
         ),
         *_least(f"{id}.tip_clearance_least", f"{clearance}, longest tips and closest centres", mesh.tip_clearance_min, 0.0, "mm", more),
@@ -127,7 +119,7 @@ def _eased(mesh: MeshResult, own: WheelResult, mate: WheelResult, enough: float)
 
 
 def _modules(limit: Number) -> str:
-    return f"{PRACTICE}: {limit:g} m_n"
+    return f"{p.PRACTICE}: {limit:g} m_n"
 
 
 def _mate(mesh: MeshResult, name: str) -> str:
@@ -144,13 +136,13 @@ def _tooth(system: ToothSystem, wheel: WheelResult) -> list[Check]:
             f"Give {place}.profile_shift at least {wheel.undercut_limit:.4f}, more teeth, or a tool with a smaller addendum.",
         ),
         check(
-            f"gears.{name}.tip_thickness", f"Normal tip thickness of {name}", s_an, ">=", TIP_THICKNESS * system.m_n, "mm",
-            _modules(TIP_THICKNESS),
+            f"gears.{name}.tip_thickness", f"Normal tip thickness of {name}", s_an, ">=", p.TIP_THICKNESS * system.m_n, "mm",
+            _modules(p.TIP_THICKNESS),
             f"Cut the tip ({place}.tip_shortening_mm), or give a smaller {place}.profile_shift.",
         ),
         check(
             f"gears.{name}.tip_thickness_hardened", f"Tip thickness of {name}, if case-hardened", s_an, ">=",
-            TIP_THICKNESS_HARDENED * system.m_n, "mm", f"{_modules(TIP_THICKNESS_HARDENED)} if case-hardened",
+            p.TIP_THICKNESS_HARDENED * system.m_n, "mm", f"{_modules(p.TIP_THICKNESS_HARDENED)} if case-hardened",
             "A thin tip hardens through: cut it, or give less shift.", kind="advice",
         ),
     ]  # fmt: skip

@@ -357,19 +357,21 @@ class GearsInputs:
             if self.meshes and name not in driven | {self.meshes[0].driver}:
                 yield f"wheels.{i}.name", f'no mesh uses the wheel "{name}"'
 
+    def hands(self) -> dict[str, str]:
+        """The hand of every helical wheel: they alternate from the first that is given, else the first driver is right-handed."""
+        if not self.helix_angle or not self.meshes:
+            return {}
+        turned = {self.meshes[0].driver: 0}
+        for mesh in self.meshes:
+            turned[mesh.driven] = 1 - turned.get(mesh.driver, 0)
+        sides = ("left", "right")
+        first = next((w for w in self.wheels if w.hand is not None and w.name in turned), None)
+        base = 1 if first is None else (sides.index(str(first.hand)) + turned[first.name]) % 2
+        return {name: sides[(base + n) % 2] for name, n in turned.items()}
+
     def _hands(self) -> Iterable[tuple[str, str]]:
         """External helical wheels in mesh have opposite hands."""
-        if not self.helix_angle:
-            return
-        at = {w.name: i for i, w in enumerate(self.wheels)}
-        other = {"left": "right", "right": "left"}
-        turned = {self.meshes[0].driver: False} if self.meshes else {}  # whether a wheel has the hand that the first driver has not
-        for mesh in self.meshes:
-            turned[mesh.driven] = not turned.get(mesh.driver, False)
-        first = next((w for w in self.wheels if w.hand is not None), None)
-        for wheel in self.wheels:
-            if first is None or wheel.hand is None or wheel.name not in turned or first.name not in turned:
-                continue
-            hand = first.hand if turned[wheel.name] == turned[first.name] else other[str(first.hand)]
-            if wheel.hand != hand:
-                yield f"wheels.{at[wheel.name]}.hand", f"must be {hand}, since {first.name} is {first.hand}: the hands of a train alternate"
+        hands = self.hands()
+        for i, wheel in enumerate(self.wheels):
+            if wheel.hand is not None and wheel.hand != hands.get(wheel.name, wheel.hand):
+                yield f"wheels.{i}.hand", f"must be {hands[wheel.name]}: the hands of a train alternate"

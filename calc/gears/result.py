@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What solving the gear train gives: the tooth system, its wheels, its meshes."""
 
+from collections.abc import Mapping
+
 from ..sheet.quantity import Stated, group, result, value
+from ..sheet.record import record
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
 from .layout.result import ForcesResult, LayoutResult
 from .measures.measures import MeasuresResult
+from .measures.seat import Seat
 from .play.result import PlayResult, TrainPlay
 from .rating.result import MeshRating
 
@@ -25,6 +29,15 @@ class ToothSystem:
     h_aP0: Number  # of the tool
     rho_aP0: Number
     stock: Metre
+
+
+@record
+class End:
+    """The tooth at one end of its allowance: generating shift, thickness at the reference circle, seat of the measuring ball."""
+
+    x_E: Number
+    s_t: Metre
+    seat: Seat | None
 
 
 @result
@@ -68,6 +81,9 @@ class WheelResult:
     material: str
     allowance: tuple[Metre, Metre] | None  # (upper, lower) change of the span
     span_length: Metre  # W_K
+    virtual_teeth: Number  # z_v
+    seat: Seat | None  # of the measuring ball; None: it does not fit
+    ends: dict[str, End] | None = None  # "max", "min": at the ends of the allowance
     tip_curvature: Metre  # ρ_a
     form_curvature: Metre  # ρ_F
 
@@ -126,6 +142,12 @@ class MeshResult:
     sap_curvature_driven: Metre
     centre_tolerance: Metre  # ±
     play_angle: Radian  # free turn of the driven wheel at the largest backlash
+
+
+def working_circles(meshes: Mapping[str, MeshResult], wheel: str) -> list[tuple[str, Metre, MeshResult]]:
+    """The mates of a wheel, each with the wheel's working diameter towards it and their mesh."""
+    drives = [(mesh.driven, mesh.working_diameter_driver, mesh) for mesh in meshes.values() if mesh.driver == wheel]
+    return drives + [(mesh.driver, mesh.working_diameter_driven, mesh) for mesh in meshes.values() if mesh.driven == wheel]
 
 
 @result

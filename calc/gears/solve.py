@@ -31,7 +31,7 @@ from .profile.meshing import penetrations
 from .rating.desk import Around
 from .rating.load import Power
 from .rating.rating import RatingResult, rating
-from .result import MeshResult, ToothSystem, TrainResult, WheelResult
+from .result import MeshResult, ToothSystem, TrainResult, WheelResult, working_circles
 from .train import Train, mesh_key, settle, speeds, tooth_system
 from .wheel import solve_wheel
 
@@ -86,8 +86,7 @@ def _measured(
     judged: list[Check] = []
     for given in gears.wheels:
         name = given.name
-        working = [(mesh.driven, mesh.working_diameter_driver) for mesh in meshes.values() if mesh.driver == name]
-        working += [(mesh.driver, mesh.working_diameter_driven) for mesh in meshes.values() if mesh.driven == name]
+        working = [(mate, d_w) for mate, d_w, _ in working_circles(meshes, name)]
         sizes, checked, table = measures(system, given, wheels[name], working)
         found[name] = replace(wheels[name], measures=sizes)
         spans.append(table)

@@ -13,8 +13,9 @@ from . import formulas as f
 from .inputs import GearsInputs, Wheel
 from .measures import formulas as m
 from .measures.preferred import preferred_ball
+from .measures.seat import Seat, seat
 from .profile.outline import Cut, form_diameter_of_undercut
-from .result import ToothSystem, WheelResult
+from .result import End, ToothSystem, WheelResult
 
 
 @record
@@ -49,17 +50,20 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         ideal = m.ball_for_contact(s_t, d, alpha_t, wheel.teeth, d_b, system.base_helix_angle, alpha_m)
         preferred = preferred_ball(system, wheel.teeth, s_t, d, d_b, (d_Ff, d_a), d_f, ideal)
         ball = gears.ball_diameter or preferred or ideal
+        place = seat(system, wheel.teeth, s_t, d, d_b, ball)
+        if place is not None and not d_Ff <= place.d_y <= d_a:
+            place = None
         pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
         return WheelResult(
             tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed,
             profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
             form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
-            ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball, over_balls=(over := _over_balls(bare, s_t, ball, (d_Ff, d_a))),
+            ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball, over_balls=_over_balls(wheel.teeth, place, ball),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
             allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
             tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b),
-            **_limits(bare, ball if over is not None else None, x_min, d_a), **_tips(wheel, d_a),
+            virtual_teeth=chord, seat=place, **_limits(bare, ball if place is not None else None, x_min, d_a), **_tips(wheel, d_a),
         )  # fmt: skip
 
 
@@ -111,19 +115,10 @@ def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:
     return {f"span_{K}{end}": Stated(Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()}
 
 
-def _over_balls(bare: _Bare, s_t: Metre, ball: Metre, flank: tuple[Metre, Metre] = (0.0, math.inf)) -> Metre | None:
-    """None where the ball does not touch both flanks between the form and the tip circle."""
-    z, s = bare.wheel.teeth, bare.system
-    involute = m.ball_involute(s_t, bare.d, s.transverse_pressure_angle, ball, bare.d_b, s.base_helix_angle, z)
-    if involute <= 0:
+def _over_balls(z: int, place: Seat | None, ball: Metre) -> Metre | None:
+    if place is None:
         return None
-    alpha_K = f.angle_of_involute(involute)
-    with untraced():
-        touches = m.ball_contact_diameter(bare.d_b, alpha_K, ball, s.base_helix_angle)
-    if not flank[0] <= touches <= flank[1]:
-        return None
-    d_K = m.ball_centre_diameter(bare.d_b, alpha_K)
-    return m.over_balls_odd(d_K, z, ball) if z % 2 else m.over_balls_even(d_K, ball)
+    return m.over_balls_odd(place.d_K, z, ball) if z % 2 else m.over_balls_even(place.d_K, ball)
 
 
 def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:
@@ -143,7 +138,8 @@ def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[
         d_f = f.root_diameter(bare.d, bare.system.m_n, bare.x, bare.system.h_fP)
         return {f"root_diameter_{end}": f.with_tolerance(d=d_f, T=T) for end, T in zip(("max", "min"), roots)}
     s, place = bare.system, f"gears.wheels.{bare.wheel.name}.span_allowance_um"
-    found: dict[str, Any] = {}
+    ends: dict[str, End] = {}
+    found: dict[str, Any] = {"ends": ends}
     for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
         with about(f"wheel {bare.wheel.name}, {'thickest' if end == 'max' else 'thinnest'} tooth"):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
@@ -156,7 +152,9 @@ def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[
                 found["tip_thickness_normal_min"] = f.normal_thickness_at(s_at, s.beta, d_a, bare.d)
             found[f"root_diameter_{end}"] = d_f if T is None else f.with_tolerance(d=d_f, T=T)
             found[f"form_diameter_{end}"] = d_Ff
-            found[f"over_balls_{end}"] = None if ball is None else _over_balls(bare, s_t, ball)
+            there = None if ball is None else seat(s, bare.wheel.teeth, s_t, bare.d, bare.d_b, ball)
+            found[f"over_balls_{end}"] = None if ball is None else _over_balls(bare.wheel.teeth, there, ball)
+            ends[end] = End(x_E, s_t, there)
     return found
 
 

@@ -8,17 +8,8 @@ import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.record import record
+from .. import practice as p
 from ..formulas import ISO
-from ..practice import (
-    ABOVE_FILLET,
-    CONTACT_RATIO,
-    PRACTICE,
-    TIP_CLEARANCE,
-    TIP_THICKNESS,
-    TIP_THICKNESS_HARDENED,
-    USUAL_ABOVE_FILLET,
-    USUAL_CONTACT_RATIO,
-)
 from ..result import ToothSystem
 from .states import States
 
@@ -41,21 +32,21 @@ class Rule:
 
 
 UNDERCUT = Rule("undercut", "Shift above undercut", "x − x_min", "undercut", 0.0, 0.0, ISO, "take more teeth, or a smaller tool addendum")
-TIP = Rule("tip_thickness", "Normal tip thickness", "s_an/m_n", "s_an", TIP_THICKNESS, TIP_THICKNESS, PRACTICE, "cut the tips")
+TIP = Rule("tip_thickness", "Normal tip thickness", "s_an/m_n", "s_an", p.TIP_THICKNESS, p.TIP_THICKNESS, p.PRACTICE, "cut the tips")
 HARDENED = replace(
-    TIP, key="tip_thickness_hardened", name="Normal tip thickness, case-hardened", limit=TIP_THICKNESS_HARDENED,
-    hard=TIP_THICKNESS_HARDENED,
+    TIP, key="tip_thickness_hardened", name="Normal tip thickness, case-hardened", limit=p.TIP_THICKNESS_HARDENED,
+    hard=p.TIP_THICKNESS_HARDENED,
 )  # fmt: skip
 CONTACT = Rule(
-    "contact_ratio", "Transverse contact ratio", "ε_α", "ε_α", USUAL_CONTACT_RATIO, CONTACT_RATIO, PRACTICE,
+    "contact_ratio", "Transverse contact ratio", "ε_α", "ε_α", p.USUAL_CONTACT_RATIO, p.CONTACT_RATIO, p.PRACTICE,
     "cut less off the tips, or take more teeth of a smaller module",
 )  # fmt: skip
 FILLET = Rule(
-    "above_fillet", "Start of contact above the fillet of the thinnest tooth", "(d_N − d_Ff)/(2·m_n)", "fillet", USUAL_ABOVE_FILLET,
-    ABOVE_FILLET, PRACTICE, "cut the tip of the mate",
+    "above_fillet", "Start of contact above the fillet of the thinnest tooth", "(d_N − d_Ff)/(2·m_n)", "fillet", p.USUAL_ABOVE_FILLET,
+    p.ABOVE_FILLET, p.PRACTICE, "cut the tip of the mate",
 )  # fmt: skip
 CLEARANCE = Rule(
-    "tip_clearance", "Tip clearance", "c/m_n", "c", 0.2, TIP_CLEARANCE, OWN,
+    "tip_clearance", "Tip clearance", "c/m_n", "c", 0.2, p.TIP_CLEARANCE, OWN,
     "cut the tip of the mate, or take a tool with a larger addendum",
 )  # fmt: skip
 HARD_CASE = (UNDERCUT, HARDENED, CONTACT, FILLET, CLEARANCE)

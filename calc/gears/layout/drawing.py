@@ -8,6 +8,7 @@ import numpy as np
 from ...sheet.arrays import ComplexArray
 from ...sheet.step import Curve, Series
 from ..inputs import GearsInputs
+from ..result import working_circles
 from .result import LayoutResult
 
 if TYPE_CHECKING:
@@ -37,8 +38,7 @@ def layout_curve(gears: GearsInputs, train: "TrainResult", layout: LayoutResult)
 
 def _working_radii(train: "TrainResult", name: str) -> list[float]:
     """From the largest inwards; alike ones once."""
-    meshes = [m for m in train.meshes.values() if name in (m.driver, m.driven)]
-    found = [(m.working_diameter_driver if m.driver == name else m.working_diameter_driven) / 2 for m in meshes]
+    found = [d_w / 2 for _, d_w, _ in working_circles(train.meshes, name)]
     return sorted({round(r, 5): r for r in found}.values(), reverse=True)
 
 

@@ -9,7 +9,6 @@ import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from ...sheet.errors import NoSolution
 from ...sheet.number import short
 from ...sheet.step import Outcome, Table
 from ...sheet.trace import about, trace
@@ -32,27 +31,9 @@ class Share(NamedTuple):
     psi: Radian | None  # direction of the pitch point from the wheel's axis
 
 
-def hands(gears: GearsInputs) -> dict[str, str]:
-    """The hand of every wheel: they alternate from any that is given, else the first driver is right-handed; empty for spur wheels."""
-    if not gears.helix_angle:
-        return {}
-    depth = {gears.meshes[0].driver: 0}
-    for mesh in gears.meshes:
-        depth[mesh.driven] = depth[mesh.driver] + 1
-    given = {w.name: ("left", "right").index(w.hand) for w in gears.wheels if w.hand is not None}
-    firsts = {name: (hand + depth[name]) % 2 for name, hand in given.items()}  # the hand of the first driver that each asks for
-    if len(set(firsts.values())) > 1:
-        raise NoSolution(
-            "hands of the helix: " + ", ".join(f"{name} {('left', 'right')[hand]}" for name, hand in given.items()) + " do not alternate",
-            advice="wheels in mesh have opposite hands: give gears.wheels.NAME.hand of one wheel only, the others follow",
-        )
-    first = next(iter(firsts.values()), 1)
-    return {name: ("left", "right")[(first + n) % 2] for name, n in depth.items()}
-
-
 def forces(gears: GearsInputs, train: "TrainResult", layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome:
     """An outcome whose result is a ForcesResult.  `torques`: of the driver of every mesh, by the mesh ("a_b")."""
-    hand = hands(gears)
+    hand = gears.hands()
     shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
     turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
     meshes = {}

@@ -14,6 +14,7 @@ from .. import formulas as f
 from . import formulas as m
 from . import pins as p
 from .measured import Measured, measured, measured_checks
+from .seat import Seat
 from .spans import best, spans, spans_table
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ def measures(
     with about(f"wheel {name}"):
         found["normal_thickness"] = m.normal_thickness(m_n=system.m_n, x=wheel.profile_shift, alpha_n=system.alpha_n)
         found |= _span(system, wheel)
-        found |= _sizes(system, wheel, wheel.reference_thickness, ball)
+        found |= _sizes(system, wheel, wheel.seat, ball)
         found |= _constant_chord(system, wheel)
         if wheel.teeth % 2 and system.beta > STRAIGHT and found.get("over_pins") is not None:
             found["pins_width"] = p.pins_width(m_n=system.m_n, beta=system.beta, D_M=ball, beta_b=system.base_helix_angle)
@@ -103,20 +104,15 @@ def _span(system: "ToothSystem", wheel: "WheelResult") -> dict[str, Metre]:
     }
 
 
-def _sizes(system: "ToothSystem", wheel: "WheelResult", s_t: Metre, ball: Metre) -> dict[str, Metre]:
+def _sizes(system: "ToothSystem", wheel: "WheelResult", place: Seat | None, ball: Metre) -> dict[str, Metre]:
     """Sizes over one ball and over pins; none where the ball does not fit between the flanks."""
-    if wheel.over_balls is None:
+    if place is None:
         return {}
-    d, d_b, z, beta_b = wheel.pitch_diameter, wheel.base_diameter, wheel.teeth, system.base_helix_angle
-    involute = m.ball_involute(s_t=s_t, d=d, alpha_t=system.transverse_pressure_angle, D_M=ball, d_b=d_b, beta_b=beta_b, z=z)
-    if involute <= 0:
-        return {}
-    alpha_K = f.angle_of_involute(involute=involute)
-    d_K = m.ball_centre_diameter(d_b=d_b, alpha_K=alpha_K)
-    found = {"over_one_ball": p.radial_size(d_K=d_K, D_M=ball), "over_pins": over_pins(system, z, d_K, ball)}
-    if d_b * math.tan(alpha_K) > ball * math.cos(beta_b):  # else below the base circle, where there is no flank
-        found["ball_contact_diameter"] = m.ball_contact_diameter(d_b=d_b, alpha_K=alpha_K, D_M=ball, beta_b=beta_b)
-    beta_K: Radian = p.helix_angle_at_centres(beta_b=beta_b, alpha_K=alpha_K)
+    z, d_K, beta_b = wheel.teeth, place.d_K, system.base_helix_angle
+    found = {
+        "over_one_ball": p.radial_size(d_K=d_K, D_M=ball), "over_pins": over_pins(system, z, d_K, ball), "ball_contact_diameter": place.d_y,
+    }  # fmt: skip
+    beta_K: Radian = p.helix_angle_at_centres(beta_b=beta_b, alpha_K=place.alpha_K)
     if z % 2 and system.beta and beta_K < STEEPEST:
         found["over_two_pins"] = p.over_two_pins(d_K=d_K, delta=p.pin_angle(z=z, beta_K=beta_K), beta_K=beta_K, D_M=ball)
     return found
@@ -157,7 +153,7 @@ def _ideal_balls(system: "ToothSystem", wheel: "WheelResult", working: Iterable[
 def _limits(system: "ToothSystem", wheel: "WheelResult", ball: Metre) -> dict[str, Metre]:
     """The allowance of the thickness, and the sizes at both of its ends."""
     found: dict[str, Metre] = {}
-    if wheel.allowance is None:
+    if wheel.allowance is None or wheel.ends is None:
         return found
     m_n, alpha_n = system.m_n, system.alpha_n
     for end, side, E_W in zip(("max", "min"), ("upper", "lower"), wheel.allowance):
@@ -165,11 +161,10 @@ def _limits(system: "ToothSystem", wheel: "WheelResult", ball: Metre) -> dict[st
             E_sn = m.thickness_allowance(E_W=E_W, alpha_n=alpha_n)
             found[f"thickness_allowance_{side}"] = E_sn
             found[f"transverse_allowance_{side}"] = m.transverse_allowance(E_sn=E_sn, beta=system.beta)
-            x_E = m.generating_shift(x=wheel.profile_shift, E_W=E_W, m_n=m_n, alpha_n=alpha_n)
-            s_t = f.reference_thickness(m_n=m_n, x=x_E, alpha_n=alpha_n, beta=system.beta)
-            sizes = _sizes(system, wheel, s_t, ball)
+            x_E = wheel.ends[end].x_E
+            sizes = _sizes(system, wheel, wheel.ends[end].seat, ball)
             found |= {f"{size}_{end}": sizes[size] for size in ("over_one_ball", "over_pins", "over_two_pins") if size in sizes}
-            z_v = m.virtual_teeth(z=wheel.teeth, beta=system.beta)
+            z_v = wheel.virtual_teeth
             psi = m.half_tooth_angle(z_v=z_v, x=x_E, alpha_n=alpha_n)
             found[f"chordal_thickness_{end}"] = m.chordal_thickness(z_v=z_v, m_n=m_n, psi=psi)
             found[f"constant_chord_{end}"] = m.constant_chord(m_n=m_n, alpha_n=alpha_n, x=x_E)

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Preferred diameters of measuring balls and pins, and the one that suits a wheel best."""
 
-import math
 from typing import TYPE_CHECKING
 
 from ...sheet.formula import formula
 from ...sheet.trace import untraced
 from ...sheet.units import Metre, Number
-from ..formulas import angle_of_involute
-from . import formulas as m
+from .seat import seat
 
 if TYPE_CHECKING:
     from ..result import ToothSystem
@@ -47,12 +45,5 @@ def preferred_ball(
 
 def suits(system: "ToothSystem", z: Number, s_t: Metre, d: Metre, d_b: Metre, flank: tuple[Metre, Metre], d_f: Metre, D_M: Metre) -> bool:
     """Whether a ball touches both flanks between these circles, clear of the root and proud of the tip."""
-    beta_b = system.base_helix_angle
-    involute = m.ball_involute(s_t, d, system.transverse_pressure_angle, D_M, d_b, beta_b, z)
-    if involute <= 0:
-        return False
-    alpha_K = angle_of_involute(involute)
-    if d_b * math.tan(alpha_K) <= D_M * math.cos(beta_b):  # it would touch below the base circle
-        return False
-    d_K, d_y = m.ball_centre_diameter(d_b, alpha_K), m.ball_contact_diameter(d_b, alpha_K, D_M, beta_b)
-    return flank[0] < d_y < flank[1] and d_K + D_M > flank[1] and d_K - D_M > d_f
+    there = seat(system, z, s_t, d, d_b, D_M)
+    return there is not None and flank[0] < there.d_y < flank[1] and there.d_K + D_M > flank[1] and there.d_K - D_M > d_f

@@ -30,12 +30,12 @@ def tables(gears: GearsInputs, known: Known, play: Mapping[str, PlayResult]) -> 
 
 
 def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
-    """Backlash over the temperature of the housing, a figure for each mesh."""
+    """Backlash over the temperature of the housing, a figure for each mesh, the tightest first."""
     low, high = sorted((gears.lowest_temperature, gears.running_temperature))
     T: Any = np.linspace(low, high, POINTS)
     drawn = []
     with untraced():
-        for m, alpha in known:
+        for m, alpha in sorted(known, key=lambda one: one[0].mesh.backlash_min):
             lines = [(limit, T, limit) for limit in LIMITS] + [
                 (f"smallest, wheels {gears.wheels_warmer:g} K warmer", T + gears.wheels_warmer, LIMITS[0])
             ]

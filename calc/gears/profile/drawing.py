@@ -15,9 +15,8 @@ from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
 from ...sheet.quantity import Published, published
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import GearsInputs
-from ..layout.forces import hands
 from ..layout.phase import phase
-from ..result import MeshResult, TrainResult, WheelResult
+from ..result import MeshResult, TrainResult, WheelResult, working_circles
 from .outline import CHORD_ERROR, repeated, shifts, tooth
 
 LAYERS = ("PROFILE", "PROFILE_MAX", "PROFILE_MIN", "TIP", "REFERENCE", "BASE", "ROOT", "FORM", "WORKING", "AXIS", "TEXT")
@@ -36,7 +35,7 @@ def wheel_drawing(
     """
     wheel = train.wheels[name]
     made = _outlines(train, wheel, chord_error, 0j, UP, limits=True)
-    made += _circles(wheel, _working(train, name), 0j)
+    made += _circles(wheel, working_circles(train.meshes, name), 0j)
     h = LETTER * wheel.tip_diameter
     left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
     rows = data_table(train, name, gears)
@@ -66,7 +65,7 @@ def train_drawing(
     made: list[Primitive] = []
     for name, wheel in train.wheels.items():
         made += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
-        made += _circles(wheel, _working(train, name), centres[name])
+        made += _circles(wheel, working_circles(train.meshes, name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
     made += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {wheel.teeth}", h) for name, wheel in train.wheels.items()]
     low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
@@ -130,18 +129,12 @@ def _point(at: complex) -> Point:
     return at.real, at.imag
 
 
-def _working(train: TrainResult, name: str) -> list[tuple[str, Metre, MeshResult]]:
-    """The mates of a wheel with its working diameter towards each."""
-    found = [(m.driven, m.working_diameter_driver, m) for m in train.meshes.values() if m.driver == name]
-    return found + [(m.driver, m.working_diameter_driven, m) for m in train.meshes.values() if m.driven == name]
-
-
 # --- the table of data ------------------------------------------------------------------------------------------------------
 def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[str, str], ...]:
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
-    hand = f", {hands(gears)[name]}" if gears is not None and s.beta else ""
+    hand = f", {gears.hands()[name]}" if gears is not None and s.beta else ""
     rows = [
         ("Normal module m_n", _mm(s.m_n)), ("Teeth z", str(wheel.teeth)), ("Normal pressure angle", _degrees(s.alpha_n)),
         ("Helix angle", _degrees(s.beta) + hand), ("Profile shift coefficient x", _number(wheel.profile_shift, 5)),
@@ -152,7 +145,7 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
         ("Root diameter d_f", _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
         ("Form diameter d_Ff", _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
     ]  # fmt: skip
-    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in _working(train, name)]
+    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in working_circles(train.meshes, name)]
     rows += _measures(known)
     if gears is not None:
         rows.append(("Accuracy grade (ISO 1328-1)", str(gears.accuracy_grade)))

@@ -23,7 +23,6 @@ from .life import contacts_per_turn, load_cycles
 from .load import Load, Power, loads, mean_torques
 from .result import MeshRating
 from .root_strength import loading_of, rim_of
-from .screening.load import structural_factor
 from .screening.screen import screening
 from .source_sheet import comparison, sheet
 from .strength import MeshLoad, Side, mesh_strength, roughness_check, strength_checks, strength_tables
@@ -135,7 +134,7 @@ def _loaded(desk: Desk, mesh: MeshResult, load: Load, F_t: Newton, values: dict[
             system, mesh, train.wheels[mesh.driver], train.wheels[mesh.driven], F_t=F_t, oil=desk.oil, materials=desk.materials,
             roughness=desk.flank_ra, load_factor=K_H, application_factor=load.K_A, accuracy_grade=gears.accuracy_grade, mates=mates,
             load_stage=gears.scuffing_load_stage, permissible_film=gears.permissible_film, mesh_stiffness=of.mesh_stiffness,
-            structural_factor=min(structural_factor(desk.classes[name].kind) for name in (mesh.driver, mesh.driven)),
+            structural_factor=min(desk.structural[name] for name in (mesh.driver, mesh.driven)),
         )  # fmt: skip
     return found
 
