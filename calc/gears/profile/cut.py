@@ -162,11 +162,12 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     if f_low == 0 or f_high == 0:
         return low if f_low == 0 else high
     side = 0
-    for n in range(100):
-        width = high - low
-        at = (low * f_high - high * f_low) / (f_high - f_low) if n % 8 != 7 else (low + high) / 2
-        if not low < at < high or width < 4e-16:
-            return at if low < at < high else (low + high) / 2
+    for n in range(200):
+        at, middle = (low * f_high - high * f_low) / (f_high - f_low), (low + high) / 2
+        if n % 8 == 7 or not low < at < high:  # a chord that rounding puts at an end says nothing: halve
+            at = middle
+        if high - low < 1e-15 or not low < at < high:
+            break
         f = function(at)
         if f == 0:
             return at
@@ -176,8 +177,6 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
         else:
             high, f_high = at, f
             f_low, side = (f_low / 2, 1) if side == 1 else (f_low, 1)
-        if high - low < 1e-15:
-            break
     return (low + high) / 2
 
 
