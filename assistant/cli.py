@@ -25,6 +25,7 @@ COMMANDS = {
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "validate": "published reference values beside ours",
+    "oils": "the oils a design may name, or one with the source and confidence of every value",
 }
 KEY_VALUE = "KEY=VALUE"
 
@@ -113,6 +114,9 @@ def parser() -> argparse.ArgumentParser:
     add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
+
+    add["oils"].add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
+    add["oils"].add_argument("--json", action="store_true", help="print one JSON object")
 
     session = commands.add_parser("session", help="the guided session (the same as no command)", description="The guided session.")
     session.add_argument("file", nargs="?")

@@ -31,7 +31,7 @@ def print_results(results: Results, step: str | None = None, *, everything: bool
     """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing."""
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and step in (None, key):
-            _print_step(outcome, everything)
+            _print_step(outcome.whole, everything)
     print_summary(results, step)
 
 
@@ -119,7 +119,7 @@ def print_summary(results: Results, step: str | None = None) -> None:
 
 def results_json(document: Document, results: Results, step: str | None = None, changes: Sequence[str] = ()) -> dict[str, Any]:
     """The one JSON object of `check --json`; a number that is not finite is null."""
-    shown = [o for key, o in results.outcomes.items() if step in (None, key)]
+    shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
     return {
         "schema": 1,
         "program": "contralbero",

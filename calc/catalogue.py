@@ -1,19 +1,46 @@
 # SPDX-License-Identifier: Apache-2.0
 """Oils and materials by name: the design's own first, then the tables that come with the program."""
 
+import re
 import tomllib
-from collections.abc import Iterable
+from collections import ChainMap
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from pathlib import Path
+from typing import Any, TypeVar
 
-from .sheet.quantity import choice, inputs, keys, quantity, text
+from .sheet.quantity import choice, inputs, keys, quantity, tables, text
+from .sheet.record import record
 
+T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
+BESIDE = ("specific_heat_J_kgK",)  # keys of a table's row that stand there for the reader only
+
+
+@record
+class Claim:
+    """One value of a table's row as it stands there: its key, number (or word), confidence and source."""
+
+    key: str
+    value: float | str
+    confidence: str
+    source: str
+
+
+@inputs
+class PrintedViscosity:
+    """A dynamic viscosity that is printed somewhere, to be held against the oil's own law."""
+
+    temperature: float = quantity("Temperature", "°C", low=-40, high=200, symbol="T")
+    viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", above=0, high=1e6, symbol="mu")
+
+    def __str__(self) -> str:
+        return f"{self.viscosity * 1e3:.5g} mPa·s at {self.temperature:g} °C"
 
 
 @inputs
 class Oil:
-    """A lubricant by two viscosities and its density; the values by which it acts in a gear mesh follow from its base."""
+    """A lubricant by two viscosities and its density; the values by which it acts in a gear mesh follow from its base, or are given."""
 
     name: str = text("Name")
     nu40: float = quantity("Kinematic viscosity at 40 °C", "mm²/s", low=1, high=1e5, symbol="nu_40")
@@ -21,11 +48,48 @@ class Oil:
     rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
     conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
+    limiting_shear: float | None = quantity(
+        "Limiting shear stress over pressure", optional=True, above=0, high=0.3, symbol="Lambda", help="Left out: that of the base stock."
+    )
+    pressure_viscosity_40: float | None = quantity(
+        "Pressure-viscosity coefficient at 40 °C", "1/GPa", optional=True, above=0, high=100, symbol="alpha_40",
+        help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
+    )  # fmt: skip
+    printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, optional=True)
     source: str = text("Source", default="the user")
+    claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
 
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.nu100 >= self.nu40:
             yield "nu100_mm2_s", "must be below the viscosity at 40 °C"
+        elif self.nu100 < self.nu40:  # neither is a placeholder
+            from .lubricant import line_problem  # brings numpy with it
+
+            if (wrong := line_problem(self)) is not None:
+                yield "nu100_mm2_s", wrong
+        for i, one in enumerate(self.printed):
+            if any(one.temperature == other.temperature for other in self.printed[:i]):
+                yield f"printed.{i}.temperature_C", "stands twice"
+
+
+@inputs
+class BaseStock:
+    """What the base stock of an oil makes of its viscosity in a gear mesh: α = k·η^s, and the limiting shear stress."""
+
+    name: str = text("Base stock")
+    k: float = quantity("Constant of the pressure-viscosity coefficient", "mm²/N", above=0, symbol="k")
+    s: float = quantity("Exponent of the pressure-viscosity coefficient", above=0, symbol="s")
+    limiting_shear: float = quantity("Limiting shear stress over pressure", above=0, symbol="Lambda")
+    claims: tuple[Claim, ...] = ()
+
+
+@inputs
+class Grade:
+    """An SAE grade by its kinematic viscosity at 100 °C."""
+
+    name: str = text("Grade")
+    from_: float = quantity("From", "mm²/s")
+    below: float = quantity("Below", "mm²/s")
 
 
 @inputs
@@ -42,23 +106,76 @@ class Material:
     source: str = text("Source", default="the user")
 
 
+def _row(cls: Any, row: dict[str, Any]) -> Any:
+    """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source = "…" }`."""
+    known, values, claims = keys(cls), {}, []
+    for key, value in row.items():
+        if isinstance(value, dict):
+            claims.append(Claim(key, value["is"], value["confidence"], value["source"]))
+            value = value["is"]
+        if key in BESIDE:
+            continue
+        about = known[key].about
+        if about.table is not None:
+            value = tuple(_row(about.table, item) for item in value)
+        values[known[key].attribute] = about.units.inside(value) if isinstance(value, float) else value
+    return cls(**values, claims=tuple(claims)) if claims else cls(**values)
+
+
 @cache
 def rows_of(file: str, cls: type, only: str = "") -> dict[str, object]:
     """The rows of a table by their names; `only`: one of them, which spares the reading of the others."""
     text = (TABLES / file).read_text(encoding="utf-8")
     if only:
         text = "".join("[[row]]" + row for row in text.split("[[row]]")[1:] if row.lstrip().startswith(f'name = "{only}"\n'))
-    rows = tomllib.loads(text)["row"]
-    known = keys(cls)
-    return {
-        row["name"]: cls(**{known[k].attribute: known[k].about.units.inside(v) if isinstance(v, float) else v for k, v in row.items()})
-        for row in rows
-    }
+    return {row["name"]: _row(cls, row) for row in tomllib.loads(text)["row"]}
 
 
-def oils(own: Iterable[Oil] = ()) -> dict[str, Oil]:
+class Rows(Mapping[str, T]):
+    """The rows of one kind of a table by their names, each read when it is asked for.  A row begins with its name."""
+
+    def __init__(self, file: str, kind: str, cls: type[T]) -> None:
+        _, *parts = re.split(r"^\[\[(\w+)\]\]\n", (TABLES / file).read_text(encoding="utf-8"), flags=re.MULTILINE)
+        self.texts = {text.split('"', 2)[1]: text for here, text in zip(parts[::2], parts[1::2]) if here == kind}
+        self.cls = cls
+        self.made: dict[str, T] = {}
+
+    def __getitem__(self, name: str) -> T:
+        if name not in self.made:
+            self.made.setdefault(name, _row(self.cls, tomllib.loads(self.texts[name])))  # one object, whichever thread comes first
+        return self.made[name]
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.texts
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.texts)
+
+    def __len__(self) -> int:
+        return len(self.texts)
+
+
+@cache
+def shipped_oils() -> Rows[Oil]:
+    """The oils of the table."""
+    return Rows("oils.toml", "row", Oil)
+
+
+@cache
+def base_stocks() -> Rows[BaseStock]:
+    """The base stocks of the table of oils."""
+    return Rows("oils.toml", "base", BaseStock)
+
+
+@cache
+def grades() -> tuple[Grade, ...]:
+    """The SAE grades, from thin to thick."""
+    return tuple(Rows("oils.toml", "grade", Grade).values())
+
+
+def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:
     """Every oil that a design may name; its own override those of the table."""
-    return {**rows_of("oils.toml", Oil), **{o.name: o for o in own}}  # type: ignore[dict-item]
+    return ChainMap({o.name: o for o in own}, shipped_oils())  # type: ignore[arg-type]
 
 
 def materials(own: Iterable[Material] = ()) -> dict[str, Material]:

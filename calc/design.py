@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A design: the six Inputs in order.  A seventh step is one new folder, two adjacent lines here and its call in solve.py."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
@@ -48,7 +48,7 @@ class Design:
     friction: FrictionInputs | None = table("Friction", FrictionInputs, optional=True)
 
     @property
-    def oils(self) -> dict[str, Oil]:
+    def oils(self) -> Mapping[str, Oil]:
         return oils(self.oil)
 
     @property

@@ -6,6 +6,7 @@ from typing import Any
 from .countershaft.standing import Drive, Gear
 from .design import Design
 from .engine.inputs import EngineInputs
+from .friction.journals import OnShaft
 from .gears.rating.desk import Around
 from .gears.rating.load import Irregularity, Power, Swing, firing_order
 from .gears.result import TrainResult
@@ -73,6 +74,13 @@ def power(design: Design, geometry: Outcome, f: Outcome, first_speed: float | No
     if f.state != "solved":
         return None
     return Power({key: mesh.power_in for key, mesh in f.result.meshes.items()})
+
+
+def on_shaft(design: Design, shaft: Outcome, journals: Outcome, gear: Gear | None) -> OnShaft | None:
+    """The counter-shaft's journals at the end of the train; None where there are none."""
+    if journals.result is None:
+        return None
+    return OnShaft(journals.result, shaft.result, design.countershaft, gear)
 
 
 def shaft_drive(design: Design, train: TrainResult | None, f: Outcome) -> Drive | None:

@@ -5,7 +5,7 @@ Temperatures in °C.  Validity: 2 to 1e5 mm²/s, from 0 °C to about 40 K above 
 thinning of multigrade oils at high shear rate is not part of these laws.
 """
 
-from .catalogue import Oil
+from .catalogue import Oil, base_stocks
 from .sheet.formula import formula
 from .sheet.functions import log10
 from .sheet.record import record
@@ -28,17 +28,10 @@ REFERENCE: Celsius = 15.0
 CP_0: JoulePerKilogramKelvin = 1801.25
 CP_1: JoulePerKilogramKelvin = 4.6
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
-SQUARE_MILLIMETRE_PER_NEWTON: PerPascal = 1e-6
 LN_10: Number = 2.302585092994046
 LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
 ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
-
-# Pressure-viscosity α = k·η^s (α in mm²/N, η in mPa·s) and limiting shear over pressure, by base stock.
-PRESSURE_VISCOSITY = {
-    "mineral": (0.010471, 0.1348), "PAO": (0.010326, 0.0507), "PAG": (0.0047, 0.1572), "ester": (0.006515, 0.16530),
-    "MIL-L-7808": (0.005492, 0.25472), "MIL-L-23699": (0.006515, 0.16530),
-}  # fmt: skip
-LIMITING_SHEAR = {"mineral": 0.047, "PAO": 0.035, "PAG": 0.025, "ester": 0.037, "MIL-L-7808": 0.037, "MIL-L-23699": 0.037}
+FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
 
 
 @formula(
@@ -71,6 +64,16 @@ def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
     return k * (mu / MILLIPASCAL_SECOND) ** s
 
 
+@formula("k", "AGMA 925-A03, as generally published, solved for k at 40 °C", names={"alpha_40": "α_40", "mu_40": "μ_40"})
+def pressure_viscosity_constant(alpha_40: PerPascal, mu_40: PascalSecond, s: Number) -> PerPascal:
+    return alpha_40 / (mu_40 / MILLIPASCAL_SECOND) ** s
+
+
+@formula("ν", "definition of kinematic viscosity, solved for it", unit="mm²/s")
+def implied_viscosity(mu: PascalSecond, rho: KilogramPerMetre3) -> SquareMetrePerSecond:
+    return mu / rho
+
+
 @formula("β", "derivative of the viscosity and density laws: −d ln μ/dT")
 def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
     return SLOPE / (1 - SLOPE * (T - REFERENCE)) - LN_10 * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (T + ZERO_CELSIUS)
@@ -101,6 +104,7 @@ class Lubricant:
 
     def __init__(self, oil: Oil, law: str = "walther") -> None:
         self.oil = oil
+        self.law = law
         self.c = ADDED[law]
         self.C_1 = viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=self.c)
         self.C_2 = viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
@@ -112,8 +116,10 @@ class Lubricant:
 
     def alpha(self, mu: PascalSecond) -> PerPascal:
         """The rise of viscosity with pressure, from the dynamic viscosity at the same temperature."""
-        k, s = PRESSURE_VISCOSITY[self.oil.base]
-        return pressure_viscosity(k=k * SQUARE_MILLIMETRE_PER_NEWTON, mu=mu, s=s)
+        base, k = base_stocks()[self.oil.base], None
+        if self.oil.pressure_viscosity_40 is not None:
+            k = pressure_viscosity_constant(alpha_40=self.oil.pressure_viscosity_40, mu_40=self.at(40.0).mu, s=base.s)
+        return pressure_viscosity(k=base.k if k is None else k, mu=mu, s=base.s)
 
     def beta(self, T: Celsius) -> PerKelvin:
         """The fall of ln μ with temperature."""
@@ -122,5 +128,24 @@ class Lubricant:
 
     @property
     def limiting_shear(self) -> Number:
-        """The largest shear stress of the oil over its pressure (by its base; an assumption, ±40 %)."""
-        return LIMITING_SHEAR[self.oil.base]
+        """The largest shear stress of the oil over its pressure: as given, else by its base."""
+        given = self.oil.limiting_shear
+        return base_stocks()[self.oil.base].limiting_shear if given is None else given
+
+
+def line_problem(oil: Oil) -> str | None:
+    """Why the line through an oil's two viscosities can be that of no liquid lubricant; None where it can."""
+    c = ADDED["walther"]
+    slope = -viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=c)
+    if FLATTEST <= slope <= STEEPEST:
+        return None
+
+    def at_100(C_1: Number) -> str:
+        C_2 = viscosity_intercept(nu_40=oil.nu40, c=c, C_1=-C_1)
+        return f"{kinematic_viscosity(C_2=C_2, C_1=-C_1, T=100.0, c=c) / CENTISTOKE:.3g}"
+
+    return (
+        f"no liquid lubricant has it with {oil.nu40 / CENTISTOKE:g} mm²/s at 40 °C: its viscosity line would have the slope {slope:.2g}; "
+        f"silicones have 1.3, mineral oils 3.5, polyphenyl ethers 4.7, and {FLATTEST:g} to {STEEPEST:g} are allowed: "
+        f"here from {at_100(STEEPEST)} to {at_100(FLATTEST)} mm²/s"
+    )

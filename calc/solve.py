@@ -16,7 +16,7 @@ from .countershaft import solve as countershaft
 from .countershaft.standing import with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
-from .friction import train as friction
+from .friction import solve as friction
 from .gears import solve as gears
 from .gears.curves import curves
 from .imbalance import solve as imbalance
@@ -42,6 +42,10 @@ class Results:
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():
             yield from outcome.checks
+
+    def whole(self) -> "Results":
+        """The same with the curves, tables and notes that take longer than a keystroke may."""
+        return replace(self, outcomes={key: outcome.whole for key, outcome in self.outcomes.items()})
 
     @property
     def verdict(self) -> str:
@@ -108,16 +112,18 @@ def solve(design: Design, before: Results | None = None) -> Results:
         materials.get(h.name_of(design.bearings, "journal_material") or h.name_of(design.countershaft, "material")),
         materials.get(h.name_of(design.bearings, "housing_material")), after=_asked(e, i, c),
     )  # fmt: skip
+    if g.state == "solved" and design.gears is not None:
+        g = _placed(part, g, design, c)
     oil, law, temperature = h.mesh_oil(design)
     f = part(
-        "friction", design.friction, friction.solve, design.friction, design.gears, geometry.result, b.result, first_speed,
-        oils.get(oil), law, temperature, materials, after=(g, b) if design.bearings else (g,),
+        "friction", design.friction, friction.solve, design.friction, design.gears, g.result, h.on_shaft(design, c, b, gear), first_speed,
+        oils.get(oil), law, temperature, materials, oils, after=(g, b) if design.bearings else (g,),
     )  # fmt: skip
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, geometry.result, f))
         b = bearings_with_standing(b, c.result.standing)
     if g.state == "solved" and design.gears is not None:
-        g = _gear_train(part, g, design, (e, c, f), first_speed)
+        g = _rated(part, g, design, (e, c, f), first_speed)
     if g.state == "solved" and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
     if g.state == "solved" and design.countershaft is not None:
@@ -128,10 +134,10 @@ def solve(design: Design, before: Results | None = None) -> Results:
     return Results(design, found, part.now)
 
 
-def _gear_train(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, Outcome, Outcome], first_speed: float | None) -> Outcome:
-    """A train whose geometry is known: its play, its place, its rating and its forces.  What finds no solution fails, the rest stays."""
+def _placed(part: _Parts, g: Outcome, design: Design, c: Outcome) -> Outcome:
+    """A train whose geometry is known: its play and its place.  What finds no solution fails, the rest stays."""
     assert design.gears is not None
-    own, (e, c, f) = design.gears, steps
+    own = design.gears
     played = part("gears", own, gears.with_play, g, own, design.materials, h.housing(design))
     g = played if played.state == "solved" else gears.without(g, "backlash over parts and temperature", played.reason)
     couple = c.result.couple if c.result else None
@@ -139,7 +145,13 @@ def _gear_train(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, 
         "gears", own, gears.with_layout, g, own, h.shaft_axis(design), h.eccentric(design), h.ends(h.journals(design)),
         h.gear_end(design, c), couple,
     )  # fmt: skip
-    g = placed if placed.state == "solved" else gears.without(g, "layout of the train", placed.reason)
+    return placed if placed.state == "solved" else gears.without(g, "layout of the train", placed.reason)
+
+
+def _rated(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, Outcome, Outcome], first_speed: float | None) -> Outcome:
+    """Its rating and its forces, once the closed balance has the power of every mesh."""
+    assert design.gears is not None
+    own, (e, c, f) = design.gears, steps
     power = h.power(design, g, f, first_speed)
     if power is None:
         missing = (

@@ -251,7 +251,11 @@ def material_blocks(context: Context) -> list[Block]:
 def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Block]:
     if not entries:
         return []
-    numbers = [k for k in keys(entries[0].__class__).values() if k.key not in ("name", "source")]
+    numbers = [
+        key
+        for key in keys(entries[0].__class__).values()
+        if key.key not in ("name", "source") and key.about.kind != "tables" and any(getattr(e, key.attribute) is not None for e in entries)
+    ]
     head = [Column(context.words[kind])]
     for key in numbers:
         head.append(replace(_column(key.about), width=52.0))

@@ -68,6 +68,7 @@ def render(document: Document, results: Results, raw: bytes, *, depth: str = "en
         raise ValueError(f"lang {lang!r}: must be one of {', '.join(WORDS)}")
     for face in FACES:
         widths(face)
+    results = results.whole()
     context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, WORDS[lang])
     pages = paginate(blocks(context))
     design, w = results.design, context.words

@@ -104,7 +104,7 @@ class Live(Screen[None]):
         """The calculation of a step, written out and broken into rows; kept as long as its outcome is the same.  Runs in any thread."""
         from ..sheets import sheet
 
-        outcome = results.outcomes[step.key]
+        outcome = results.outcomes[step.key].whole
         known, made = self.sheets.get(step.key, (None, Sheet()))
         if known is not outcome:
             try:

@@ -196,7 +196,7 @@ class Workbench(Doing, Live):
     def show_results(self) -> None:
         """The results of the current step."""
         results = self.session.results
-        outcome = results.outcomes[self.step.key] if results is not None else None
+        outcome = results.outcomes[self.step.key].whole if results is not None else None
         self.query_one(Checks).show(outcome)
         if results is not None:
             self.query_one(Calculation).show(self.prepare(results, self.step))

@@ -84,17 +84,21 @@ def with_standing(outcome: Outcome, shaft: CountershaftInputs, gear: Gear | None
     """The same outcome with its weight and its gear's force on the bearings; on two bearings only."""
     if len(shaft.bearing_positions) != 2:
         return outcome
-    found = outcome.result
     with trace() as lines, about("standing part of the load"):
-        z_f, z_r = shaft.bearing_positions
-        weight = None
-        if found.mass is not None and found.centre_of_gravity is not None:
-            G_S = f.weight(m_S=found.mass)
-            G_r = f.weight_rear(G_S=G_S, z_S=found.centre_of_gravity, z_f=z_f, z_r=z_r)
-            weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
-        reactions = found.reaction_front, found.reaction_rear
-        stands = standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), drive)
-    return replace(outcome, result=replace(found, standing=stands), lines=(*outcome.lines, *lines))
+        stands = standing_of(outcome.result, shaft, gear, drive)
+    return replace(outcome, result=replace(outcome.result, standing=stands), lines=(*outcome.lines, *lines))
+
+
+def standing_of(found: Any, shaft: CountershaftInputs, gear: Gear | None, drive: Drive | None) -> Standing:
+    """What stands still on the two bearings of a solved shaft; the power of its drive may be an array."""
+    z_f, z_r = shaft.bearing_positions
+    weight = None
+    if found.mass is not None and found.centre_of_gravity is not None:
+        G_S = f.weight(m_S=found.mass)
+        G_r = f.weight_rear(G_S=G_S, z_S=found.centre_of_gravity, z_f=z_f, z_r=z_r)
+        weight = G_S, f.weight_front(G_S=G_S, G_r=G_r), G_r
+    reactions = found.reaction_front, found.reaction_rear
+    return standing(reactions, shaft.bearing_positions, weight, gear, gear_place(shaft, found, gear), drive)
 
 
 def gear_place(shaft: CountershaftInputs, found: Any, gear: Gear | None) -> Metre | None:

@@ -3,15 +3,103 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import choice, inputs, quantity, series, tables, text
+from ..sheet.quantity import choice, inputs, integer, quantity, series, tables, text
+
+# Types of rolling bearings whose factors are known (`losses/rolling_bearings.py`).
+BEARING_TYPES = (
+    "deep-groove-ball", "angular-contact-ball", "self-aligning-ball", "cylindrical-roller", "needle-roller", "spherical-roller",
+    "tapered-roller",
+)  # fmt: skip
 
 
 @inputs
 class OtherLoss:
-    """A loss that the train carries besides those computed: idler bearings, seals."""
+    """A loss that the train carries besides those computed."""
 
     name: str = text("Name")
     power: float = quantity("Power", "W", low=0, high=1e6, symbol="P")
+
+
+@inputs
+class Seal:
+    """A radial shaft seal on the shaft of a wheel."""
+
+    name: str = text("Name")
+    diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh")
+    count: int = integer("Seals of this size", default=1, low=1, high=20)
+    method: str = choice(
+        "Method", "simrit", "linke", default="simrit", help="simrit: by diameter and speed. linke: also by the oil and its temperature."
+    )
+
+
+@inputs
+class RollingBearing:
+    """Rolling bearings that carry a wheel."""
+
+    name: str = text("Name")
+    kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
+    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d")
+    outside_diameter: float = quantity("Outside diameter", "mm", above=0, high=2000, symbol="D")
+    load: float | None = quantity(
+        "Radial load of all of them together", "N", optional=True, low=0, high=1e6, symbol="F", help="Left out: by the teeth of its wheel."
+    )
+    count: int = integer("Bearings that share the load", default=2, low=1, high=8)
+    method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
+    series: str | None = text("Series", optional=True, help='For SKF\'s model: "60", "62", "63" …')
+    lubrication: str = choice("Lubrication", "bath", "mist", "jet", default="mist", help="By Palmgren: mist half of a bath, a jet twice.")
+    f_0: float | None = quantity("Factor f_0", optional=True, low=0, high=50, symbol="f_0", help="Of oil and type. Left out: by the type.")
+    f_1: float | None = quantity("Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", help="Of the load. Left out: by the type.")
+
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.outside_diameter <= self.bore:
+            yield "outside_diameter_mm", "must be larger than the bore"
+
+
+@inputs
+class PlainBearing:
+    """The bush of an idler on its fixed pin."""
+
+    name: str = text("Name")
+    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d")
+    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l")
+    clearance: float = quantity("Diametral clearance when running", "µm", above=0, high=5000, symbol="g")
+    load: float | None = quantity("Load", "N", optional=True, low=0, high=1e6, symbol="F", help="Left out: by the teeth of its wheel.")
+
+
+@inputs
+class Dip:
+    """A wheel that dips into oil."""
+
+    name: str = text("Name")
+    depth: float = quantity("Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h")
+    oil_volume: float = quantity("Oil in the sump", "L", above=0, high=1000, symbol="V_0")
+
+
+@inputs
+class Jet:
+    """Oil thrown onto a wheel, which carries it along."""
+
+    name: str = text("Name")
+    flow: float = quantity("Flow", "L/min", above=0, high=1000, symbol="Q")
+    jet_speed: float = quantity(
+        "Speed of the jet along the teeth", "m/s", default=0.0, low=-200, high=200, symbol="v_j", help="Positive: the way the teeth go."
+    )
+
+
+@inputs
+class Scenario:
+    """The same design with another oil, temperature, load sharing, roughness or power."""
+
+    name: str = text("Name")
+    oil: str | None = text("Oil", optional=True)
+    oil_temperature: float | None = quantity("Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5)
+    load_sharing: str | None = choice("Load sharing", "linear", "smooth", optional=True)
+    flank_roughness: tuple[float, ...] | None = series(
+        "Flank roughness Ra", "µm", count=(1, 2), optional=True, above=0, high=20, symbol="Ra"
+    )
+    power: float | None = quantity(
+        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Of a design without counter-shaft."
+    )
 
 
 @inputs
@@ -24,8 +112,19 @@ class FrictionInputs:
         help="Left out: the bearings' supply temperature.",
     )  # fmt: skip
     bulk_temperature: float = quantity(
-        "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", help="Of the teeth. Left out: that of the oil."
+        "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", help="Of the teeth, measured. Left out: by the next key."
     )
+    bulk: str = choice(
+        "Bulk temperature without measurement", "oil", "estimated", default="oil",
+        help="oil: that of the oil. estimated: above it by the loss of the mesh itself (AGMA 925-A03).",
+    )  # fmt: skip
+    tip_relief_factor: float = quantity(
+        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", help="1: no tip relief."
+    )
+    body_resistance: tuple[float, ...] | None = series(
+        "Thermal resistance of the wheels' bodies", "K/W", count=(1, 2), optional=True, low=0, high=1000, symbol="M",
+        help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not counted.",
+    )  # fmt: skip
     flank_roughness: tuple[float, ...] = series(
         "Flank roughness Ra", "µm", count=(1, 2), above=0, high=20, symbol="Ra", help="One for both, or [driver, driven]."
     )
@@ -33,6 +132,9 @@ class FrictionInputs:
         "Load sharing", "linear", "smooth", default="linear", help="linear: flanks as generated. smooth: both tips relieved."
     )
     solid_friction: float = quantity("Friction of the solids", default=0.135, low=0, high=1, symbol="mu_s", step=0.005)
+    pressure_law: str = choice(
+        "Viscosity under pressure", "barus", "roelands", default="barus", help="Roelands' is milder above some 0.5 GPa."
+    )
     film: str = choice(
         "Film that is judged", "judged", "source", default="judged",
         help="judged: by lubrication regime, with rolling loss. source: EHL film everywhere.",
@@ -42,11 +144,32 @@ class FrictionInputs:
         help="Governs the windage: 24 in the tests behind its formula, 1.2 in air alone.",
     )  # fmt: skip
     specific_fuel_consumption: float = quantity("Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e")
+    co2_per_fuel: float = quantity(
+        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2",
+        help="Of what is burnt completely: diesel (CH1.86) and petrol (CH1.85) 3.17.",
+    )  # fmt: skip
+    map_temperatures: tuple[float, ...] | None = series(
+        "Oil temperatures of the map", "°C", count=(1, 8), optional=True, low=-40, high=200,
+        help="Of losses over speed. Left out: four from 40 K below the oil's to 10 K above.",
+    )  # fmt: skip
+    map_speeds: tuple[float, ...] | None = series(
+        "Speeds of the map", "rpm", count=(2, 2), optional=True, above=0, high=1e5, help="Lowest and highest, of the first driver."
+    )
+    seals: tuple[Seal, ...] = tables(
+        "Shaft seals", Seal, optional=True, help="The wheel that the name begins with carries it, else the last."
+    )
+    rolling_bearings: tuple[RollingBearing, ...] = tables("Rolling bearings of wheels", RollingBearing, optional=True)
+    plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, optional=True)
+    dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, optional=True)
+    jets: tuple[Jet, ...] = tables("Oil thrown onto wheels", Jet, optional=True)
     other_losses: tuple[OtherLoss, ...] = tables(
         "Other losses",
         OtherLoss,
         optional=True,
-        help='Idler bearings, seals …; the wheel that the name begins with carries it ("idler bearing"), else the last.',
+        help='What is known otherwise; the wheel that the name begins with carries it ("idler pump"), else the last.',
+    )
+    scenarios: tuple[Scenario, ...] = tables(
+        "Scenarios", Scenario, optional=True, help="The same train under other conditions, side by side."
     )
 
 

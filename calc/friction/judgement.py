@@ -2,30 +2,35 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
+from .. import oils
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.number import short
-from ..sheet.step import Curve, Erratum, Series
-from .film import ELLIPTICAL, LEAST_FACTOR, Oil
+from ..sheet.step import Curve, Erratum, Series, Table
+from .balance.closure import Drive
 from .inputs import FrictionInputs, carrier
-from .loss import THESIS, MeshLoss, loss_factor, solve_mesh
-from .path import array, line_load
+from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
+from .mesh.loss import THESIS, MeshLoss, loss_factor, solve_mesh
+from .mesh.path import array, line_load
+from .models import compared
 from .result import FrictionResult, MeshResult
 
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 
-# What the source prints as dynamic viscosity, mPa·s over °C.
-PRINTED_VISCOSITY = {
-    "friction thesis 10W40": {40.0: 128.58, 50.0: 20.10, 60.0: 70.22, 100.0: 16.797},
-    "friction thesis 0W30": {40.0: 27.18, 50.0: 20.10, 60.0: 16.14, 100.0: 4.29},
-    "friction thesis 10W40 synthetic": {40.0: 225.79, 50.0: 150.31, 60.0: 100.25, 100.0: 40.09},
-    "friction thesis MIL-L-23699E": {40.0: 22.56},
-}
+
+def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
+    """Checks, curves, errata and notes of a closed balance."""
+    friction = d.friction
+    return {
+        "checks": checks(friction, result), "curves": curves(result), "errata": errata(friction, result, d.oil),
+        "notes": notes(friction, result, d.oil), "tables": tables(result, d),
+    }  # fmt: skip
 
 
 def by_regime(mesh: MeshResult) -> MeshLoss:
@@ -147,18 +152,7 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
         f"method of the {THESIS}, eq. 1",
         "The printed quotient is the share that is lost, not the efficiency.",
     )
-    printed = PRINTED_VISCOSITY.get(oil.lubricant.oil.name, {}).get(oil.T_m)
-    if printed is None:
-        return (*meshes, loss_ratio)
-    viscosity = Erratum(
-        "friction.oil_viscosity",
-        "Viscosity of the oil between the teeth",
-        printed,
-        "mPa·s",
-        f"printed in the {THESIS}, table of oils",
-        "The printed value does not go with the kinematic viscosity and density printed beside it, nor with the oil's SAE grade.",
-    )
-    return (*meshes, loss_ratio, viscosity)
+    return (*meshes, loss_ratio, *oils.errata(oil.lubricant, oil.T_m, source=f"printed in the {THESIS}, table of oils"))
 
 
 def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
@@ -221,8 +215,11 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         found.append(
             "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, nor for any pressure."
         )
-    Lambda, base = short(oil.lubricant.limiting_shear), oil.lubricant.oil.base
-    found.append(f"Limiting shear {Lambda} of the pressure ({base}) is an assumption, ±40 %; steel is taken to conduct 46 W/(m·K).")
+    assumed = next(value for value in oils.judged_values(oil.lubricant.oil) if value.key == "limiting_shear")
+    found.append(
+        f"Limiting shear {short(oil.Lambda)} of the pressure: {assumed.source} (confidence {assumed.confidence}); "
+        "steel is taken to conduct 46 W/(m·K)."
+    )
     found.append("Churning of wheels that dip into oil and rolling bearings are not counted, unless given as other losses.")
     found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
     last = list(result.meshes.values())[-1].case.mesh.driven.name
@@ -233,23 +230,60 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
     return tuple(found)
 
 
+# --- tables ----------------------------------------------------------------------------------------------------------------
+def tables(result: FrictionResult, d: Drive) -> tuple[Table, ...]:
+    """Where the power goes; the models of every mesh; what is known of the oil."""
+    models = (
+        compared.table(name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models)
+        for name, mesh in result.meshes.items()
+    )
+    printed = oils.printed_table(d.lubricant)
+    return (_where(result), *models, oils.values_table(d.lubricant.oil), *(() if printed is None else (printed,)))
+
+
+def _where(r: FrictionResult) -> Table:
+    """The balance, from the first driver to the end of the train."""
+    rows: list[tuple[str | float | None, ...]] = []
+    for mesh in r.meshes.values():
+        m, title = mesh.judged, mesh.case.mesh.title
+        rows.append((f"mesh {title}, sliding", m.sliding_loss, m.sliding_loss / r.total_loss * 100))
+        if m.rolling_loss:
+            rows.append((f"mesh {title}, rolling (bound)", m.rolling_loss, m.rolling_loss / r.total_loss * 100))
+    kinds = (
+        ("windage", r.windage_loss), ("churning", r.churning_loss), ("oil thrown onto wheels", r.thrown_oil_loss),
+        ("shaft seals", r.seal_loss), ("bearings of the wheels", r.wheel_bearing_loss), ("other losses", r.other_loss or None),
+    )  # fmt: skip
+    rows += [
+        (f"journal {place} of the counter-shaft", j.friction_power, j.friction_power / r.total_loss * 100)
+        for place, j in r.journals.items()
+    ]
+    rows += [(kind, P, P / r.total_loss * 100) for kind, P in kinds if P is not None]
+    rows.append(("all losses", r.total_loss, 100.0))
+    return Table("balance", "Where the power goes", (("Loss", ""), ("P", "W"), ("share", "%")), tuple(rows))
+
+
 # --- curves ----------------------------------------------------------------------------------------------------------------
 def curves(result: FrictionResult) -> tuple[Curve, ...]:
     return tuple(c for name, mesh in result.meshes.items() for c in _curves(name, mesh))
 
 
+def way(mesh: MeshResult) -> str:
+    """The label of the path, with its points."""
+    letters = "ABCDE" if mesh.case.mesh.spur else "ACE"
+    marks = ", ".join(f"{letter} {x * 1e3:.2f}" for letter, x in zip("ABCDE", mesh.case.path.marks) if letter in letters)
+    return f"x from T₁, mm ({marks})"
+
+
 def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
     """Along the path in the middle of the face, judged and by the other model."""
-    title, letters = f"Mesh {mesh.case.mesh.title}", "ABCDE" if mesh.case.mesh.spur else "ACE"
-    marks = ", ".join(f"{letter} {x * 1e3:.2f}" for letter, x in zip("ABCDE", mesh.case.path.marks) if letter in letters)
-    way = f"x from T₁, mm ({marks})"
+    title, x_label = f"Mesh {mesh.case.mesh.title}", way(mesh)
     models = (("judged", mesh.judged), ("by regime", mesh.by_regime) if mesh.by_regime else ("source", mesh.source))
 
     def lines(quantity: str, factor: float = 1.0) -> tuple[Series, ...]:
         return tuple(Series(label, np.asarray(m.local.x) * 1e3, np.asarray(getattr(m.local, quantity)) * factor) for label, m in models)
 
-    roughness = (("combined roughness", mesh.case.sigma * 1e6),)
-    yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the path", way, "μ", lines("mu"))
-    yield Curve(f"{name}.film", f"{title}: film along the path", way, "h, µm", lines("h", 1e6), roughness)
-    yield Curve(f"{name}.heat", f"{title}: friction power along the path", way, "q, W/mm of contact line", lines("q", 1e-3))
-    yield Curve(f"{name}.temperature", f"{title}: film temperature along the path", way, "T_f, °C", lines("T_f"))
+    roughness = (("combined roughness", mesh.case.surfaces.sigma * 1e6),)
+    yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the path", x_label, "μ", lines("mu"))
+    yield Curve(f"{name}.film", f"{title}: film along the path", x_label, "h, µm", lines("h", 1e6), roughness)
+    yield Curve(f"{name}.heat", f"{title}: friction power along the path", x_label, "q, W/mm of contact line", lines("q", 1e-3))
+    yield Curve(f"{name}.temperature", f"{title}: film temperature along the path", x_label, "T_f, °C", lines("T_f"))

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction step publishes, and the sums that close its balance."""
 
-from typing import Annotated
+from typing import Annotated, Any
 
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import group, result, value
-from ..sheet.units import Kelvin, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
-from .loss import Case, MeshLoss
-from .regressions import Regression
+from ..sheet.units import Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
+from .losses.wheels import WheelResult
+from .mesh.loss import Case, MeshLoss
+from .models.regressions import Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
@@ -24,14 +25,34 @@ def and_windage(P: Watt, P_W: Watt) -> Watt:
     return P + P_W
 
 
+@formula("ΣP_C", "sum over the wheels that dip, one after the other", names={"P": "ΣP_C"})
+def and_churning(P: Watt, P_C: Watt) -> Watt:
+    return P + P_C
+
+
+@formula("ΣP_J", "sum over the wheels onto which oil is thrown, one after the other", names={"P": "ΣP_J"})
+def and_thrown_oil(P: Watt, P_J: Watt) -> Watt:
+    return P + P_J
+
+
+@formula("ΣP_D", "sum over the shafts with seals, one after the other", names={"P": "ΣP_D"})
+def and_seal(P: Watt, P_D: Watt) -> Watt:
+    return P + P_D
+
+
+@formula("ΣP_L", "sum over the wheels with bearings of their own, one after the other", names={"P": "ΣP_L"})
+def and_wheel_bearing(P: Watt, P_L: Watt) -> Watt:
+    return P + P_L
+
+
 @formula("ΣP_X", "sum over the wheels, one after the other", names={"P": "ΣP_X"})
 def and_other_loss(P: Watt, P_X: Watt) -> Watt:
     return P + P_X
 
 
-@formula("P", "sum of all losses of the train")
-def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_X: Watt) -> Watt:
-    return P_B + P_VZ + P_W + P_X
+@formula("P", "sum of all losses of the train; what it does not have counts 0")
+def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_C: Watt, P_J: Watt, P_D: Watt, P_L: Watt, P_X: Watt) -> Watt:
+    return P_B + P_VZ + P_W + P_C + P_J + P_D + P_L + P_X
 
 
 @formula("T", "definition of torque")
@@ -42,6 +63,11 @@ def torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
 @formula("m_B", "definition of the specific fuel consumption", unit="g/h")
 def fuel(b_e: KilogramPerJoule, P: Watt) -> KilogramPerSecond:
     return b_e * P
+
+
+@formula("m_CO2", "carbon of the fuel, burnt completely", unit="g/h", names={"e_CO2": "e_CO2"})
+def carbon_dioxide(e_CO2: Number, m_B: KilogramPerSecond) -> KilogramPerSecond:
+    return e_CO2 * m_B
 
 
 @result
@@ -56,18 +82,23 @@ class MeshResult:
     source: MeshLoss = group()
     by_regime: MeshLoss | None = group()
     schlenk: Regression = group()
+    niemann: Regression = group()
     xu_kahraman: Regression | None = group()
     benedict_kelley: Regression = group()
+    model_spread: Number | None = value("Largest loss of all models over the smallest", "", "P_max/P_min")
     case: Case
+
+    @property
+    def published_models(self) -> dict[str, Regression | None]:
+        return {name: getattr(self, name) for name in ("schlenk", "niemann", "xu_kahraman", "benedict_kelley")}
 
 
 @result
-class WheelResult:
-    """One wheel."""
+class JournalResult:
+    """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the turning load."""
 
-    speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")
-    windage: Watt = value("Windage of the wheel", "W", "P_W")
-    other_loss: Watt = value("Other losses carried by the wheel", "W", "P_X")
+    standing_load: Newton | None = value("Standing load of the journal: weight and gear force", "N", "R_0")
+    friction_power: Watt = value("Friction of the journal over a turn", "W", "P_f")
 
 
 @result
@@ -76,14 +107,21 @@ class FrictionResult:
 
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
+    journals: dict[str, JournalResult] = group()
+    scenarios: dict[str, Any] = group(default=None)  # of `beyond.scenarios`
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
     windage_loss: Watt = value("Windage of all wheels", "W", "ΣP_W")
+    churning_loss: Watt | None = value("Churning of all wheels", "W", "ΣP_C")
+    thrown_oil_loss: Watt | None = value("Oil thrown onto the wheels", "W", "ΣP_J")
+    seal_loss: Watt | None = value("Shaft seals", "W", "ΣP_D")
+    wheel_bearing_loss: Watt | None = value("Bearings of the wheels", "W", "ΣP_L")
     other_loss: Watt = value("Other losses", "W", "ΣP_X")
     total_loss: Watt = value("Sum of the losses", "W", "P")
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
-    fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h")
+    fuel: KilogramPerSecond | None = value("Fuel that the losses cost", "g/h", "m_B")
+    co2: KilogramPerSecond | None = value("CO₂ that the losses cost", "g/h", "m_CO2")
     residual: Watt  # of the balance

@@ -26,7 +26,7 @@ GREEK = dict(
 )  # fmt: skip
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
-CALLS = {"sqrt": "sqrt", "total": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}
+CALLS = {"sqrt": "sqrt", "total": "sum", "along": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}
 CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
 CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 

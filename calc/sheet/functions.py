@@ -73,6 +73,12 @@ def total(x: Any) -> Any:
     return np.sum(x).item()
 
 
+def along(x: Any) -> Any:
+    """Sum over the last axis, the positions of a path: a float of one operating point, an array of many."""
+    found: Any = np.sum(x, -1)
+    return found if found.ndim else found.item()
+
+
 def resultant(x: Any) -> Any:
     """Sum over the last axis: the cylinders of one engine, or of each of many.
 

@@ -2,7 +2,9 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 from .check import Check, worst
@@ -54,7 +56,8 @@ class Turning:
 class Curve:
     """Data with labels and limit lines; terminal and paper draw the same object.
 
-    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x.  `variants`: the terminal shows one of them at
+    `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1, 2, … have these, and
+    paper lays them on their side.  `variants`: the terminal shows one of them at
     a time, paper all.  `turning`: the vectors whose ends draw the loci.
     """
 
@@ -66,6 +69,7 @@ class Curve:
     limits: tuple[tuple[str, float], ...] = ()
     equal: bool = False
     bars: bool = False
+    names: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     turning: tuple[Turning, ...] = ()
 
@@ -98,8 +102,20 @@ class Erratum:
 
 
 @record
+class Further:
+    """Curves, tables and notes that are made when they are asked for."""
+
+    curves: tuple[Curve, ...] = ()
+    tables: tuple[Table, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+@record
 class Outcome:
-    """What solving one step gave.  `state`: solved, blocked (`reason` names what it waits for), not_asked, no_solution."""
+    """What solving one step gave.  `state`: solved, blocked (`reason` names what it waits for), not_asked, no_solution.
+
+    `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
+    """
 
     key: str
     state: str = "solved"
@@ -112,6 +128,17 @@ class Outcome:
     proposals: tuple[str, ...] = ()  # what could be done about what was found, and why
     notes: tuple[str, ...] = ()  # assumptions, and what the program chose
     reason: str = ""
+    further: Callable[[], Further] | None = None
+
+    @cached_property
+    def whole(self) -> "Outcome":
+        """The same outcome with what takes longer, made once."""
+        if self.further is None or self.state != "solved":
+            return self
+        more = self.further()
+        return replace(
+            self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
+        )  # fmt: skip
 
     @property
     def verdict(self) -> str:

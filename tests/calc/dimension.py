@@ -14,7 +14,7 @@ from calc.sheet.formula import Formula
 UREG = pint.UnitRegistry()
 UREG.define("euro = [money]")
 SPELL = {"·": "*", "²": "**2", "³": "**3", "⁴": "**4", "µ": "u", "°C": "kelvin", "°": "degree", "10⁻⁶/K": "1e-6/kelvin", "€": "euro"}
-SAME = {"modulus", "abs", "conj", "total", "resultant", "joined", "imag", "largest", "smallest", "rss"}
+SAME = {"modulus", "abs", "conj", "total", "along", "resultant", "joined", "imag", "largest", "smallest", "rss"}
 PURE = {"sin", "cos", "tan", "exp", "ln", "log10", "asin", "acos", "atan", "asinh", "inv", "cis", "erf", "log1p", "arctan2"}
 
 

@@ -33,18 +33,42 @@ class Share(NamedTuple):
 
 def forces(gears: GearsInputs, train: "TrainResult", layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome:
     """An outcome whose result is a ForcesResult.  `torques`: of the driver of every mesh, by the mesh ("a_b")."""
-    hand = gears.hands()
-    shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
-    turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
-    meshes = {}
+    turns = _turns(gears, train)
     with trace() as lines:
-        for key, mesh in train.meshes.items():
-            turns[mesh.driven] = -turns[mesh.driver]
-            h = 1.0 if hand.get(mesh.driver) == "right" else -1.0
-            meshes[key] = _mesh(mesh, layout.meshes[key].line_of_centres, torques[key], turns[mesh.driver], h if hand else 0.0, shares)
-        wheels = {name: _wheel(name, hand.get(name, ""), parts) for name, parts in shares.items()}
+        meshes, wheels = _all(gears, train, layout, torques, turns)
     result = ForcesResult(wheels=wheels, meshes=meshes)
     return Outcome("gears", result=result, lines=tuple(lines), tables=_tables(result), notes=_notes(gears, result, turns))
+
+
+def axis_forces(gears: GearsInputs, train: "TrainResult", torques: Mapping[str, NewtonMetre]) -> dict[str, Newton]:
+    """The force of the teeth on the axis of every wheel, the largest it can be where the places of the wheels are not known.
+
+    `torques` may be arrays: many operating points.
+    """
+    _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train))
+    found = {name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()}
+    return {name: force for name, force in found.items() if force is not None}
+
+
+def _turns(gears: GearsInputs, train: "TrainResult") -> dict[str, Number]:
+    """+1 for the wheels that turn as the crank, −1 for the others."""
+    turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
+    for mesh in train.meshes.values():
+        turns[mesh.driven] = -turns[mesh.driver]
+    return turns
+
+
+def _all(
+    gears: GearsInputs, train: "TrainResult", layout: LayoutResult | None, torques: Mapping[str, NewtonMetre], turns: Mapping[str, Number]
+) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:
+    hand = gears.hands()
+    shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
+    meshes = {}
+    for key, mesh in train.meshes.items():
+        h = 1.0 if hand.get(mesh.driver) == "right" else -1.0
+        gamma = layout.meshes[key].line_of_centres if layout is not None else None
+        meshes[key] = _mesh(mesh, gamma, torques[key], turns[mesh.driver], h if hand else 0.0, shares)
+    return meshes, {name: _wheel(name, hand.get(name, ""), parts) for name, parts in shares.items()}
 
 
 def _mesh(mesh: "MeshResult", gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]) -> MeshForces:

@@ -4,14 +4,17 @@
 import json
 import math
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 from calc.catalogue import oils
-from calc.friction.film import oil_at
+from calc.friction.balance.closure import Fixed, drive
 from calc.friction.inputs import FrictionInputs
-from calc.friction.mesh import MeshGeometry, WheelGeometry
-from calc.friction.solve import closure
+from calc.friction.mesh.film import oil_at
+from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
+from calc.friction.solve import closed as closed_train
 from calc.lubricant import Lubricant
+from calc.sheet.trace import trace
 
 REFERENCE = Path(__file__).parents[2] / "reference"
 RECORDED = Path(__file__).parents[2] / "recorded"
@@ -91,7 +94,11 @@ def r753():
 
 def closed(shaft_power=SHAFT_POWER, speed=CRANK_SPEED, T=120.0, meshes=None, power=None, oil="10W-40 Q8 T905", **said):
     """The closed train of the R753IE4, unless other meshes are given."""
-    return closure(friction(**said), r753() if meshes is None else meshes, lubricant(oil), T, shaft_power, speed, power)
+    shaft = None if shaft_power is None else Fixed(shaft_power)
+    with trace() as lines:
+        d = drive(friction(**said), r753() if meshes is None else meshes, lubricant(oil), T, speed, shaft)
+    found = closed_train(d, power)
+    return replace(found, lines=(*lines, *found.lines))
 
 
 def shown(outcome):

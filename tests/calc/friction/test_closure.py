@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.design_file import design, read
-from calc.friction import power
+from calc.friction.balance import power
 from calc.friction.inputs import OtherLoss, carrier
 from calc.sheet.errors import NoSolution
 from calc.sheet.expression import line_text
@@ -84,17 +84,19 @@ def test_a_mesh_alone():
 
 
 def test_a_jump_of_the_loss_does_not_stop_the_balance():
+    pair = spur_pair()
+
     def jumping(name, P):
         return 4.0 if P < 104.0 - 1e-3 else 3.99
 
-    P, P_in = power.settled("mesh", 100.0, jumping)
-    assert P_in == 100.0 + jumping("mesh", P)
-    assert abs(P_in - P) < 0.011
+    P = power.upstream(only(pair), jumping, lambda loads: {"pinion": 0.0, "gear": 100.0})[pair.name]
+    assert abs(100.0 + jumping("", P) - P) < 0.011
 
 
 def test_a_mesh_that_eats_more_than_it_gets_is_no_solution():
-    with pytest.raises(NoSolution, match="power balance of mesh a_b"):
-        power.settled("a_b", 100.0, lambda name, P: 1.2 * P)
+    pair = spur_pair()
+    with pytest.raises(NoSolution, match="power balance of mesh pinion_gear"):
+        power.upstream(only(pair), lambda name, P: 1.2 * P, lambda loads: {"pinion": 0.0, "gear": 100.0})
 
 
 # --- what is carried where -----------------------------------------------------------------------------------------------------

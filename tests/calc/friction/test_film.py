@@ -6,10 +6,10 @@ import math
 import numpy as np
 import pytest
 
-from calc.friction import film as f
-from calc.friction.loss import case, solve_mesh
-from calc.friction.rolling import ehl_rolling_power, rigid_rolling_power
-from calc.friction.traction import rigid_fluid_friction
+from calc.friction.mesh import film as f
+from calc.friction.mesh.loss import case, solve_mesh
+from calc.friction.mesh.rolling import ehl_rolling_power, rigid_rolling_power
+from calc.friction.mesh.traction import rigid_fluid_friction
 
 from .pairs import friction, lubricant, oil, r753, spur_pair
 

@@ -7,9 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.friction.contact import hertz_pressure, motion
-from calc.friction.loss import case, loss_factor, ohlendorf_loss_factor, solve_mesh
-from calc.friction.path import _legendre, at_pitch_point, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
+from calc.contact.hertz import hertz_pressure
+from calc.contact.teeth import loss_factor as ohlendorf_loss_factor
+from calc.friction.mesh.loss import case, loss_factor, solve_mesh
+from calc.friction.mesh.motion import motion
+from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
 from calc.sheet.errors import NoSolution
 
 from .pairs import friction, fzg, oil, r753, reference, spur_pair
@@ -30,7 +32,7 @@ def tips(mesh, driver=1.0, driven=1.0):
 # --- published -------------------------------------------------------------------------------------------------------------
 def test_loss_factor_of_the_fzg_gears():
     known, p = VECTORS["fzg_c"], path(fzg())
-    H_V = ohlendorf_loss_factor(u=1.5, z_1=16, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2)
+    H_V = ohlendorf_loss_factor(z_1=16, z_2=24, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2)
     assert H_V == pytest.approx(known["ohlendorf_loss_factor"], abs=known["tolerance"])
 
 
@@ -40,7 +42,7 @@ def test_hertzian_pressure_of_the_fzg_load_stages(stage):
     p = path(mesh)
     m = motion(mesh, p, 1.0)
     F_bt = known["torque_Nm"][stage] / mesh.driver.base_radius
-    p_C = float(hertz_pressure(w=F_bt / mesh.face_width, E_r=m.E_r, R=at_pitch_point(m.R)))
+    p_C = float(hertz_pressure(w=F_bt / mesh.face_width, E_r=m.E_r, rho_n=p.at_pitch_point(m.R)))
     assert p_C / 1e6 == pytest.approx(known["pressure_MPa"][stage], rel=known["tolerance"][min(stage, 1)])
 
 
@@ -83,7 +85,7 @@ def test_ohlendorf_is_exact_where_two_pairs_share_half_and_half():
     share = np.where((p.x < p.C_B) | (p.x > p.C_D), 0.5, 1.0)
     F_bt = transverse_force(P=1000.0, omega_1=c.motion.omega_1, r_b1=mesh.driver.base_radius)
     H_VL = loss_factor(s=p.weight, w=share * F_bt / mesh.face_width, V_s=c.motion.V_s, P=1000.0)
-    H_V = ohlendorf_loss_factor(u=2.0, z_1=38, beta_b=0.0, epsilon_alpha=p.epsilon_alpha, epsilon_1=p.epsilon_1, epsilon_2=p.epsilon_2)
+    H_V = ohlendorf_loss_factor(z_1=38, z_2=76, beta_b=0.0, eps_alpha=p.epsilon_alpha, eps_1=p.epsilon_1, eps_2=p.epsilon_2)
     assert H_VL == pytest.approx(H_V, rel=1e-12)
     assert H_V == pytest.approx(0.098764, abs=1e-6)
 

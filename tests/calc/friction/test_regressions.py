@@ -5,10 +5,10 @@ import math
 
 import pytest
 
-from calc.friction import regressions as r
-from calc.friction import windage as a
-from calc.friction.loss import case
-from calc.friction.path import path
+from calc.friction.losses import windage as a
+from calc.friction.mesh.loss import case
+from calc.friction.mesh.path import path
+from calc.friction.models import regressions as r
 
 from .pairs import friction, fzg, lubricant, oil, r753, reference
 
@@ -36,12 +36,12 @@ def test_schlenk_on_fzg_gears():
     p = path(mesh)
     rho = p.C_C * (p.C_F - p.C_C) / p.C_F
     v_sum = 2 * 8.3 * p.C_F / 91.5e-3  # 2·v·sin α_wt
-    mu = r.schlenk(w_t=T_1 / mesh.driver.base_radius / 14e-3, v_SumC=v_sum, rho_C=rho, eta_0=0.012, Ra=0.4e-6)
+    mu = r.schlenk(w_t=T_1 / mesh.driver.base_radius / 14e-3, v_SumC=v_sum, rho_C=rho, eta_0=0.012, Ra=0.4e-6, X_L=1.0)
     assert mu == pytest.approx(known["friction_mean"], abs=known["tolerance"])
 
 
 def test_schlenk_counts_no_line_load_below_150_n_per_mm():
-    light, least = (r.schlenk(w_t=w, v_SumC=5.0, rho_C=8e-3, eta_0=0.01, Ra=0.8e-6) for w in (1e3, 150e3))
+    light, least = (r.schlenk(w_t=w, v_SumC=5.0, rho_C=8e-3, eta_0=0.01, Ra=0.8e-6, X_L=1.0) for w in (1e3, 150e3))
     assert light == least
 
 

@@ -5,6 +5,8 @@ from collections.abc import Mapping
 from typing import Annotated
 
 from ....catalogue import Material
+from ....contact.hertz import reduced_modulus
+from ....contact.teeth import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
 from ....lubricant import Lubricant
 from ....sheet.formula import formula
 from ....sheet.functions import cos
@@ -30,12 +32,6 @@ ThermalProduct = Annotated[float, "W²·s/(m⁴·K²)"]
 CONDUCTIVITY: WattPerMetreKelvin = 45.0  # of steel, ISO/TR 15144-1:2014, Table 2, as in public code
 SPECIFIC_HEAT: JoulePerKilogramKelvin = 440.0  # the same
 
-# Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
-# only (1.3): other esters count as mineral oil by a rule of this program.
-LUBRICANT_FACTOR = {"mineral": 1.0, "PAO": 0.8, "PAG": 0.7}
-# Lubrication factor X_S, ISO/TR 13989-1:2000 (22) and ISO/TR 15144-1:2014 (84), as generally published.
-LUBRICATION_FACTOR = {"spray": 1.2, "dip": 1.0, "submerged": 0.2}
-
 
 @formula(
     "w_Bt", "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors", unit="N/mm", names={"K": "K_A·K_V·K_Hβ·K_Hα"}
@@ -57,19 +53,9 @@ def helical_load_factor(eps_gamma: Number) -> Number:
     return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * float((eps_gamma - 2) * (5 - eps_gamma)) ** 0.5
 
 
-@formula("E_r", "ISO/TR 15144-1:2014 (6), ISO/TR 13989-1:2000 (A.10): reduced modulus of elasticity", unit="MPa")
-def reduced_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
-    return 2 / ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2)
-
-
 @formula("b_M", "ISO/TR 15144-1:2014 (82), (83): square of the thermal contact coefficient", names={"lam": "λ_M", "c": "c_M", "rho": "ρ_M"})
 def thermal_product(lam: WattPerMetreKelvin, rho: KilogramPerMetre3, c: JoulePerKilogramKelvin) -> ThermalProduct:
     return lam * rho * c
-
-
-@formula("Ra", "ISO/TR 15144-1:2014 (3): mean roughness of both flanks", unit="µm")
-def mean_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
-    return (Ra_1 + Ra_2) / 2
 
 
 @record

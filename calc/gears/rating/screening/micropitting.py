@@ -11,6 +11,15 @@ from typing import Any
 
 import numpy as np
 
+from ....contact.teeth import (
+    bulk_rise,
+    bulk_temperature,
+    loss_factor,
+    loss_factor_high,
+    mean_friction,
+    roughness_factor,
+    sum_of_speeds,
+)
 from ....lubricant import Lubricant
 from ....sheet.arrays import Array
 from ....sheet.formula import formula
@@ -46,53 +55,14 @@ KILOWATT: Watt = 1e3
 ZERO: Celsius = 273.0  # as the standard rounds it
 THIRTY_EIGHT: Celsius = 311.0
 FALL: Celsius = 516.0
-RISE: Kelvin = 7400.0
+UNRELIEVED: Number = 1.0  # X_Ca of a profile without tip relief
 HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
 
 
 # --- friction and the temperature of the teeth ----------------------------------------------------------------------------------
-@formula("v_Σ,C", f"{ISO} (13), {AS_FOUND}: sum of the rolling speeds at the pitch point, where both are the same")
-def sum_of_speeds(v_C: MetrePerSecond) -> MetrePerSecond:
-    return 2 * v_C
-
-
-@formula("X_R", f"{ISO} (87), {AS_FOUND}: roughness factor", names={"rho_nC": "ρ_n,C"})
-def roughness_factor(Ra: Metre, rho_nC: Metre) -> Number:
-    return 2.2 * (Ra / MICROMETRE / (rho_nC / MILLIMETRE)) ** 0.25
-
-
-@formula(
-    "μ_m",
-    f"{ISO} (86), {AS_FOUND}: mean coefficient of friction",
-    names={"v_SumC": "v_Σ,C", "rho_nC": "ρ_n,C", "eta": "η_oil", "K_Bgamma": "K_Bγ"},
-)
-def mean_friction(
-    w_t: NewtonPerMetre, K_Bgamma: Number, v_SumC: MetrePerSecond, rho_nC: Metre, eta: PascalSecond, X_R: Number, X_L: Number
-) -> Number:
-    return (
-        0.045 * (w_t / NEWTON_PER_MILLIMETRE * K_Bgamma / (v_SumC / METRE_PER_SECOND * rho_nC / MILLIMETRE)) ** 0.2
-        * (eta / MILLIPASCAL_SECOND) ** -0.05 * X_R * X_L
-    )  # fmt: skip
-
-
-@formula("H_v", f"{ISO} (91), {AS_FOUND}: load losses factor, ε_α below 2 (Ohlendorf 1958)")
-def load_losses_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
-    return (eps_1**2 + eps_2**2 + 1 - eps_alpha) * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
-
-
-@formula("H_v", f"{ISO} (92), {AS_FOUND}: load losses factor, ε_α of 2 and more")
-def load_losses_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
-    return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
-
-
 @formula("P", "definition of power")
 def power(F_t: Newton, d: Metre, n: RevPerSecond) -> Watt:
     return F_t * pi * d * modulus(n)
-
-
-@formula("Θ_M", f"{ISO} (84), {AS_FOUND}: bulk temperature, no tip relief (X_Ca = 1)", names={"T_oil": "Θ_oil"})
-def bulk_temperature(T_oil: Celsius, P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number) -> Celsius:
-    return T_oil + RISE * (P / KILOWATT * mu_m * H_v / (a / MILLIMETRE * b / MILLIMETRE)) ** 0.72 * X_S / 1.2
 
 
 # --- the film ----------------------------------------------------------------------------------------------------------------------
@@ -208,11 +178,11 @@ def _teeth(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z
         w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=sum_of_speeds(v_C=path.v_C), rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
     )  # fmt: skip
     if path.eps_alpha < 2:
-        H_v = load_losses_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+        H_v = loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
     else:
-        H_v = load_losses_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+        H_v = loss_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
     P = power(F_t=load.F_t, d=d, n=path.n_1)
-    T_M = bulk_temperature(T_oil=oil.T_oil, P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S)
+    T_M = bulk_temperature(T_oil=oil.T_oil, Delta_T=bulk_rise(P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S, X_Ca=UNRELIEVED))
     alpha_M = pressure_viscosity_at(alpha_38=oil.alpha_38, T=T_M)
     eta_M = oil.lubricant.at(T_M).mu
     return Teeth(oil.lubricant, mu_m, T_M, oil.alpha_38, alpha_M, eta_M, material_parameter(alpha_M=alpha_M, E_r=load.E_r))

@@ -12,71 +12,37 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ....contact.line import (
+    GEOMETRY,
+    approach_contact_ratio,
+    driven_curvature,
+    normal_relative_radius,
+    pitch_point,
+    recess_contact_ratio,
+    relative_radius,
+    rolling_speed,
+    sole_contact_begins,
+    sole_contact_ends,
+)
 from ....sheet.arrays import Array
 from ....sheet.formula import formula
-from ....sheet.functions import cos, largest, modulus, pi, sin, smallest
+from ....sheet.functions import largest, sin, smallest
 from ....sheet.record import record
-from ....sheet.units import Metre, MetrePerSecond, Number, Radian, RevPerSecond
+from ....sheet.units import Metre, MetrePerSecond, Number, Radian
 
 if TYPE_CHECKING:
     from ...result import MeshResult, ToothSystem, WheelResult
 
 ISO_PATH = "ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014, as generally published"
-GEOMETRY = "ISO 21771:2007, as generally published"
 POINTS = 21  # samples of each of the three parts of the path
 BESIDE = 1e-12  # how far beside B and D, of their place, the samples of the shared load stand
 FINEST: Number = 7.0  # the finest accuracy grade of which the load sharing still takes notice
 BUTTRESS: Number = 0.2  # of sin β_b, in radii of curvature at the pitch point
 
 
-@formula("ρ_B", "geometry: one base pitch before the end of contact", unit="mm")
-def sole_contact_begins(rho_E: Metre, p_bt: Metre) -> Metre:
-    return rho_E - p_bt
-
-
-@formula("ρ_D", "geometry: one base pitch after the beginning of contact", unit="mm")
-def sole_contact_ends(rho_A: Metre, p_bt: Metre) -> Metre:
-    return rho_A + p_bt
-
-
-@formula("ρ_C", f"{GEOMETRY}: the driver's radius of curvature at the pitch point", unit="mm", names={"T": "T_1T_2"})
-def pitch_point(T: Metre, z_1: Number, z_2: Number) -> Metre:
-    return T * z_1 / (z_1 + z_2)
-
-
 @formula("ρ_E", f"{GEOMETRY}: the driver's radius of curvature at the end of contact", unit="mm", names={"T": "T_1T_2", "rho_A2": "ρ_A2"})
 def end_of_contact(T: Metre, rho_A2: Metre) -> Metre:
     return T - rho_A2
-
-
-@formula("ρ_2", f"{GEOMETRY}: radius of curvature of the driven flank", unit="mm", names={"T": "T_1T_2"})
-def driven_curvature(T: Metre, rho_1: Metre) -> Metre:
-    return T - rho_1
-
-
-@formula("ρ_rel", "ISO/TR 13989-1:2000 (6): relative radius of curvature, transverse", unit="mm")
-def relative_radius(rho_1: Metre, rho_2: Metre) -> Metre:
-    return rho_1 * rho_2 / (rho_1 + rho_2)
-
-
-@formula("ρ_n", "ISO/TR 15144-1:2014 (45): relative radius of curvature, normal section", unit="mm")
-def normal_relative_radius(rho_rel: Metre, beta_b: Radian) -> Metre:
-    return rho_rel / cos(beta_b)
-
-
-@formula("v_r", "rolling speed of a flank: radius of curvature times angular velocity; ISO/TR 15144-1:2014 (14), (15)")
-def rolling_speed(n: RevPerSecond, rho: Metre) -> MetrePerSecond:
-    return 2 * pi * modulus(n) * rho
-
-
-@formula("ε_1", "ISO/TR 15144-1:2014: contact ratio of the driver's addendum", names={"rho_E": "ρ_E", "rho_C": "ρ_C"})
-def recess_contact_ratio(rho_E: Metre, rho_C: Metre, p_bt: Metre) -> Number:
-    return (rho_E - rho_C) / p_bt
-
-
-@formula("ε_2", "ISO/TR 15144-1:2014: contact ratio of the driven wheel's addendum")
-def approach_contact_ratio(rho_C: Metre, rho_A: Metre, p_bt: Metre) -> Number:
-    return (rho_C - rho_A) / p_bt
 
 
 @formula(

@@ -11,9 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from ....contact.hertz import half_width
 from ....sheet.arrays import Array
 from ....sheet.formula import formula
-from ....sheet.functions import cos, largest, modulus, pi, sin, smallest, sqrt
+from ....sheet.functions import cos, largest, modulus, sin, smallest, sqrt
 from ....sheet.record import record
 from ....sheet.trace import untraced
 from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
@@ -71,11 +72,6 @@ def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) ->
 @formula("w", "load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"})
 def local_load(X: Number, K_Bgamma: Number, w_t: NewtonPerMetre) -> NewtonPerMetre:
     return X * K_Bgamma * w_t
-
-
-@formula("b_H", "Hertz: half the width of the contact", unit="µm")
-def hertz_half_width(w: NewtonPerMetre, rho_n: Metre, E_r: Pascal) -> Metre:
-    return sqrt(8 * w * rho_n / (pi * E_r))
 
 
 @formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "b_M1", "b_2": "b_M2"})
@@ -174,5 +170,5 @@ def flash(
 def _local(path: Path, load: Load, mu_m: Number, C_eff: Metre, at: Place) -> Kelvin:
     X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=path.E - path.A)
     w = local_load(X=at.X, K_Bgamma=load.K_Bgamma, w_t=load.w_t)
-    b_H = hertz_half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)
+    b_H = half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)
     return flash_temperature(mu_m=mu_m, X_J=X_J, w=w, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, b_H=b_H)

@@ -6,9 +6,9 @@ Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil 
 same law of turbulent discs, P ~ ρ^0.8·η^0.2.  Churning of a wheel that dips into oil is another matter and not counted.
 """
 
-from ..sheet.formula import formula
-from ..sheet.functions import largest, smallest
-from ..sheet.units import KilogramPerMetre3, Metre, Number, PascalSecond, RevPerSecond, Watt
+from ...sheet.formula import formula
+from ...sheet.functions import largest, smallest
+from ...sheet.units import KilogramPerMetre3, Metre, Number, PascalSecond, RevPerSecond, Watt
 
 ANDERSON = "Anderson and Loewenthal 1980, NASA TP-1622, as generally published"
 

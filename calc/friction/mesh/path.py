@@ -18,13 +18,14 @@ from typing import Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import Array
-from ..sheet.errors import NoSolution
-from ..sheet.formula import formula
-from ..sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
-from ..sheet.record import record
-from ..sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
-from .mesh import MeshGeometry, require, sound
+from ...contact.line import approach_contact_ratio, pitch_point, recess_contact_ratio, sole_contact_begins, sole_contact_ends
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
+from ...sheet.record import record
+from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
+from .geometry import MeshGeometry, require, sound
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
 HELICAL_POINTS = 2  # and of a helical one, whose pieces are shorter
@@ -50,44 +51,19 @@ def base_pitch(r_b1: Metre, z_1: Number) -> Metre:
     return 2 * pi * r_b1 / z_1
 
 
-@formula("C_F", f"{AGMA}: distance of the points T₁ and T₂ where the line of action touches the base circles", unit="mm")
+@formula("T_1T_2", f"{AGMA}: C_F, between the points where the line of action touches the base circles", unit="mm")
 def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
     return a_w * sin(alpha_wt)
 
 
-@formula("C_A", f"{AGMA}: start of contact, at the tip of the driven wheel", unit="mm")
-def start_of_contact(C_F: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
-    return C_F - sqrt(r_a2**2 - r_b2**2)
+@formula("ρ_A", f"{AGMA}: C_A, start of contact at the tip of the driven wheel", unit="mm", names={"T": "T_1T_2"})
+def start_of_contact(T: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
+    return T - sqrt(r_a2**2 - r_b2**2)
 
 
-@formula("C_E", f"{AGMA}: end of contact, at the tip of the driver", unit="mm")
+@formula("ρ_E", f"{AGMA}: C_E, end of contact at the tip of the driver", unit="mm")
 def end_of_contact(r_a1: Metre, r_b1: Metre) -> Metre:
     return sqrt(r_a1**2 - r_b1**2)
-
-
-@formula("C_B", f"{AGMA}: from here one pair is alone", unit="mm")
-def start_of_single_contact(C_E: Metre, p_bt: Metre) -> Metre:
-    return C_E - p_bt
-
-
-@formula("C_D", f"{AGMA}: to here one pair is alone", unit="mm")
-def end_of_single_contact(C_A: Metre, p_bt: Metre) -> Metre:
-    return C_A + p_bt
-
-
-@formula("C_C", f"{AGMA}: pitch point", unit="mm")
-def pitch_point(C_F: Metre, z_1: Number, z_2: Number) -> Metre:
-    return C_F * z_1 / (z_1 + z_2)
-
-
-@formula("ε_1", "contact ratio of the driver's addendum: recess")
-def recess_contact_ratio(C_E: Metre, C_C: Metre, p_bt: Metre) -> Number:
-    return (C_E - C_C) / p_bt
-
-
-@formula("ε_2", "contact ratio of the driven wheel's addendum: approach")
-def approach_contact_ratio(C_C: Metre, C_A: Metre, p_bt: Metre) -> Number:
-    return (C_C - C_A) / p_bt
 
 
 @formula("ε_α", "transverse contact ratio")
@@ -154,7 +130,7 @@ def floored_line_load(w: NewtonPerMetre, w_max: NewtonPerMetre) -> NewtonPerMetr
 # --- both together ---------------------------------------------------------------------------------------------------------
 @record
 class Path:
-    """The line of action and the positions on it.  Arrays have one row per strip; the last five columns are the points A … E.
+    """The line of action and the positions on it, strip after strip; the last five of each strip are the points A … E.
 
     `weight` is the mean length of contact line for which a position stands: Σ weight·(power per length) is the mean power.
     `carried` is what the load follows from: the share X_Γ of a spur pair, the contact length L of a helical one.
@@ -174,10 +150,22 @@ class Path:
     x: Metre
     weight: Metre
     carried: float
+    per_strip: int
 
     @property
     def marks(self) -> tuple[float, ...]:
         return self.C_A, self.C_B, self.C_C, self.C_D, self.C_E
+
+    def in_the_middle(self, x: float) -> Array:
+        """What an array has along the strip in the middle of the face, by rising x."""
+        middle = np.size(self.x) // self.per_strip // 2 * self.per_strip
+        strip = slice(middle, middle + self.per_strip)
+        return np.asarray(x)[..., strip][..., np.argsort(np.asarray(self.x)[strip], kind="stable")]
+
+    def at_pitch_point(self, x: float) -> float:
+        """The value that an array has at C: a float, or one for each of many operating points."""
+        found = np.asarray(x)[..., self.per_strip - 3]
+        return cast(float, found if found.ndim else float(found))
 
 
 @cache
@@ -213,16 +201,16 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
     alpha_wt = working_pressure_angle(r_b1=one.base_radius, r_b2=two.base_radius, a_w=mesh.centre_distance)
     p_bt = base_pitch(r_b1=one.base_radius, z_1=one.teeth)
     C_F = line_of_action(a_w=mesh.centre_distance, alpha_wt=alpha_wt)
-    C_A = start_of_contact(C_F=C_F, r_a2=two.tip_radius, r_b2=two.base_radius)
+    C_A = start_of_contact(T=C_F, r_a2=two.tip_radius, r_b2=two.base_radius)
     C_E = end_of_contact(r_a1=one.tip_radius, r_b1=one.base_radius)
-    C_B = start_of_single_contact(C_E=C_E, p_bt=p_bt)
-    C_D = end_of_single_contact(C_A=C_A, p_bt=p_bt)
-    C_C = pitch_point(C_F=C_F, z_1=one.teeth, z_2=two.teeth)
+    C_B = sole_contact_begins(rho_E=C_E, p_bt=p_bt)
+    C_D = sole_contact_ends(rho_A=C_A, p_bt=p_bt)
+    C_C = pitch_point(T=C_F, z_1=one.teeth, z_2=two.teeth)
     if not 0 < C_A < C_C < C_E < C_F:
         order = f"0 < A {C_A:.4g} < C {C_C:.4g} < E {C_E:.4g} < F {C_F:.4g} m does not hold"
         raise NoSolution(where, order, "smaller tip diameters, or more centre distance")
-    epsilon_1 = recess_contact_ratio(C_E=C_E, C_C=C_C, p_bt=p_bt)
-    epsilon_2 = approach_contact_ratio(C_C=C_C, C_A=C_A, p_bt=p_bt)
+    epsilon_1 = recess_contact_ratio(rho_E=C_E, rho_C=C_C, p_bt=p_bt)
+    epsilon_2 = approach_contact_ratio(rho_C=C_C, rho_A=C_A, p_bt=p_bt)
     epsilon_alpha = transverse_contact_ratio(epsilon_1=epsilon_1, epsilon_2=epsilon_2)
     epsilon_beta = overlap_ratio(b=mesh.face_width, beta_b=mesh.base_helix_angle, p_bt=p_bt)
     if mesh.spur and not 1 <= epsilon_alpha <= 2:
@@ -236,16 +224,17 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         x, weight = np.hstack((x, marks[None, :])), weight * mesh.face_width / p_bt
         share = linear_load_sharing if load_sharing == "linear" else smooth_load_sharing
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
-            carried = share(x=array(x), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
+            carried = share(x=array(x.ravel()), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
         g_alpha, g_beta = epsilon_alpha * p_bt, epsilon_beta * p_bt
         x, weight, s = _strips(marks, g_alpha, g_beta, p_bt, points or HELICAL_POINTS, strips)
         weight = weight * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
-        carried = contact_length(s=array(s), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle)
+        carried = contact_length(s=array(s.ravel()), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle)
     weight = np.hstack((weight, np.zeros((len(x), marks.size))))
     return Path(
         C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
-        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=array(x), weight=array(weight), carried=carried,
+        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=array(x.ravel()), weight=array(weight.ravel()), carried=carried,
+        per_strip=x.shape[-1],
     )  # fmt: skip
 
 
@@ -271,8 +260,3 @@ def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMe
         return w, floored_line_load(w=w, w_max=F_bt / mesh.face_width)
     w = helical_line_load(F_bt=F_bt, beta_b=mesh.base_helix_angle, L=path.carried)
     return w, w
-
-
-def at_pitch_point(x: float) -> float:
-    """The value that an array of the path has at C."""
-    return float(np.asarray(x)[0, -3])

@@ -14,11 +14,11 @@ All are for fully flooded, smooth line contact, with the oil at the temperature 
 
 import numpy as np
 
-from ..lubricant import Lubricant
-from ..sheet.formula import formula
-from ..sheet.functions import largest, sqrt
-from ..sheet.record import record
-from ..sheet.units import (
+from ...lubricant import Lubricant
+from ...sheet.formula import formula
+from ...sheet.functions import largest, sqrt
+from ...sheet.record import record
+from ...sheet.units import (
     Celsius,
     Metre,
     MetrePerSecond,
@@ -30,7 +30,7 @@ from ..sheet.units import (
     PerPascal,
     WattPerMetreKelvin,
 )  # fmt: skip
-from .contact import Motion
+from .motion import Motion
 from .path import array
 
 EXPONENT: Number = 0.56  # of the materials' parameter, line contact
@@ -119,7 +119,11 @@ def rigid_film(H_IR: Number, R: Metre) -> Metre:
 
 @record
 class Oil:
-    """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth."""
+    """What of the oil does not change while a mesh is solved: its state at the temperature of the teeth, and what of it is assumed.
+
+    `thickening` is a factor on the pressure-viscosity coefficient, `Lambda` the limiting shear over the pressure.  Many operating points
+    have T_m and all that follows from it as columns.
+    """
 
     lubricant: Lubricant
     T_m: Celsius
@@ -127,11 +131,27 @@ class Oil:
     alpha: PerPascal
     beta: PerKelvin
     k_f: WattPerMetreKelvin
+    Lambda: Number
+    thickening: Number | None
+
+    def alpha_at(self, eta: PascalSecond) -> PerPascal:
+        alpha = self.lubricant.alpha(eta)
+        return alpha if self.thickening is None else alpha * self.thickening
+
+    def at(self, T_m: Celsius) -> "Oil":
+        """The same oil at another temperature."""
+        return oil_at(self.lubricant, T_m, self.Lambda, self.thickening)
 
 
-def oil_at(lubricant: Lubricant, T_m: Celsius) -> Oil:
+def oil_at(lubricant: Lubricant, T_m: Celsius, Lambda: Number | None = None, thickening: Number | None = None) -> Oil:
+    """`Lambda`: left out, that of the oil."""
     eta_0 = lubricant.at(T_m).mu
-    return Oil(lubricant, T_m, eta_0, lubricant.alpha(eta_0), lubricant.beta(T_m), lubricant.oil.conductivity)
+    alpha = lubricant.alpha(eta_0)
+    return Oil(
+        lubricant=lubricant, T_m=T_m, eta_0=eta_0, alpha=alpha if thickening is None else alpha * thickening,
+        beta=lubricant.beta(T_m), k_f=lubricant.oil.conductivity, Lambda=lubricant.limiting_shear if Lambda is None else Lambda,
+        thickening=thickening,
+    )  # fmt: skip
 
 
 @record

@@ -6,9 +6,9 @@ Between rigid bodies in a full gap the loss follows from the same Reynolds solut
 real inlet is seldom full.  For EHL an estimate by Goksem and Hargreaves is shown and not added.
 """
 
-from ..sheet.formula import formula
-from ..sheet.functions import sqrt
-from ..sheet.units import Metre, MetrePerSecond, Number, PascalSecond, PerPascal, WattPerMetre
+from ...sheet.formula import formula
+from ...sheet.functions import sqrt
+from ...sheet.units import Metre, MetrePerSecond, Number, PascalSecond, PerPascal, WattPerMetre
 
 
 @formula("q_R", "derived: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896")

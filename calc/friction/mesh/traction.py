@@ -5,8 +5,8 @@ Part ξ of the load rides on the roughness and rubs as solids do; the rest shear
 a thin hard layer of the width 2·b_H (Eyring, with a limit to its shear stress); between rigid ones it stays thin and is sheared over
 a far wider gap.
 
-The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.  The teeth
-themselves have the bulk temperature; their own resistance to heat is not counted.
+The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.  The skins of the
+teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`).
 """
 
 from collections.abc import Callable
@@ -14,14 +14,15 @@ from typing import Annotated
 
 import numpy as np
 
-from ..sheet.arrays import Array
-from ..sheet.errors import NoSolution
-from ..sheet.formula import formula
-from ..sheet.functions import asinh, exp, largest, smallest, sqrt
-from ..sheet.record import record
-from ..sheet.trace import untraced
-from ..sheet.units import (
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import asinh, cos, exp, largest, ln, smallest, sqrt
+from ...sheet.record import record
+from ...sheet.trace import untraced
+from ...sheet.units import (
     Celsius,
+    KelvinPerWatt,
     Metre,
     MetrePerSecond,
     NewtonPerMetre,
@@ -29,12 +30,13 @@ from ..sheet.units import (
     Pascal,
     PascalSecond,
     PerPascal,
+    Radian,
     WattPerMetre,
     WattPerMetreKelvin,
 )  # fmt: skip
-from .contact import Motion
 from .erf import erf
 from .film import Film, Oil
+from .motion import Motion
 from .path import array
 
 KelvinMetrePerWatt = Annotated[float, "K·m/W"]
@@ -44,8 +46,11 @@ STEEL_CONDUCTIVITY: WattPerMetreKelvin = 46.0
 STEEL_DIFFUSIVITY: SquareMetrePerSecond = 46.0 / (7830.0 * 465.0)
 SHEAR_MODULUS: Pascal = 1e9  # of an oil under pressure
 STEEPEST: Number = 60.0  # of α·p in the exponent
+ROELANDS_COMPLIANCE: PerPascal = 5.1e-9
+PASCAL_SECOND: PascalSecond = 1.0
 
-TOLERANCE = 1e-7  # K
+TOLERANCE = 1e-9  # K
+SLACK = 1e-7  # K, above the highest temperature that can come out
 HOTTEST: Celsius = 1500.0  # above, the law of the oil's density ends: it comes to 0 at 1553 °C
 PASSES = 60
 
@@ -78,6 +83,16 @@ def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
 @formula("η", "Barus, viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
+
+
+@formula("Z", "Roelands 1966, as generally published: pressure-viscosity index from the coefficient α at no pressure")
+def roelands_index(alpha_f: PerPascal, eta_f: PascalSecond) -> Number:
+    return alpha_f / (ROELANDS_COMPLIANCE * (ln(eta_f / PASCAL_SECOND) + 9.67))
+
+
+@formula("η", "Roelands 1966, as generally published: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> PascalSecond:
+    return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
 
 
 @formula("τ_E", f"{THESIS}: Eyring stress, 2·Λ/α", unit="MPa")
@@ -117,9 +132,27 @@ def transient_resistance(a: Metre, u: MetrePerSecond) -> KelvinMetrePerWatt:
     return sqrt(STEEL_DIFFUSIVITY * a / u) / (2 * a * STEEL_CONDUCTIVITY)
 
 
-@formula("ε", f"{OLVER}: share of the heat that enters the driver")
-def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt) -> Number:
-    return B_2 / (B_1 + B_2)
+@formula("ε", f"{OLVER}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless given")
+def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: KelvinMetrePerWatt, M_2: KelvinMetrePerWatt) -> Number:
+    return (1.06 * B_2 + M_2) / (1.06 * (B_1 + B_2) + M_1 + M_2)
+
+
+@formula("M", "resistance of a wheel's body, per length of contact line")
+def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetrePerWatt:
+    return R_K * b / cos(beta_b)
+
+
+@formula("T_m", f"{OLVER}: mean temperature of both skins, weighted by their speeds", names={"epsilon": "ε"})
+def skin_temperature(
+    T_b: Celsius,
+    q: WattPerMetre,
+    epsilon: Number,
+    M_1: KelvinMetrePerWatt,
+    M_2: KelvinMetrePerWatt,
+    u_1: MetrePerSecond,
+    u_2: MetrePerSecond,
+) -> Celsius:
+    return T_b + q * (u_1 * epsilon * M_1 + u_2 * (1 - epsilon) * M_2) / (u_1 + u_2)
 
 
 @formula("R_th", f"{OLVER}: flash temperature of the surfaces and mean temperature across the film, per heat")
@@ -136,23 +169,21 @@ ADVICE = "less power or speed, wider or smoother flanks, or another oil in this 
 
 
 def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
-    """The temperature T = warmed(T) at every position, each by itself.
+    """The temperature T = warmed(T) at every position, each by itself, of one operating point or of many.
 
     Warm oil rubs less, so warmed(T) − T falls and has one zero between T_m and `highest`.  Secant steps, kept inside the bracket;
     a slope flatter than −1 can not be and is taken as −1.  NoSolution names the worst position.
     """
-    low, high = np.full_like(x, T_m), np.minimum(np.asarray(highest) + TOLERANCE, HOTTEST)
-    before: Array = low
+    before: Array = np.broadcast_to(T_m, np.shape(highest))
     gap_before = np.asarray(warmed(array(before))) - before
+    low, high = before, np.minimum(np.asarray(highest) + SLACK, HOTTEST)
     T: Array = np.minimum(before + gap_before, HOTTEST)
     for _ in range(PASSES):
         gap = np.asarray(warmed(array(T))) - T
         if float(np.max(np.abs(gap))) <= TOLERANCE:  # NaN never is
             return array(T)
         if np.any((gap > 0) & (T >= HOTTEST)):
-            place = float(np.ravel(x)[int(np.argmax(np.where(T >= HOTTEST, gap, -np.inf)))]) * 1e3
-            tried = f"{place:.4g} mm from T₁ it would be above {HOTTEST:g} °C, where the laws of the oil end"
-            raise NoSolution(f"{subject}: temperature of the film", tried, ADVICE)
+            raise _beyond(x, np.where(T >= HOTTEST, gap, -np.inf), subject)
         low, high = np.where(gap > 0, T, low), np.where(gap < 0, T, high)
         step = T - before
         slope = np.minimum((gap - gap_before) / np.where(step == 0, 1.0, step), -1.0)
@@ -160,52 +191,91 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
         T = T - gap / slope
         T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
-    place, left = float(np.ravel(x)[worst]) * 1e3, float(np.ravel(gap)[worst])
+    left = float(np.ravel(gap)[worst])
     off = f"off by {left:.3g} K after {PASSES} passes" if np.isfinite(left) else "the formulas give no number there"
-    raise NoSolution(f"{subject}: temperature of the film", f"{place:.4g} mm from T₁: {off}", ADVICE)
+    raise NoSolution(f"{subject}: temperature of the film", f"{_place(x, gap, worst)}: {off}", ADVICE)
+
+
+def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
+    where = _place(x, gap, int(np.argmax(gap)))
+    tried = f"{where} it would be above {HOTTEST:g} °C, where the laws of the oil end"
+    return NoSolution(f"{subject}: temperature of the film", tried, ADVICE)
+
+
+def _place(x: Metre, gap: Array, worst: int) -> str:
+    """The position of one element, and of many operating points which it is."""
+    point, position = divmod(worst, np.size(x))
+    which = f"operating point {point}, " if gap.ndim > 1 else ""
+    return f"{which}{float(np.ravel(x)[position]) * 1e3:.4g} mm from T₁"
 
 
 # --- together --------------------------------------------------------------------------------------------------------------
 @record
+class Surfaces:
+    """What of the flanks rubs: combined roughness, friction of the solids; the viscosity law under pressure; resistance of the bodies."""
+
+    sigma: Metre
+    mu_s: Number
+    roelands: bool
+    M_1: KelvinMetrePerWatt
+    M_2: KelvinMetrePerWatt
+
+
+@record
 class Traction:
-    """Friction at every position: film over roughness, coefficient, the fluid's part of it, heat, film temperature, Deborah number."""
+    """Friction at every position: film over roughness, load share of the solids, coefficient, heat, its partition, film temperature."""
 
     lam: Number
+    xi: Number
     mu: Number
-    mu_f: Number
     q: WattPerMetre
+    epsilon: Number
     T_f: Celsius
     De: Number
 
 
 def traction(
-    oil: Oil, motion: Motion, film: Film, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, sigma: Metre, mu_s: Number,
-    x: Metre, subject: str,
-) -> Traction:  # fmt: skip
+    oil: Oil,
+    motion: Motion,
+    film: Film,
+    w: NewtonPerMetre,
+    w_f: NewtonPerMetre,
+    p_m: Pascal,
+    b_H: Metre,
+    s: Surfaces,
+    x: Metre,
+    subject: str,
+) -> Traction:
     """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor."""
-    Lambda = oil.lubricant.limiting_shear
-    lam = film_ratio(h=film.h, sigma=sigma)
+    lam = film_ratio(h=film.h, sigma=s.sigma)
     xi = solid_share(lam=lam)
     rigid = np.asarray(film.rigid) > 0
     mu_IR, width = array(np.zeros_like(w)), b_H
-    if rigid.any():
+    some_rigid = bool(rigid.any())
+    if some_rigid:
         mu_IR = rigid_fluid_friction(eta_0=oil.eta_0, V_s=motion.V_s, R=motion.R, h_0=film.h_0, w_f=w_f)
         width = array(np.where(rigid, sheared_half_width(R=motion.R, h_0=film.h_0), b_H))
     B_1, B_2 = transient_resistance(a=width, u=motion.u_1), transient_resistance(a=width, u=motion.u_2)
-    R_th = film_resistance(epsilon=heat_partition(B_1=B_1, B_2=B_2), B_1=B_1, h=film.h, a=width, k_f=oil.k_f)
+    epsilon = heat_partition(B_1=B_1, B_2=B_2, M_1=s.M_1, M_2=s.M_2)
+    R_th = film_resistance(epsilon=epsilon, B_1=B_1, h=film.h, a=width, k_f=oil.k_f)
 
     def at(T_f: Celsius) -> Traction:
         eta_f = oil.lubricant.at(T_f).mu
-        alpha_f = oil.lubricant.alpha(eta_f)
-        eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_m)
-        tau_E = eyring_stress(Lambda=Lambda, alpha_f=alpha_f)
-        mu_f = fluid_friction(tau_E=tau_E, p_m=p_m, eta=eta, V_s=motion.V_s, h=film.h, Lambda=Lambda)
-        mu_f = array(np.where(rigid, mu_IR, mu_f))
-        mu = friction(xi=xi, mu_s=mu_s, mu_f=mu_f)
+        alpha_f = oil.alpha_at(eta_f)
+        if s.roelands:
+            eta = viscosity_by_roelands(eta_f=eta_f, Z=roelands_index(alpha_f=alpha_f, eta_f=eta_f), p_m=p_m)
+        else:
+            eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_m)
+        tau_E = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha_f)
+        mu_f = fluid_friction(tau_E=tau_E, p_m=p_m, eta=eta, V_s=motion.V_s, h=film.h, Lambda=oil.Lambda)
+        if some_rigid:
+            mu_f = array(np.where(rigid, mu_IR, mu_f))
+        mu = friction(xi=xi, mu_s=s.mu_s, mu_f=mu_f)
         q = friction_power(mu=mu, w=w, V_s=motion.V_s)
-        return Traction(lam, mu, mu_f, q, film_temperature(T_m=oil.T_m, q=q, R_th=R_th), deborah(eta=eta, u_e=motion.u_e, a=width))
+        T = film_temperature(T_m=oil.T_m, q=q, R_th=R_th)
+        return Traction(lam=lam, xi=xi, mu=mu, q=q, epsilon=epsilon, T_f=T, De=deborah(eta=eta, u_e=motion.u_e, a=width))
 
     with untraced():
-        most = friction(xi=xi, mu_s=mu_s, mu_f=largest(mu_IR, Lambda))
+        most = friction(xi=xi, mu_s=s.mu_s, mu_f=largest(mu_IR, oil.Lambda + 0.0 * w))
         T_f = settled(lambda T: at(T).T_f, oil.T_m, oil.T_m + most * w * motion.V_s * R_th, x, subject)
     return at(T_f)

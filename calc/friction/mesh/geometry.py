@@ -2,15 +2,21 @@
 """What the friction of one mesh needs to know of its two wheels; filled from the geometry of the train.
 
 The driver is body 1 and the driven wheel body 2 throughout this folder; a ratio below 1 is allowed.
+
+Whatever a mesh is asked may be one operating point, all numbers floats, or N at once, some numbers arrays of length N: `column` sets
+them against the positions of the path, which stand along the last axis.
 """
 
 import math
 from dataclasses import fields
+from typing import cast
 
-from ..sheet.errors import NoSolution
-from ..sheet.number import short
-from ..sheet.record import record
-from ..sheet.units import Metre, Number, Pascal, Radian
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.number import short
+from ...sheet.record import record
+from ...sheet.units import Metre, Number, Pascal, Radian
 
 MAY_BE_ZERO = ("base_helix_angle", "poisson")
 
@@ -66,11 +72,25 @@ def sound(mesh: MeshGeometry) -> None:
 
 
 def require(what: str, number: float, *, zero: bool = False) -> float:
-    """The number, if it is finite and positive (or zero, where zero has a meaning)."""
-    if not math.isfinite(number) or number < 0 or (number == 0 and not zero):
+    """The number, or the array of numbers, if all are finite and positive (or zero, where zero has a meaning)."""
+    good = np.isfinite(number) & ((number >= 0) if zero else (number > 0))
+    if not np.all(good):
+        wrong = float(np.ravel(number)[int(np.argmin(np.ravel(good)))])
         raise NoSolution(
             what,
-            f"is {number if math.isfinite(number) else short(number)}",
+            f"is {wrong if math.isfinite(wrong) else short(wrong)}",
             "a finite number " + ("of zero or more" if zero else "above zero") + " is needed",
         )
     return number
+
+
+def column(x: float) -> float:
+    """One number as it is; an array of N operating points as a column, against which the positions of a path stand in a row."""
+    points = np.asarray(x)
+    return x if points.ndim == 0 else cast(float, points[:, None])
+
+
+def flat(x: float) -> float:
+    """The inverse of `column`."""
+    points = np.asarray(x)
+    return x if points.ndim == 0 else cast(float, points[:, 0])

@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The friction of all meshes and the power balance of the train, closed.
+
+The counter-shaft needs the power of its bearings; each mesh towards the crank adds what it loses at the power that it takes in.
+A design without counter-shaft gives the power that the first driver puts into its mesh, and the balance runs the other way.
+
+`Drive` is the train at its speed with its oil, one operating point or many at once; `closed` finds the powers, `balance` traces them.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial, reduce
+from typing import Any, Protocol
+
+import numpy as np
+
+from ...contact.teeth import LUBRICATION_FACTOR, loss_factor, loss_factor_high
+from ...lubricant import Lubricant
+from ...sheet.errors import NoSolution
+from ...sheet.number import short
+from ...sheet.record import record
+from ...sheet.trace import about, untraced
+from ...sheet.units import Celsius, Newton, RevPerSecond, Watt
+from ..inputs import FrictionInputs
+from ..losses.wheels import WheelResult, carrying, has_bearings, unloaded
+from ..mesh.film import Oil, oil_at
+from ..mesh.geometry import MeshGeometry, column, require
+from ..mesh.loss import Case, Warming, case, solve_mesh, warming_of
+from ..mesh.motion import driver_speed
+from ..mesh.path import transverse_force
+from ..models import regressions
+from ..models.compared import spread_of
+from ..result import (
+    FrictionResult,
+    JournalResult,
+    MeshResult,
+    and_churning,
+    and_mesh,
+    and_other_loss,
+    and_seal,
+    and_thrown_oil,
+    and_wheel_bearing,
+    and_windage,
+    carbon_dioxide,
+    fuel,
+    torque,
+    total_loss,
+)  # fmt: skip
+from .power import and_need, downstream, passed_on, power_in, power_out, upstream, with_bearings, with_mesh
+from .power import delivered as delivered_power
+
+Meshes = Mapping[str, MeshGeometry]
+Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str, Newton]]
+
+
+class Shaft(Protocol):
+    """The counter-shaft at the end of the train: what its journals lose when its gear takes in P."""
+
+    def loss(self, P: Watt | None) -> Watt: ...
+
+    def journals(self, P: Watt | None) -> dict[str, JournalResult]: ...
+
+
+class Fixed:
+    """A shaft whose loss is known, whatever its gear does."""
+
+    def __init__(self, P_B: Watt) -> None:
+        self.P_B = P_B
+
+    def loss(self, P: Watt | None) -> Watt:
+        return self.P_B
+
+    def journals(self, P: Watt | None) -> dict[str, JournalResult]:
+        return {}
+
+
+@record
+class Drive:
+    """A train at its speed with its oil: everything but the powers.  Many operating points: arrays, see `mesh.geometry.column`."""
+
+    friction: FrictionInputs
+    meshes: Meshes
+    cases: dict[str, Case]
+    wheels: dict[str, WheelResult]  # without their own bearings
+    lubricant: Lubricant
+    T_oil: Celsius
+    oil: Oil
+    shaft: Shaft | None
+    forces: Forces
+    lubrication: str
+    count: str = "loss"  # what of a mesh's loss the balance counts: without rolling, "sliding_loss"
+
+    @property
+    def first(self) -> str:
+        return next(iter(self.meshes.values())).driver.name
+
+    @property
+    def last(self) -> str:
+        return list(self.meshes.values())[-1].driven.name
+
+    def bearings(self, loads: Mapping[str, Watt]) -> dict[str, tuple[Newton, Watt]]:
+        """Load and loss of the wheels' own bearings at the powers of the meshes."""
+        if not has_bearings(self.friction):
+            return {}
+        forces = self.forces(loads, {name: wheel.speed for name, wheel in self.wheels.items()})
+        return carrying(self.friction, self.wheels, self.last, self.lubricant, self.T_oil, forces)
+
+    def loss(self, name: str, P: Watt) -> Watt:
+        found: Watt = getattr(solve_mesh(self.cases[name], P, self.friction.film == "judged"), self.count)
+        return found
+
+
+def drive(
+    friction: FrictionInputs, meshes: Meshes, lubricant: Lubricant, T_oil: Celsius, first_speed: RevPerSecond, shaft: Shaft | None,
+    forces: Forces | None = None, lubrication: str = "spray", assumed: Mapping[str, Any] | None = None, **fineness: int,
+) -> Drive:  # fmt: skip
+    """A train at its speed.  `forces` of the teeth on each wheel, from powers of the meshes and speeds; left out, the largest they can be.
+
+    `assumed`: what `oil_at` takes besides the temperature, of many operating points as columns.
+    """
+    if not meshes:
+        raise NoSolution("power balance of the train", "there is no mesh", "give at least one [[gears.meshes]]")
+    T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
+    with about("oil"):
+        oil = oil_at(lubricant, T_b, **(assumed or {}))
+    wheels = unloaded(friction, meshes, lubricant, require_temperature(T_oil), first_speed)
+    warming = Warming(column(T_oil), LUBRICATION_FACTOR[lubrication], friction.tip_relief_factor)
+    cases = {}
+    for name, mesh in meshes.items():
+        with about(f"mesh {mesh.title}"):
+            cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
+    return Drive(
+        friction=friction, meshes=meshes, cases=cases, wheels=wheels, lubricant=lubricant, T_oil=T_oil, oil=oil, shaft=shaft,
+        forces=forces or partial(most_force, meshes), lubrication=lubrication,
+    )  # fmt: skip
+
+
+def require_temperature(T: Celsius) -> Celsius:
+    good = (np.asarray(T) > -60) & (np.asarray(T) < 400)  # NaN is not
+    if not np.all(good):
+        wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
+        raise NoSolution("temperature of the oil", f"is {short(wrong)} °C", "a temperature of a liquid oil is needed")
+    return T
+
+
+def most_force(meshes: Meshes, loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> dict[str, Newton]:
+    """The forces of the teeth on each wheel if all push the same way; at no power, none."""
+    found = {name: 0.0 for mesh in meshes.values() for name in (mesh.driver.name, mesh.driven.name)}
+    for name, P in loads.items():
+        mesh = meshes[name]
+        F_bt = transverse_force(P=P, omega_1=driver_speed(n_1=speeds[mesh.driver.name]), r_b1=mesh.driver.base_radius)
+        for wheel in (mesh.driver.name, mesh.driven.name):
+            found[wheel] = found[wheel] + F_bt
+    return found
+
+
+# --- the powers --------------------------------------------------------------------------------------------------------------
+def loads_of(d: Drive, power: Watt | None = None) -> tuple[dict[str, Watt], dict[str, Watt]]:
+    """The power that loads each mesh, and what each wheel needs besides its meshes.
+
+    `power`: of the first driver into its mesh, of a design without counter-shaft.
+    """
+    needed: dict[str, Watt] = {}
+
+    def needs(loads: Mapping[str, Watt]) -> dict[str, Watt]:
+        before = needed.get(d.last)
+        bearings = d.bearings(loads)
+        for name, wheel in d.wheels.items():
+            needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
+        if d.shaft is not None:
+            needed[d.last] += require("losses of the counter-shaft's bearings", d.shaft.loss(before), zero=True)
+        return dict(needed)
+
+    if d.shaft is None:
+        if power is None:
+            unknown = "neither the losses of a counter-shaft nor the power of the first driver is known"
+            raise NoSolution("power balance of the train", unknown, "give gears.power_kW")
+        return downstream(d.meshes, d.loss, needs, require("power of the first driver", power)), needed
+    return upstream(d.meshes, d.loss, needs), needed
+
+
+@record
+class Losses:
+    """What a train loses, of one operating point or of many: its meshes, its wheels, the counter-shaft's journals."""
+
+    mesh: Watt
+    wheels: Watt
+    journals: Watt
+
+    @property
+    def total(self) -> Watt:
+        return self.mesh + self.wheels + self.journals
+
+
+def losses_of(d: Drive, power: Watt | None = None) -> Losses:
+    """The losses of the closed balance, nothing traced; `power` as in `loads_of`."""
+    with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        loads, needed = loads_of(d, power)
+        bearings = d.bearings(loads)
+        wheels = sum(sum(wheel.parts()) for wheel in d.wheels.values()) + sum(P for _, P in bearings.values())
+        return Losses(
+            mesh=sum(d.loss(name, P) for name, P in loads.items()), wheels=wheels,
+            journals=0.0 if d.shaft is None else d.shaft.loss(needed[d.last]),
+        )  # fmt: skip
+
+
+def total_losses(d: Drive, power: Watt | None = None) -> Watt:
+    return losses_of(d, power).total
+
+
+def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
+    """The closed balance of one operating point, with every line that leads to it."""
+    with untraced():
+        loads, needed = loads_of(d, power)
+    bearings = d.bearings(loads)
+    wheels = {
+        name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1]) if name in bearings else wheel
+        for name, wheel in d.wheels.items()
+    }
+    for name, wheel in wheels.items():
+        with about(f"wheel {name}"):
+            needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
+    P_B, journals = None, {}
+    if d.shaft is not None:
+        before = needed[d.last]
+        with untraced():
+            P_B = d.shaft.loss(before)
+            P_B = d.shaft.loss(before + P_B)
+        journals = d.shaft.journals(before + P_B)
+        P_B = d.shaft.loss(before + P_B)
+        with about(f"wheel {d.last}"):
+            needed[d.last] = with_bearings(P=before, P_B=P_B)
+        meshes, P_1, P_2 = *_up(d, needed, loads), None
+    else:
+        meshes, P_1, P_2 = _down(d, needed, loads)
+    with about("train"):
+        P_VZ = _total(and_mesh, [mesh.judged.loss for mesh in meshes.values()])
+        P_W = _total(and_windage, [wheel.windage for wheel in wheels.values()])
+        P_C = _total(and_churning, [wheel.churning for wheel in wheels.values()])
+        P_J = _total(and_thrown_oil, [wheel.thrown_oil for wheel in wheels.values()])
+        P_D = _total(and_seal, [wheel.seal_loss for wheel in wheels.values()])
+        P_L = _total(and_wheel_bearing, [wheel.bearing_loss for wheel in wheels.values()])
+        P_X = _total(and_other_loss, [wheel.other_loss for wheel in wheels.values()])
+        parts = dict(P_B=P_B, P_VZ=P_VZ, P_W=P_W, P_C=P_C, P_J=P_J, P_D=P_D, P_L=P_L, P_X=P_X)
+        P = total_loss(**{name: 0.0 if part is None else part for name, part in parts.items()})
+        T_1 = torque(P=P_1, n=wheels[d.first].speed)
+        b_e = d.friction.specific_fuel_consumption
+        m_B = None if b_e is None else fuel(b_e=b_e, P=P)
+        m_CO2 = None if m_B is None else carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
+    return FrictionResult(
+        meshes=meshes, wheels=wheels, journals=journals, oil_viscosity=d.oil.eta_0, bearing_loss=P_B, mesh_loss=P_VZ, windage_loss=P_W,
+        churning_loss=P_C, thrown_oil_loss=P_J, seal_loss=P_D, wheel_bearing_loss=P_L, other_loss=P_X, total_loss=P, crank_power=P_1,
+        crank_torque=T_1, delivered_power=P_2, fuel=m_B, co2=m_CO2, residual=P_1 - P - (P_2 or 0.0),
+    )  # fmt: skip
+
+
+def _total(and_one: Any, parts: list[Watt | None]) -> Any:
+    """The sum of what is there, line by line; None where nothing is."""
+    there = [part for part in parts if part is not None]
+    (name,) = [name for name in and_one.parameters if name != "P"]
+    return reduce(lambda P, part: and_one(**{"P": P, name: part}), there) if there else None
+
+
+def _up(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt]:
+    """Every mesh at its load once more, with its lines, from the last to the first; and the power at the first driver."""
+    carried = dict(needed)
+    found: dict[str, MeshResult] = {}
+    for name, mesh in reversed(list(d.meshes.items())):
+        with about(f"mesh {mesh.title}"):
+            found[name] = _mesh(d, name, loads[name], carried[mesh.driven.name])
+        with about(f"wheel {mesh.driver.name}"):
+            carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=found[name].power_in)
+    return {name: found[name] for name in d.meshes}, carried[d.first]
+
+
+def _down(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt, Watt]:
+    """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its end."""
+    found: dict[str, MeshResult] = {}
+    P = loads[next(iter(d.meshes))]
+    with about(f"wheel {d.first}"):
+        P_1 = with_mesh(P=needed[d.first], P_in=P)
+    for name, mesh in d.meshes.items():
+        if found:
+            with about(f"wheel {mesh.driver.name}"):
+                P = passed_on(P_out=P, P=needed[mesh.driver.name])
+        with about(f"mesh {mesh.title}"):
+            found[name] = _mesh(d, name, P, None)
+        P = found[name].power_out
+    with about(f"wheel {d.last}"):
+        return found, P_1, delivered_power(P_out=P, P=needed[d.last])
+
+
+def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
+    """One mesh at the power that loads it, with everything that is shown beside; P_out where it is known, else it follows."""
+    regimes, c = d.friction.film == "judged", d.cases[name]
+    mesh = c.mesh
+    judged = solve_mesh(c, P, regimes)
+    if P_out is None:
+        P_in, P_out = P, power_out(P_in=P, P_VZ=judged.loss)
+    else:
+        P_in = power_in(P_out=P_out, P_VZ=judged.loss)
+    rise = warming_of(c, P, judged.friction_mean, judged.loss_factor)
+    z_1, z_2, way = mesh.driver.teeth, mesh.driven.teeth, c.path
+    if way.epsilon_alpha < 2:
+        H_V = loss_factor(
+            eps_1=way.epsilon_1, eps_2=way.epsilon_2, eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle
+        )  # fmt: skip
+    else:
+        H_V = loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
+    with about(f"mesh {mesh.title}, {'source model' if regimes else 'by regime'}"):
+        beside = solve_mesh(c, P, not regimes)
+    with about(f"mesh {mesh.title}, regressions"):
+        published = regressions.beside(c, P, H_V)
+        losses = [judged.loss, beside.loss, *(one.loss for one in published.values() if one is not None)]
+        apart = spread_of(losses)
+    return MeshResult(
+        judged=judged, model_spread=apart, power_in=P_in, power_out=P_out, ohlendorf_loss_factor=H_V, bulk_rise=rise,
+        source=beside if regimes else judged, by_regime=None if regimes else beside, case=c, **published,
+    )  # fmt: skip

@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How the power flows through the train: from what its last wheel must deliver up to the first driver, or the other way round.
+
+A mesh that must put out P_out takes in P_in = P_out + P_loss(P_in).  A wheel needs what its meshes take in, its own losses, and
+what else it drives.  Meshes are listed along the flow; a wheel may drive several.
+
+What a wheel needs may itself follow from the power: the force of the teeth loads the bearings of the idlers and the journals of the
+counter-shaft.  All of it is one fixed point, of one operating point or of many at once.
+"""
+
+from collections.abc import Callable, Mapping
+from typing import Any, cast
+
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.trace import untraced
+from ...sheet.units import Number, Watt
+from ..mesh.geometry import MeshGeometry, require
+
+TOLERANCE = 1e-9  # of the power
+PASSES = 40
+MORE_POWER = "give more gears.power_kW, less speed, a narrower face, or a thinner oil"
+LEFT: Number = 1e-3  # of the power: what a jump of the loss may leave
+
+FINE = 1e-9  # of the power: steps below it say nothing about a slope
+
+Loss = Callable[[str, Watt], Watt]
+Needs = Callable[[Mapping[str, Watt]], dict[str, Watt]]
+
+
+@formula("P_in", "conservation of energy")
+def power_in(P_out: Watt, P_VZ: Watt) -> Watt:
+    return P_out + P_VZ
+
+
+@formula("P_out", "conservation of energy")
+def power_out(P_in: Watt, P_VZ: Watt) -> Watt:
+    return P_in - P_VZ
+
+
+@formula(
+    "P_in", "conservation of energy: what the mesh before passes on, less what the wheel between them needs itself", names={"P": "P_Σ"}
+)
+def passed_on(P_out: Watt, P: Watt) -> Watt:
+    return P_out - P
+
+
+@formula("P_out", "conservation of energy: what the last mesh passes on, less what the last wheel needs itself", names={"P": "P_Σ"})
+def delivered(P_out: Watt, P: Watt) -> Watt:
+    return P_out - P
+
+
+# --- what a wheel needs ------------------------------------------------------------------------------------------------------
+@formula("P_Σ", "sum over what the wheel needs, one after the other", names={"P": "P_Σ"})
+def and_need(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_Σ", "the last wheel also carries the bearings of the counter-shaft", names={"P": "P_Σ"})
+def with_bearings(P: Watt, P_B: Watt) -> Watt:
+    return P + P_B
+
+
+@formula("P_Σ", "the wheel also drives a mesh", names={"P": "P_Σ"})
+def with_mesh(P: Watt, P_in: Watt) -> Watt:
+    return P + P_in
+
+
+@formula("P_X", "no other loss is carried by the wheel", shows="0")
+def no_other_loss() -> Watt:
+    return float("0")
+
+
+@formula("P_X", "the wheel also carries the other loss P")
+def with_other_loss(P_X: Watt, P: Watt) -> Watt:
+    return P_X + P
+
+
+# --- the fixed point ---------------------------------------------------------------------------------------------------------
+class Guess:
+    """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two passes."""
+
+    def __init__(self) -> None:
+        self.P: Any = None
+        self.loss: Any = 0.0
+        self.slope: Any = 0.0
+
+    def at(self, P_out: Watt) -> Watt:
+        if self.P is None:
+            return P_out
+        found: Any = (P_out + self.loss - self.slope * self.P) / (1 - self.slope)
+        return cast(float, found)
+
+    def learn(self, P: Any, loss: Any) -> None:
+        if self.P is not None:
+            step = P - self.P
+            slope = (loss - self.loss) / np.where(step == 0, 1.0, step)
+            self.slope = np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope)
+        self.P, self.loss = P, loss
+
+
+def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> dict[str, Watt]:
+    """The power that loads each mesh; `needs` tells what each wheel needs besides its meshes, at the powers of the pass before.
+
+    Where a position changes its regime the loss jumps by a little, and P = P_in may fall into the jump; then the last pass stands
+    if it is within 0.1 %.  The balance loses nothing by that: P_in always is P_out plus the loss that is published.
+    """
+    guesses = {name: Guess() for name in meshes}
+    loads: dict[str, Watt] = {}
+    with untraced():
+        for _ in range(PASSES):
+            carried, off, moved = needs(loads), {}, 0.0
+            for name, mesh in reversed(list(meshes.items())):
+                P_out = require(f"mesh {mesh.title}: power", carried[mesh.driven.name])
+                P = require(f"mesh {mesh.title}: power", guesses[name].at(P_out))
+                lost = loss(name, P)
+                off[name] = float(np.max(np.abs(P_out + lost - P) / P))
+                moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
+                guesses[name].learn(P, lost)
+                loads[name] = P
+                carried[mesh.driver.name] += P_out + lost
+            if max(moved, *off.values()) <= TOLERANCE:
+                return {name: _number(loads[name]) for name in meshes}
+    name, worst = max(off.items(), key=lambda item: item[1])
+    if worst <= LEFT:
+        return {name: _number(loads[name]) for name in meshes}
+    tried = f"off by {worst * 100:.3g} % of {float(np.max(loads[name])):.6g} W after {PASSES} passes"
+    raise NoSolution(f"power balance of mesh {name}", tried, "less friction, or more power")
+
+
+def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: Watt) -> dict[str, Watt]:
+    """The same for a train whose first driver puts the power P into its mesh; each wheel drives one mesh."""
+    before: dict[str, Watt] = {}
+    with untraced():
+        for _ in range(PASSES):
+            loads = _down(meshes, loss, needs(before), P)
+            if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in meshes):
+                return loads
+            before = loads
+    raise NoSolution("power balance of the train", f"not settled after {PASSES} passes", MORE_POWER)
+
+
+def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
+    wheel = next(iter(meshes.values())).driver.name
+    loads: dict[str, Watt] = {}
+    for name, mesh in meshes.items():
+        if mesh.driver.name != wheel:
+            branches = "the train branches, and the power of its first driver does not say how it divides"
+            raise NoSolution(f"mesh {mesh.title}", branches, "give one chain of wheels")
+        if np.any(P <= 0):
+            nothing = f"{float(np.min(P)):.4g} W come in: what lies before it loses more than it gets"
+            raise NoSolution(f"mesh {mesh.title}: power", nothing, MORE_POWER)
+        loads[name] = require(f"mesh {mesh.title}: power", P)
+        wheel = mesh.driven.name
+        P = loads[name] - loss(name, loads[name]) - needed[wheel]
+    return loads
+
+
+def _number(x: Any) -> Watt:
+    return cast(float, x if np.ndim(x) else float(x))

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The same train under other conditions, side by side: another oil, temperature, load sharing, roughness, power.
+
+Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and the friction
+source's, mesh by mesh, in a table and in six curves along the path of contact.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...catalogue import Oil
+from ...lubricant import Lubricant
+from ...sheet.errors import NoSolution
+from ...sheet.quantity import group, result, value
+from ...sheet.step import Curve, Series, Table
+from ...sheet.trace import untraced
+from ...sheet.units import Celsius, NewtonMetre, Number, PascalSecond, Watt
+from ..balance.closure import Drive, balance, drive
+from ..inputs import FrictionInputs, Scenario
+from ..mesh.loss import MeshLoss
+
+# What is drawn along the path: attribute of `Local`, title, label of the axis, factor.
+ALONG = (
+    ("p_H", "Hertzian pressure", "p_H, MPa", 1e-6), ("h", "film", "h, µm", 1e6), ("lam", "film over roughness", "λ", 1.0),
+    ("mu", "coefficient of friction", "μ", 1.0), ("T_f", "film temperature", "T_f, °C", 1.0),
+    ("q", "friction power", "q, W/mm of contact line", 1e-3),
+)  # fmt: skip
+
+
+@result
+class ScenarioMesh:
+    """One mesh under the conditions of a scenario: judged, and by the source's model."""
+
+    judged: MeshLoss = group(spread=True)
+    source: MeshLoss = group()
+
+
+@result
+class ScenarioResult:
+    """One scenario."""
+
+    meshes: dict[str, ScenarioMesh] = group(spread=True)
+    oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
+    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
+    total_loss: Watt = value("Sum of the losses", "W", "P")
+    share: Number = value("Losses over the power at the first driver", "%")
+    crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
+    about: str = ""  # oil, temperature, load sharing in words
+    oil: str = ""
+    temperature: Celsius
+
+
+def solved(d: Drive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None) -> dict[str, ScenarioResult]:
+    """All scenarios of a design by their names.  NoSolution names the scenario that has none."""
+    found = {}
+    for scenario in friction.scenarios:
+        try:
+            with untraced():
+                found[scenario.name] = _one(d, scenario, oils, law, power)
+        except NoSolution as none:
+            raise NoSolution(f"scenario {scenario.name}: {none.what}", none.tried, none.advice) from None
+    return found
+
+
+def _one(d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None) -> ScenarioResult:
+    measured: Any = d.friction.bulk_temperature if s.oil_temperature is None else None
+    own = replace(
+        d.friction, load_sharing=s.load_sharing or d.friction.load_sharing, flank_roughness=s.flank_roughness or d.friction.flank_roughness,
+        bulk_temperature=measured,
+    )  # fmt: skip
+    name = s.oil or d.lubricant.oil.name
+    T = d.T_oil if s.oil_temperature is None else s.oil_temperature
+    lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
+    other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, d.shaft, d.forces, d.lubrication)
+    r = balance(other, None if d.shaft is not None else s.power or power)
+    meshes = {key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()}
+    return ScenarioResult(
+        meshes=meshes, oil_viscosity=r.oil_viscosity, mesh_loss=r.mesh_loss, total_loss=r.total_loss, share=r.total_loss / r.crank_power,
+        crank_torque=r.crank_torque, about=f"{name}, {T:g} °C, {own.load_sharing}", oil=name, temperature=T,
+    )  # fmt: skip
+
+
+# --- shown -------------------------------------------------------------------------------------------------------------------
+MODELS = (("judged", "by regime"), ("source", "source: EHL film everywhere"))
+
+
+def tables(found: Mapping[str, ScenarioResult]) -> tuple[Table, ...]:
+    """One table a mesh and model: what the source tabulates, a row a scenario."""
+    meshes = next(iter(found.values())).meshes if found else {}
+    return tuple(_table(found, key, model, words) for key in meshes for model, words in MODELS)
+
+
+def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: str) -> Table:
+    columns = (
+        ("Scenario", ""), ("Oil", ""), ("T_oil", "°C"), ("η_0", "mPa·s"), ("P_VZ", "W"), ("sliding", "W"), ("rolling", "W"), ("η_Z", "%"),
+        ("μ_m", ""), ("H_VL", ""), ("h_min", "µm"), ("λ_min", ""), ("p_H", "MPa"), ("T_f max", "°C"),
+    )  # fmt: skip
+    rows = []
+    for name, s in found.items():
+        m: MeshLoss = getattr(s.meshes[key], model)
+        rows.append(
+            (name, s.oil, s.temperature, s.oil_viscosity * 1e3, m.loss, m.sliding_loss, m.rolling_loss, m.efficiency * 100, m.friction_mean,
+             m.loss_factor, m.film_min * 1e6, m.lambda_min, m.pressure_max * 1e-6, m.temperature_max)
+        )  # fmt: skip
+    covers = tuple(f"friction.scenarios.{name}.{key}" for name in found)
+    return Table(f"scenarios_{key}_{model}", f"Scenarios, mesh {key.replace('_', '–')}, {words}", columns, tuple(rows), covers=covers)
+
+
+def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, str]) -> Iterator[Curve]:
+    """Six curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of each mesh."""
+    meshes = next(iter(found.values())).meshes if found else {}
+    for key in meshes:
+        for attribute, title, label, factor in ALONG:
+            series = tuple(
+                Series(name, np.asarray(local.x) * 1e3, np.asarray(getattr(local, attribute)) * factor, words)
+                for model, words in MODELS
+                for name, s in found.items()
+                for local in [getattr(s.meshes[key], model).local]
+            )
+            heading = f"Scenarios, mesh {key.replace('_', '–')}: {title} along the path"
+            variants = tuple(words for _, words in MODELS)
+            yield Curve(f"scenarios_{key}_{attribute}", heading, marks[key], label, series, variants=variants)

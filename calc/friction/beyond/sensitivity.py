@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the constants do that the literature leaves open: one by one to the ends of what they may be, the whole balance closed anew.
+
+A range is what the sources support: the spread of published values where there are several, else a rule of this program, and it says which.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.number import short
+from ...sheet.record import record
+from ...sheet.step import Curve, Series, Table
+from ...sheet.trace import untraced
+from ...sheet.units import Watt
+from ..balance.closure import Drive, drive, total_losses
+from ..losses.windage import AIR_DENSITY
+from ..mesh.geometry import column
+
+WARMER = 10.0  # K
+
+
+@record
+class Swing:
+    """One constant: what it is, its two ends in words, the power at each end (None: no solution there), and why this far."""
+
+    name: str
+    low: str
+    high: str
+    at_low: Watt | None
+    at_high: Watt | None
+    why: str
+
+    def span(self, nominal: Watt) -> Watt:
+        ends = [P for P in (self.at_low, self.at_high) if P is not None]
+        return max((*ends, nominal)) - min((*ends, nominal))
+
+
+def swings(d: Drive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
+    """The losses of the train with each constant at its ends, the widest first."""
+    with untraced(), np.errstate(all="ignore"):
+        found = [*_numbers(d, power), *_laws(d, power, nominal)]
+    return tuple(sorted(found, key=lambda swing: -swing.span(nominal)))
+
+
+def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
+    """The constants that are numbers: all ends of all of them at once."""
+    f = d.friction
+    Lambda, mu_s, rho_m = d.oil.Lambda, f.solid_friction, f.mist_density
+    shown = " and ".join(short(Ra * 1e6) for Ra in f.flank_roughness)
+    thin = min(AIR_DENSITY, rho_m)
+    open_: list[tuple[str, float, tuple[float, float], str, tuple[str, str], str]] = [
+        ("Lambda", Lambda, _about(Lambda, 0.4), "limiting shear Λ", _both(Lambda, 0.4), "by base stock, ±40 %"),
+        ("thickening", 1.0, _about(1.0, 0.2), "pressure-viscosity α", ("−20 %", "+20 %"), "published laws for one oil differ so much"),
+        ("rough", 1.0, _about(1.0, 0.3), "flank roughness Ra", (f"{shown} µm −30 %", "+30 %"), "new to run-in flanks, own rule"),
+        ("mu_s", mu_s, _about(mu_s, 0.2), "friction of the solids μ_s", _both(mu_s, 0.2), "0.1 to 0.16 in the literature"),
+        ("mist", rho_m, (thin, 2 * rho_m), "density of the oil mist", _kgm3(thin, 2 * rho_m), "air alone to twice what is assumed"),
+    ]
+    T: Any = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
+    if f.bulk_temperature is None and f.bulk == "oil":
+        words = (f"{short(T)} °C", f"{short(T + WARMER)} °C")
+        open_.append(("bulk", T, (T, T + WARMER), "temperature of the teeth", words, "taken as the oil's; often some 10 K above"))
+    at: dict[str, Any] = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
+    for i, (key, _, ends, *_) in enumerate(open_):
+        at[key][2 * i : 2 * i + 2] = ends
+    many = replace(
+        f, flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness), solid_friction=column(at["mu_s"]),
+        mist_density=at["mist"], bulk_temperature=at.get("bulk", f.bulk_temperature),
+    )  # fmt: skip
+    P = _power(d, many, power, {"Lambda": column(at["Lambda"]), "thickening": column(at["thickening"])})
+    if P is None:
+        return []
+    return [Swing(name, *words, float(P[2 * i]), float(P[2 * i + 1]), why) for i, (_, _, _, name, words, why) in enumerate(open_)]
+
+
+def _about(x: float, share: float) -> tuple[float, float]:
+    return x * (1 - share), x * (1 + share)
+
+
+def _both(x: float, share: float) -> tuple[str, str]:
+    return short(x * (1 - share)), short(x * (1 + share))
+
+
+def _kgm3(low: float, high: float) -> tuple[str, str]:
+    return f"{short(low)} kg/m³", f"{short(high)} kg/m³"
+
+
+def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
+    """The laws between which one has to choose: the one that is taken stands at the nominal value."""
+    f = d.friction
+    found = []
+
+    def other(name: str, taken: str, instead: str, why: str, **change: Any) -> None:
+        P = _power(d, replace(f, **change), power)
+        if P is not None:
+            found.append(Swing(name, taken, instead, nominal, float(P), why))
+
+    if all(mesh.spur for mesh in d.meshes.values()):
+        sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
+        other("load sharing of two pairs", f.load_sharing, sharing, "flanks as generated, or both tips relieved", load_sharing=sharing)
+    law = {"barus": "roelands", "roelands": "barus"}[f.pressure_law]
+    other("viscosity under pressure", f.pressure_law, law, "two laws", pressure_law=law)
+    film = {"judged": "source", "source": "judged"}[f.film]
+    words = {"judged": "by regime, with rolling", "source": "EHL everywhere, no rolling"}
+    other("film", words[f.film], words[film], "the friction source's model, or by Johnson's regimes", film=film)
+    if f.film == "judged":
+        P = _power(d, f, power, count="sliding_loss")
+        if P is not None:
+            why = "the bound supposes a full inlet"
+            found.append(Swing("rolling of the rigid film", "none: a starved inlet", "full inlet", float(P), nominal, why))
+    return found
+
+
+def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, count: str = "loss") -> Any:
+    """The power of the train's losses under other constants; None where one of them has no solution."""
+    first_speed = d.wheels[d.first].speed
+    try:
+        other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, assumed)
+        return total_losses(replace(other, count=count), power)
+    except NoSolution:
+        return None
+
+
+# --- shown -------------------------------------------------------------------------------------------------------------------
+def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
+    """Bars of what each constant changes, the widest first, and the numbers behind them."""
+    places = np.arange(1.0, len(found) + 1)
+    ends: tuple[tuple[str, Callable[[Swing], Watt | None]], ...] = (("low end", lambda s: s.at_low), ("high end", lambda s: s.at_high))
+    series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in found])) for label, at in ends)
+    names = tuple(s.name for s in found)
+    x_label = ", ".join(f"{i} {name}" for i, name in enumerate(names, 1))
+    curve = Curve("tornado", "What the open constants change in the power lost", x_label, "ΔP, W", series, bars=True, names=names)
+    rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in found)
+    columns = (("Constant", ""), ("Low end", ""), ("High end", ""), ("P low", "W"), ("P high", "W"), ("Span", "W"), ("Why this far", ""))
+    note = (
+        f"One constant at a time, the whole balance closed anew; as assumed {short(nominal)} W. The ends are no tolerances: no probability "
+        "is implied."
+    )
+    return curve, Table("tornado", "Sensitivity to what the literature leaves open", columns, rows, note)
+
+
+def _off(P: Watt | None, nominal: Watt) -> float:
+    return 0.0 if P is None else P - nominal

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The journals of the counter-shaft at the end of the train: their friction follows from the power that the shaft's gear takes in.
+
+The eccentric masses load them with a force that turns; weight and gear force stand still.  The friction of the turning load is that of the
+bearings step; what the standing part adds over a turn closes with the power of the train, which makes the gear force.
+"""
+
+from dataclasses import replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..bearings.result import BearingsResult
+from ..bearings.sweep import TURNING
+from ..bearings.turn import SECOND_ORDER, Response, response
+from ..countershaft.inputs import CountershaftInputs
+from ..countershaft.standing import Drive as GearDrive
+from ..countershaft.standing import Gear, Standing, standing_of
+from ..sheet.formula import formula
+from ..sheet.trace import about, untraced
+from ..sheet.units import Newton, RevPerSecond, Watt
+from .result import JournalResult
+
+
+class OnShaft(NamedTuple):
+    """What the friction step is told of the counter-shaft; without `shaft`, of bearings whose loads are given."""
+
+    bearings: BearingsResult
+    shaft: Any  # its result
+    inputs: CountershaftInputs | None
+    gear: Gear | None
+
+    @property
+    def turns(self) -> bool:
+        """Whether a standing load passes under the turning one: a shaft on two bearings."""
+        return self.shaft is not None and self.inputs is not None and len(self.inputs.bearing_positions) == 2
+
+
+@formula("P_B", "sum of both journals' friction, as judged", names={"P_front": "P_f,front", "P_rear": "P_f,rear"})
+def bearing_loss(P_front: Watt, P_rear: Watt) -> Watt:
+    return P_front + P_rear
+
+
+class Journals:
+    """The journals at one operating point or at many (`speed` of the shaft and `responses` then hold arrays)."""
+
+    def __init__(self, on: OnShaft, responses: dict[str, Response], speed: RevPerSecond) -> None:
+        self.on, self.responses, self.speed = on, responses, speed
+        self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}
+
+    def only(self, some: Any) -> "Journals":
+        """Some of many operating points."""
+        parts = {
+            place: Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(r).items()}) for place, r in self.responses.items()
+        }
+        speed: Any = self.speed
+        return Journals(self.on, parts, speed[some])
+
+    def standing(self, P: Watt | None) -> Standing | None:
+        """What stands still where the shaft's gear takes in the power P."""
+        if not self.on.turns or self.on.inputs is None:
+            return None
+        drive = None if P is None else GearDrive(P, self.speed)
+        with about("standing part of the load, in the balance"):
+            return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive)
+
+    def loss(self, P: Watt | None) -> Watt:
+        front, rear = (found.friction_power for found in self.journals(P).values())
+        return bearing_loss(P_front=front, P_rear=rear)
+
+    def journals(self, P: Watt | None) -> dict[str, JournalResult]:
+        stands = self.standing(P)
+        found = {}
+        for place, answer in self.responses.items():
+            R_0: Newton | None = None
+            if stands is not None:
+                R_0 = stands.stationary_front if place == "front" else stands.stationary_rear
+            P_f = answer.friction_power
+            if R_0 is not None and not self.unsteady[place]:
+                with about(f"{place} bearing, over a turn"):
+                    P_f = answer.power(R_0)
+            found[place] = JournalResult(standing_load=R_0, friction_power=P_f)
+        return found
+
+    def notes(self, found: dict[str, JournalResult]) -> list[str]:
+        said = []
+        for place, one in found.items():
+            F = self.responses[place].load
+            if one.standing_load is not None and self.unsteady[place]:
+                said.append(
+                    f"{place.capitalize()} journal: no film is found 5 % beside its load; its friction is that of the turning load."
+                )
+            elif one.standing_load is not None and one.standing_load > SECOND_ORDER * F:
+                share = f"the standing load is {one.standing_load / F * 100:.0f} % of the turning one"
+                said.append(f"{place.capitalize()} journal: {share}; the mean over a turn, of second order in it, is rough.")
+        return said
+
+
+def journals_of(on: OnShaft) -> Journals:
+    """At the speed and load of the bearings step."""
+    responses, speed = {}, 0.0
+    for place, one in on.bearings.bearings.items():
+        speed = one.duty.speed
+        if on.turns:
+            with about(f"{place} bearing, over a turn"):
+                responses[place] = response(one.seat, one.duty, one.friction_power)
+        else:
+            responses[place] = Response(load=one.load, friction_power=one.friction_power, slope=0.0, curvature=0.0)
+    return Journals(on, responses, speed)
+
+
+def journals_at(on: OnShaft, ratio: float, T: float) -> Journals:
+    """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T: arrays."""
+    responses, speed = {}, 0.0
+    with untraced():
+        for place, one in on.bearings.bearings.items():
+            turns = one.seat.inputs.load_speed_ratio == TURNING
+            duty = replace(
+                one.duty, load=one.duty.load * (ratio**2 if turns else 1.0 + 0.0 * ratio), speed=one.duty.speed * ratio,
+                effective_speed=one.duty.effective_speed * ratio, supply_temperature=T,
+            )  # fmt: skip
+            responses[place], speed = response(one.seat, duty), duty.speed
+    return Journals(on, responses, speed)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""Rolling bearings of a wheel under radial load: Palmgren's two parts, or SKF's newer model where its constants could be read.
+
+Palmgren's factors f_0 and f_1 are those of his tables as this program's makers remember them, for the middle of each type: give those of
+the catalogue.  Of SKF's model the rolling and the sliding part are counted, not seals nor drag in deep oil; its constants were read in
+public code that quotes the catalogue of 2013.
+"""
+
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import exp, largest, pi, sqrt
+from ...sheet.units import Metre, Newton, NewtonMetre, Number, RevPerSecond, SquareMetrePerSecond, Watt
+from ..inputs import RollingBearing
+
+PALMGREN = "Palmgren 1957, as generally published (SKF catalogues to 1989, ISO/TR 14179-2)"
+SKF = "SKF, Rolling bearings, catalogue 10000 EN 2013, as in public code"
+MILLIMETRE: Metre = 1e-3
+CENTISTOKE: SquareMetrePerSecond = 1e-6
+ONE_RPM: RevPerSecond = 1 / 60
+ONE_NEWTON: Newton = 1.0
+NEWTON_MILLIMETRE: NewtonMetre = 1e-3
+
+# f_0 in an oil bath and f_1, by type; from memory.
+FACTORS = {
+    "deep-groove-ball": (2.0, 0.0003), "angular-contact-ball": (3.3, 0.0005), "self-aligning-ball": (1.75, 0.0001),
+    "cylindrical-roller": (3.0, 0.0003), "needle-roller": (12.0, 0.002), "spherical-roller": (5.0, 0.0004), "tapered-roller": (4.5, 0.0004),
+}  # fmt: skip
+SUPPLY = {"bath": 1.0, "mist": 0.5, "jet": 2.0}  # of f_0
+
+# SKF: R_1 and S_1 by series, K_Z; deep-groove ball bearings without axial load; cylindrical roller bearings with cage.
+BALLS = {
+    "2": (4.4e-7, 2.00e-3), "3": (4.4e-7, 2.00e-3), "42": (5.4e-7, 3.00e-3), "43": (5.4e-7, 3.00e-3), "60": (4.1e-7, 3.73e-3),
+    "630": (4.1e-7, 3.73e-3), "62": (3.9e-7, 3.23e-3), "622": (3.9e-7, 3.23e-3), "63": (3.7e-7, 2.84e-3), "623": (3.7e-7, 2.84e-3),
+    "64": (3.6e-7, 2.43e-3), "160": (4.3e-7, 4.63e-3), "161": (4.3e-7, 4.63e-3), "618": (4.7e-7, 6.50e-3), "619": (4.3e-7, 4.75e-3),
+}  # fmt: skip
+ROLLERS = {"4": (1.00e-6, 0.0015), "22": (1.40e-6, 0.0015)}
+K_Z = {"deep-groove-ball": 3.1, "cylindrical-roller": 5.1}
+MU_EHL = {"deep-groove-ball": 0.05, "cylindrical-roller": 0.02}  # full film; balls in mineral oil
+
+
+@formula("d_m", "mean diameter of a bearing", unit="mm")
+def mean_diameter(d: Metre, D: Metre) -> Metre:
+    return (d + D) / 2
+
+
+# --- Palmgren ----------------------------------------------------------------------------------------------------------------
+@formula("M_0", f"{PALMGREN}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)")
+def torque_of_oil(f_0: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre) -> NewtonMetre:
+    return 1e-7 * f_0 * largest((nu / CENTISTOKE * n / ONE_RPM) ** (2 / 3), 160.0) * (d_m / MILLIMETRE) ** 3 * NEWTON_MILLIMETRE
+
+
+@formula("M_1", f"{PALMGREN}: torque of the load, here radial")
+def torque_of_load(f_1: Number, F: Newton, d_m: Metre) -> NewtonMetre:
+    return f_1 * F * d_m
+
+
+# --- SKF ---------------------------------------------------------------------------------------------------------------------
+@formula("G_rr", f"{SKF}: rolling, deep-groove ball bearing under radial load")
+def rolling_of_balls(R_1: Number, d_m: Metre, F: Newton) -> Number:
+    return R_1 * (d_m / MILLIMETRE) ** 1.96 * (F / ONE_NEWTON) ** 0.54
+
+
+@formula("G_sl", f"{SKF}: sliding, deep-groove ball bearing under radial load")
+def sliding_of_balls(S_1: Number, d_m: Metre, F: Newton) -> Number:
+    return S_1 * (d_m / MILLIMETRE) ** -0.26 * (F / ONE_NEWTON) ** (5 / 3)
+
+
+@formula("G_rr", f"{SKF}: rolling, cylindrical roller bearing under radial load")
+def rolling_of_rollers(R_1: Number, d_m: Metre, F: Newton) -> Number:
+    return R_1 * (d_m / MILLIMETRE) ** 2.41 * (F / ONE_NEWTON) ** 0.31
+
+
+@formula("G_sl", f"{SKF}: sliding, cylindrical roller bearing under radial load", names={"S_1": "S_2"})
+def sliding_of_rollers(S_1: Number, d_m: Metre, F: Newton) -> Number:
+    return S_1 * d_m / MILLIMETRE * F / ONE_NEWTON
+
+
+@formula("φ_ish", f"{SKF}: heat of the sheared inlet")
+def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
+    return 1 / (1 + 1.84e-9 * (n / ONE_RPM * d_m / MILLIMETRE) ** 1.28 * (nu / CENTISTOKE) ** 0.64)
+
+
+@formula("φ_rs", f"{SKF}: oil pushed aside and starved; K_rs = 3·10⁻⁸ (oil bath of low level, jet)")
+def starvation(nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
+    return exp(-3e-8 * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
+
+
+@formula("φ_bl", f"{SKF}: share of boundary lubrication")
+def boundary_share(n: RevPerSecond, nu: SquareMetrePerSecond, d_m: Metre) -> Number:
+    return exp(-2.6e-8 * (n / ONE_RPM * nu / CENTISTOKE) ** 1.4 * d_m / MILLIMETRE)
+
+
+@formula("μ_sl", f"{SKF}: friction of sliding, 0.12 at the boundary")
+def sliding_friction(phi_bl: Number, mu_EHL: Number) -> Number:
+    return phi_bl * 0.12 + (1 - phi_bl) * mu_EHL
+
+
+@formula("M", f"{SKF}: rolling and sliding")
+def torque_by_skf(
+    phi_ish: Number, phi_rs: Number, G_rr: Number, nu: SquareMetrePerSecond, n: RevPerSecond, G_sl: Number, mu_sl: Number
+) -> NewtonMetre:
+    return (phi_ish * phi_rs * G_rr * (nu / CENTISTOKE * n / ONE_RPM) ** 0.6 + G_sl * mu_sl) * NEWTON_MILLIMETRE
+
+
+@formula("P_L", "power of the torque, of several bearings", names={"N": "N_L"})
+def bearing_power(N: Number, M: NewtonMetre, n: RevPerSecond) -> Watt:
+    return N * M * 2 * pi * n
+
+
+@formula("M", f"{PALMGREN}: both parts")
+def torque_by_palmgren(M_0: NewtonMetre, M_1: NewtonMetre) -> NewtonMetre:
+    return M_0 + M_1
+
+
+@formula("F_L", "the load shared evenly", unit="N")
+def load_of_one(F: Newton, N: Number) -> Newton:
+    return F / N
+
+
+def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePerSecond) -> Watt:
+    """What all bearings of one entry lose under the radial load F together, one or many."""
+    d_m = mean_diameter(d=bearing.bore, D=bearing.outside_diameter)
+    F_L = load_of_one(F=F, N=bearing.count)
+    if bearing.method == "palmgren":
+        usual_0, usual_1 = FACTORS[bearing.kind]
+        f_0 = usual_0 * SUPPLY[bearing.lubrication] if bearing.f_0 is None else bearing.f_0
+        f_1 = usual_1 if bearing.f_1 is None else bearing.f_1
+        M = torque_by_palmgren(M_0=torque_of_oil(f_0=f_0, nu=nu, n=n, d_m=d_m), M_1=torque_of_load(f_1=f_1, F=F_L, d_m=d_m))
+        return bearing_power(N=bearing.count, M=M, n=n)
+    balls = bearing.kind == "deep-groove-ball"
+    known = BALLS if balls else ROLLERS if bearing.kind == "cylindrical-roller" else {}
+    if bearing.series not in known:
+        listed = f"deep-groove-ball {', '.join(BALLS)}; cylindrical-roller {', '.join(ROLLERS)}"
+        tried = f"its constants for {bearing.kind} of series {bearing.series or 'not given'} could not be read"
+        raise NoSolution(
+            f"rolling bearing {bearing.name}: SKF's model", tried, f'take method = "palmgren", or one of these series: {listed}'
+        )
+    R_1, S_1 = known[bearing.series]
+    rolling, sliding = (rolling_of_balls, sliding_of_balls) if balls else (rolling_of_rollers, sliding_of_rollers)
+    M = torque_by_skf(
+        phi_ish=inlet_heat(n=n, d_m=d_m, nu=nu),
+        phi_rs=starvation(nu=nu, n=n, d=bearing.bore, D=bearing.outside_diameter, K_Z=K_Z[bearing.kind]),
+        G_rr=rolling(R_1=R_1, d_m=d_m, F=F_L), nu=nu, n=n, G_sl=sliding(S_1=S_1, d_m=d_m, F=F_L),
+        mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=MU_EHL[bearing.kind]),
+    )  # fmt: skip
+    return bearing_power(N=bearing.count, M=M, n=n)

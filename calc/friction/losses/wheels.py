@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What every wheel loses besides its meshes.
+
+Most of it follows from speed and oil alone (`unloaded`); the bearings of a wheel also from the force of its teeth (`carrying`).  A loss is
+carried by the wheel that its name begins with, else by the last, through all meshes.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+from ...lubricant import Lubricant, State
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import acos, atan, cos, pi, tan
+from ...sheet.quantity import result, value
+from ...sheet.record import record
+from ...sheet.trace import about
+from ...sheet.units import (
+    Celsius,
+    KilogramPerMetre3,
+    Metre,
+    Newton,
+    Number,
+    PascalSecond,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+    SquareMetrePerSecond,
+    Watt,
+)  # fmt: skip
+from ..balance.power import no_other_loss, with_other_loss
+from ..inputs import Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
+from ..mesh.geometry import MeshGeometry, WheelGeometry, require
+from ..mesh.motion import wheel_speed
+from . import churning, jets, plain_bearings, rolling_bearings, seals
+from .windage import mist_of_the_tests, mist_viscosity, oil_share, windage
+
+Forces = Callable[[Mapping[str, Watt]], Mapping[str, Newton]]
+
+
+@result
+class WheelResult:
+    """One wheel; what it does not have is None."""
+
+    speed: RevPerSecond = value("Speed of the wheel", "rpm", "n")
+    windage: Watt = value("Windage of the wheel", "W", "P_W")
+    churning: Watt | None = value("Churning of the wheel", "W", "P_C", default=None)
+    thrown_oil: Watt | None = value("Oil thrown onto the wheel", "W", "P_J", default=None)
+    seal_loss: Watt | None = value("Shaft seals of the wheel", "W", "P_D", default=None)
+    bearing_force: Newton | None = value("Load of the wheel's bearings", "N", "F", default=None)
+    bearing_loss: Watt | None = value("Bearings of the wheel", "W", "P_L", default=None)
+    other_loss: Watt = value("Other losses carried by the wheel", "W", "P_X")
+
+    def parts(self) -> tuple[Watt, ...]:
+        """All that the wheel loses, part by part."""
+        found = (self.windage, self.churning, self.thrown_oil, self.seal_loss, self.bearing_loss, self.other_loss)
+        return tuple(part for part in found if part is not None)
+
+
+@formula("α_t", "transverse pressure angle, by reference and base circle")
+def transverse_angle(r_b: Metre, r: Metre) -> Radian:
+    return acos(r_b / r)
+
+
+@formula("β", "helix angle at the reference circle")
+def helix_angle(beta_b: Radian, alpha_t: Radian) -> Radian:
+    return atan(tan(beta_b) / cos(alpha_t))
+
+
+@formula("m_n", "definition of the normal module", unit="mm")
+def normal_module(r: Metre, beta: Radian, z: Number) -> Metre:
+    return 2 * r * cos(beta) / z
+
+
+@formula("ω", "definition of angular speed")
+def angular_speed(n: RevPerSecond) -> RadPerSecond:
+    return 2 * pi * n
+
+
+@record
+class Around:
+    """The oil around the wheels, and the mist."""
+
+    lubricant: Lubricant
+    T: Celsius
+    rho: KilogramPerMetre3
+    nu: SquareMetrePerSecond
+    mu: PascalSecond
+
+
+def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
+    """The speed of every wheel, all positive."""
+    speeds = {next(iter(meshes.values())).driver.name: require("speed of the first driver", first_speed)}
+    for mesh in meshes.values():
+        if mesh.driver.name not in speeds:
+            raise NoSolution(f"mesh {mesh.title}", f"nothing drives {mesh.driver.name}", "list the meshes along the flow of power")
+        with about(f"wheel {mesh.driven.name}"):
+            speeds[mesh.driven.name] = wheel_speed(n=speeds[mesh.driver.name], z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
+    return speeds
+
+
+def carried_by(friction: FrictionInputs, wheels: Mapping[str, Any], last: str, kind: str) -> dict[str, list[Any]]:
+    """The entries of a table of losses by the wheel that carries them."""
+    found: dict[str, list[Any]] = {}
+    for entry in getattr(friction, kind):
+        found.setdefault(carrier(entry.name, wheels, last), []).append(entry)
+    return found
+
+
+def unloaded(
+    friction: FrictionInputs, meshes: Mapping[str, MeshGeometry], lubricant: Lubricant, T: Celsius, first_speed: RevPerSecond
+) -> dict[str, WheelResult]:
+    """Every wheel with what does not depend on its load; speeds and temperatures may be arrays."""
+    speeds = speeds_of(meshes, first_speed)
+    last = list(meshes.values())[-1].driven.name
+    bodies = {wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)}
+    others = carried_by(friction, speeds, last, "other_losses")
+    dips, thrown, sealed = (carried_by(friction, speeds, last, kind) for kind in ("dips", "jets", "seals"))
+    with about("mist"):
+        state = lubricant.at(T)
+        around = Around(lubricant, T, state.rho, state.nu, state.mu)
+        rho_m = require("density of the mist", friction.mist_density)
+        rho_0 = mist_of_the_tests(rho_oil=state.rho)
+        eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu)
+    found: dict[str, WheelResult] = {}
+    for name, n in speeds.items():
+        wheel, beta_b = bodies[name]
+        with about(f"wheel {name}"):
+            P_X = no_other_loss()
+            for other in others.get(name, ()):
+                with about(f"wheel {name}, {other.name}"):
+                    P_X = with_other_loss(P_X=P_X, P=require(f"other loss {other.name}", other.power, zero=True))
+            P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
+        found[name] = WheelResult(
+            speed=n, windage=P_W, other_loss=P_X,
+            churning=_sum(name, dips.get(name, ()), _churned, wheel, beta_b, n, around),
+            thrown_oil=_sum(name, thrown.get(name, ()), _thrown, wheel, n, around),
+            seal_loss=_sum(name, sealed.get(name, ()), _sealed, n, around),
+        )  # fmt: skip
+    return found
+
+
+def _sum(name: str, entries: Sequence[Any], power: Callable[..., Watt], *asked: Any) -> Watt | None:
+    """The losses of several entries of one kind on one wheel; None where there is none."""
+    total: Watt | None = None
+    for entry in entries:
+        with about(f"wheel {name}, {entry.name}"):
+            P = power(entry, *asked)
+            total = P if total is None else with_other_loss(P_X=total, P=P)
+    return total
+
+
+def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Around) -> Watt:
+    r, b = wheel.reference_radius, wheel.face_width
+    h = churning.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
+    alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
+    beta = helix_angle(beta_b=beta_b, alpha_t=alpha_t)
+    m_n = normal_module(r=r, beta=beta, z=wheel.teeth)
+    omega = angular_speed(n=n)
+    theta = churning.wetted_angle(h=h, r=r)
+    S_m = churning.wetted_surface(r=r, theta=theta, b=b, z=wheel.teeth, m_n=m_n, alpha_t=alpha_t, beta=beta)
+    Re_c, Fr = churning.reynolds(omega=omega, r=r, b=b, nu=oil.nu), churning.froude(omega=omega, r=r)
+    C_m1 = churning.calm(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
+    C_m2 = churning.wild(h=h, r=r, V=dip.oil_volume, Fr=Fr, Re_c=Re_c, b=b)
+    C_m = churning.torque_number(C_m1=C_m1, C_m2=C_m2, gamma=churning.centrifugal(omega=omega, r=r, b=b, m_n=m_n))
+    return churning.churning(T_C=churning.churning_torque(rho=oil.rho, omega=omega, r=r, S_m=S_m, C_m=C_m), omega=omega)
+
+
+def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Around) -> Watt:
+    return jets.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed)
+
+
+def _sealed(seal: Seal, n: RevPerSecond, oil: Around) -> Watt:
+    if seal.method == "simrit":
+        one = seals.simrit(d_sh=seal.diameter, n=n)
+    else:
+        one = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.oil.nu40, d_sh=seal.diameter, n=n)
+    return one if seal.count == 1 else seals.several(N=seal.count, P=one)
+
+
+def has_bearings(friction: FrictionInputs) -> bool:
+    return bool(friction.rolling_bearings or friction.plain_bearings)
+
+
+def carrying(
+    friction: FrictionInputs, wheels: Mapping[str, WheelResult], last: str, lubricant: Lubricant, T: Celsius, forces: Mapping[str, Newton]
+) -> dict[str, tuple[Newton, Watt]]:
+    """Load and friction of the bearings of every wheel that has some; `forces` of the teeth on each wheel."""
+    rolling, plain = (carried_by(friction, wheels, last, kind) for kind in ("rolling_bearings", "plain_bearings"))
+    if not rolling and not plain:
+        return {}
+    with about("oil of the wheels' bearings"):
+        state = lubricant.at(T)
+    found: dict[str, tuple[Newton, Watt]] = {}
+    for name, wheel in wheels.items():
+        here = (*rolling.get(name, ()), *plain.get(name, ()))
+        if not here:
+            continue
+        F = next((bearing.load for bearing in here if bearing.load is not None), forces.get(name, 0.0))
+        P = _sum(name, here, _borne, forces.get(name, 0.0), wheel.speed, state)
+        assert P is not None
+        found[name] = F, P
+    return found
+
+
+def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State) -> Watt:
+    F = F if bearing.load is None else bearing.load
+    if isinstance(bearing, RollingBearing):
+        return rolling_bearings.power(bearing, F, n, oil.nu)
+    return plain_bearings.power(bearing, F, n, oil.mu)

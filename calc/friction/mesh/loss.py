@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""The power that one mesh loses: friction along the path summed over all lines in contact, and rolling where it counts.
+
+`case` takes a mesh at its speed with its oil, `solve_mesh` the power that it carries.  Speed, power, temperature and what is assumed of
+oil and flanks may be arrays: N operating points in one call, whose results are arrays of N.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any, cast
+
+import numpy as np
+
+from ...contact.hertz import half_width, hertz_pressure, mean_pressure
+from ...contact.teeth import bulk_rise, bulk_temperature, mean_roughness
+from ...sheet.errors import NoSolution
+from ...sheet.formula import formula
+from ...sheet.functions import along
+from ...sheet.number import short
+from ...sheet.quantity import result, value
+from ...sheet.record import record
+from ...sheet.trace import untraced
+from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, RevPerSecond, Watt, WattPerMetre
+from ..inputs import FrictionInputs
+from .film import EXPONENT, Film, Oil, film
+from .geometry import MeshGeometry, column, flat, require
+from .motion import Motion, motion
+from .path import Path, array, line_load, path, transverse_force
+from .rolling import ehl_rolling_power, rigid_rolling_power
+from .traction import Surfaces, Traction, body_resistance, combined_roughness, skin_temperature, traction
+
+THESIS = "gear friction thesis"
+MICROMETRE: Metre = 1e-6
+SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
+PASSES = 100
+
+
+@formula("P_s", f"{THESIS}: mean over a mesh cycle of the friction power of all lines in contact", names={"s": "Δs"})
+def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
+    """s is the length of line for which a position stands; w is the load without its floor."""
+    return along(s * mu * w * V_s)
+
+
+@formula("P_R", "mean over a mesh cycle of the rolling power where the rigid isoviscous film governs", names={"s": "Δs", "r": "[IR]"})
+def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
+    return along(s * q_R * r)
+
+
+@formula("P_RE", "mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added", names={"s": "Δs"})
+def rolling_estimate(s: Metre, q_E: WattPerMetre) -> Watt:
+    return along(s * q_E)
+
+
+@formula("P_VZ", "sum of sliding and rolling")
+def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
+    return P_s + P_R
+
+
+@formula("H_VL", f"{THESIS}: loss factor, the load shared along the path", names={"s": "Δs"})
+def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
+    return along(s * w * V_s) / P
+
+
+@formula("μ_m", "definition of the mean coefficient of friction")
+def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
+    return P_s / (P * H_VL)
+
+
+@formula("η_Z", f"definition of the efficiency ({THESIS}, eq. 1, prints the loss ratio under this name)")
+def efficiency(P_VZ: Watt, P: Watt) -> Number:
+    return 1 - P_VZ / P
+
+
+# --- single numbers of a whole path ------------------------------------------------------------------------------------------
+@formula("P_R", "without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film")
+def no_rolling_loss() -> Watt:
+    return float("0")
+
+
+@formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
+def thinnest_film(h: Metre) -> Metre:
+    return _extreme(np.min, h)
+
+
+@formula("λ_min", "definition: smallest along the path", shows="smallest λ along the path")
+def least_film_ratio(lam: Number) -> Number:
+    return _extreme(np.min, lam)
+
+
+@formula("p_H,max", "definition: largest along the path", unit="MPa", shows="largest p_H along the path")
+def largest_pressure(p_H: Pascal) -> Pascal:
+    return _extreme(np.max, p_H)
+
+
+@formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
+def hottest_film(T_f: Celsius) -> Celsius:
+    return _extreme(np.max, T_f)
+
+
+@formula("De_max", "definition: largest along the path", shows="largest De along the path")
+def largest_deborah(De: Number) -> Number:
+    return _extreme(np.max, De)
+
+
+@formula("s_IR", "share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
+def rigid_share(s: Metre, r: Number) -> Number:
+    return along(s * r) / along(s)
+
+
+def _extreme(which: Callable[..., Any], x: float) -> float:
+    """The smallest or largest along the path."""
+    found = which(x, axis=-1)
+    return cast(float, found if found.ndim else float(found))
+
+
+@record
+class Warming:
+    """Where the temperature of the teeth is estimated: oil temperature, and the factors for how oil comes and for tip relief."""
+
+    T_oil: Celsius
+    X_S: Number
+    X_Ca: Number
+
+
+@record
+class Case:
+    """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the teeth."""
+
+    mesh: MeshGeometry
+    path: Path
+    motion: Motion
+    oil: Oil
+    Ra: Metre  # mean of both flanks
+    surfaces: Surfaces
+    warming: Warming
+    estimated: bool  # whether the temperature of the teeth is `warming`'s
+
+
+def case(
+    friction: FrictionInputs, mesh: MeshGeometry, oil: Oil, n_1: RevPerSecond, warming: Warming | None = None, **fineness: int
+) -> Case:
+    """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
+    way = path(mesh, friction.load_sharing, **fineness)
+    Ra_1, Ra_2 = friction.flank_roughness[0], friction.flank_roughness[-1]
+    for Ra in (Ra_1, Ra_2):
+        require("flank roughness", Ra)
+    sigma = combined_roughness(Ra_1=Ra_1, Ra_2=Ra_2)
+    if np.any(sigma == 0):
+        smooth = f"{short(Ra_1 / MICROMETRE)} µm is so small that its square is 0"
+        raise NoSolution("flank roughness", smooth, "give friction.flank_roughness_um of a real flank: 0.1 to 2 µm")
+    mu_s = require("friction of the solids", friction.solid_friction, zero=True)
+    M_1 = M_2 = 0.0
+    if (bodies := friction.body_resistance) is not None:
+        M_1, M_2 = (body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1]))
+    surfaces = Surfaces(sigma=sigma, mu_s=mu_s, roelands=friction.pressure_law == "roelands", M_1=M_1, M_2=M_2)
+    return Case(
+        mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2), surfaces=surfaces,
+        warming=warming or Warming(oil.T_m, 1.2, 1.0), estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
+    )  # fmt: skip
+
+
+@record
+class Local:
+    """What the curves show, along the strip in the middle of the face, by rising x."""
+
+    x: Metre
+    p_H: Pascal
+    h: Metre
+    lam: Number
+    xi: Number
+    mu: Number
+    q: WattPerMetre
+    T_f: Celsius
+
+
+@result
+class MeshLoss:
+    """The loss of one mesh by one model of the film."""
+
+    loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
+    sliding_loss: Watt = value("by sliding", "W", "P_s")
+    rolling_loss: Watt = value("by rolling", "W", "P_R")
+    rolling_estimate: Watt | None = value("Rolling of an EHL film, an estimate that is not added", "W", "P_RE")
+    efficiency: Number = value("Efficiency of the mesh", "", "η_Z")
+    loss_factor: Number = value("Loss factor", "", "H_VL")
+    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")
+    film_min: Metre = value("Thinnest film", "µm", "h_min")
+    lambda_min: Number = value("Smallest film over roughness", "", "λ_min")
+    pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H")
+    temperature_max: Celsius = value("Hottest film", "°C", "T_f")
+    bulk_temperature: Celsius | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
+    deborah_max: Number = value("Largest Deborah number", "", "De")
+    rigid_share: Number = value("Share of the path with a rigid isoviscous film", "%")
+    load: Watt  # the power that was asked
+    local: Local
+    lead_at_pitch: Number  # film of the best other regime over the rigid isoviscous one; 0 where not asked
+    thermal_reduction_min: Number
+
+
+def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
+    """The loss of a mesh that takes in the power P, one or many."""
+    require(f"mesh {c.mesh.title}: power", P)
+    if not c.estimated:
+        return _solved(c, P, by_regime, exponent)
+    with untraced():
+        found, T_b = _warmed(c, P, by_regime, exponent)
+    T_M = bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=warming_of(c, P, found.friction_mean, found.loss_factor))
+    return replace(_solved(replace(c, oil=c.oil.at(T_b)), P, by_regime, exponent), bulk_temperature=T_M)
+
+
+def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
+    """How much warmer than the oil the teeth become."""
+    w = c.warming
+    return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
+
+
+def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
+    """The loss with teeth as warm as it makes them: secant steps on their temperature, as a column where there are many points."""
+    T: Any = flat(c.warming.T_oil) + 0.0 * P
+    before = gap_before = None
+    for _ in range(PASSES):
+        found = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
+        gap = flat(c.warming.T_oil) + warming_of(c, P, found.friction_mean, found.loss_factor) - T
+        if np.max(np.abs(gap)) <= SKIN:
+            return found, column(T)
+        slope: Any = 0.0
+        if before is not None:
+            step = T - before
+            slope = np.clip(1 + (gap - gap_before) / np.where(step == 0, 1.0, step), -1.0, 0.9)
+        before, gap_before = T, gap
+        T = T + gap / (1 - slope)
+        T = T if np.ndim(T) else float(T)
+    hot = float(np.max(np.abs(gap)))
+    raise NoSolution(
+        f"mesh {c.mesh.title}: temperature of the teeth", f"off by {hot:.3g} K after {PASSES} passes", "give bulk_temperature_C"
+    )
+
+
+def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
+    """The loss with teeth of the oil's temperature T_m."""
+    s, m, name = c.path.weight, c.motion, f"mesh {c.mesh.title}"
+    w, w_f = line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=m.omega_1, r_b1=c.mesh.driver.base_radius))
+    b_H = half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
+    p_H = hertz_pressure(w=w_f, E_r=m.E_r, rho_n=m.R)
+    p_m = mean_pressure(p_H=p_H)
+
+    def rubbing(oil: Oil) -> tuple[Film, Traction]:
+        f = film(by_regime, oil, m, w_f, p_H, exponent)
+        return f, traction(oil, m, f, w, w_f, p_m, b_H, c.surfaces, c.path.x, name)
+
+    oil = _skins(c, rubbing)
+    f, t = rubbing(oil)
+    P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
+    estimate = None
+    if not np.any(f.rigid):
+        P_R = no_rolling_loss()
+    else:
+        P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
+    if not by_regime:
+        estimate = rolling_estimate(s=s, q_E=ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e))
+    P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
+    H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
+    return MeshLoss(
+        loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,
+        friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL), film_min=thinnest_film(h=f.h), lambda_min=least_film_ratio(lam=t.lam),
+        pressure_max=largest_pressure(p_H=p_H), bulk_temperature=None,
+        temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
+        rigid_share=rigid_share(s=s, r=f.rigid),
+        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in (c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f))),
+        lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=_extreme(np.min, f.Phi),
+    )  # fmt: skip
+
+
+def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
+    """The oil at the temperature of the teeth; where their bodies resist the heat, at that of their skins, position by position."""
+    s, m = c.surfaces, c.motion
+    if not (np.any(s.M_1) or np.any(s.M_2)):
+        return c.oil
+    T_b, oil = c.oil.T_m, c.oil
+    with untraced():
+        for _ in range(PASSES):
+            _, t = rubbing(oil)
+            T_m = skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
+            left = float(np.max(np.abs(T_m - oil.T_m)))
+            if left <= SKIN:
+                break
+            oil = c.oil.at(T_m)
+        else:
+            worst = float(np.asarray(c.path.x)[int(np.argmax(np.abs(T_m - oil.T_m))) % np.size(c.path.x)]) * 1e3
+            tried = f"{worst:.4g} mm from T₁: off by {left:.3g} K after {PASSES} passes"
+            raise NoSolution(f"mesh {c.mesh.title}: temperature of the skins", tried, "less friction.body_resistance_K_W")
+    skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
+    return oil

@@ -1,0 +1,190 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""Four published regressions of tooth friction, shown beside the model of this program.  Nothing is judged by them.
+
+Schlenk: one mean coefficient from the state at the pitch point; from tests of loaded gears.
+Niemann and Winter, Michaelis: the same in the form of ISO/TR 15144-1 and ISO/TR 13989-2.
+Xu and Kahraman: local, from many runs of a mixed EHL solver with one gear oil.
+Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
+
+A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside its range.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...contact.hertz import hertz_pressure
+from ...contact.teeth import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
+from ...sheet.formula import formula
+from ...sheet.functions import along, exp, largest, log10, smallest
+from ...sheet.number import short
+from ...sheet.quantity import result, value
+from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
+from ..mesh.geometry import column, flat
+from ..mesh.loss import Case, loss_factor, sliding_loss
+from ..mesh.loss import mean_friction as mean_friction_of
+from ..mesh.path import line_load, transverse_force
+
+MILLIPASCAL_SECOND: PascalSecond = 1e-3
+MICROMETRE: Metre = 1e-6
+MILLIMETRE: Metre = 1e-3
+ONE_METRE: Metre = 1.0
+METRE_PER_SECOND: MetrePerSecond = 1.0
+NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
+NEWTON_PER_METRE: NewtonPerMetre = 1.0
+GIGAPASCAL: Pascal = 1e9
+SLOWEST: MetrePerSecond = 1e-9  # keeps the logarithm finite at the pitch point
+LOWEST_LINE_LOAD: NewtonPerMetre = 150e3
+ROUGHEST: Metre = 2e-6
+RUNS = (0.5e9, 2.5e9)  # Pa, the pressures of Xu and Kahraman's runs, from memory
+SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
+HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
+
+XU = "Xu and Kahraman 2005, as generally published"
+
+
+@formula(
+    "μ_m",
+    "Schlenk 1994, ISO/TR 14179-2, as generally published; line load no less than 150 N/mm",
+    names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
+)
+def schlenk(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number) -> Number:
+    return (
+        0.048 * (largest(w_t, LOWEST_LINE_LOAD) / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
+        * (eta_0 / MILLIPASCAL_SECOND) ** -0.05 * (Ra / MICROMETRE) ** 0.25 * X_L
+    )  # fmt: skip
+
+
+@formula("f", f"{XU}: exponent", names={"S": "SR", "sigma": "σ"})
+def xu_kahraman_exponent(S: Number, p_H: Pascal, eta_0: PascalSecond, sigma: Metre) -> Number:
+    return (
+        -8.916465 - 0.354068 * S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)
+        + 2.812084 * exp(-S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)) + 0.620305 * exp(sigma / MICROMETRE)
+    )  # fmt: skip
+
+
+@formula("μ_XK", XU, names={"S": "SR"})
+def xu_kahraman(f: Number, p_H: Pascal, S: Number, u_e: MetrePerSecond, eta_0: PascalSecond, R: Metre) -> Number:
+    return (
+        exp(f) * (p_H / GIGAPASCAL) ** 1.03303 * S**1.036077 * (u_e / METRE_PER_SECOND) ** -0.100601
+        * (eta_0 / MILLIPASCAL_SECOND) ** 0.752755 * (R / ONE_METRE) ** -0.390958
+    )  # fmt: skip
+
+
+@formula("μ_BK", "Benedict and Kelley 1961, as generally published; kept within 0.01 and 0.2", names={"V_T": "V_Σ"})
+def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond, V_T: MetrePerSecond) -> Number:
+    return smallest(
+        largest(
+            0.0127 * log10(
+                29.66 * w / NEWTON_PER_METRE
+                / (eta_0 / MILLIPASCAL_SECOND * largest(V_s, SLOWEST) / METRE_PER_SECOND * (V_T / METRE_PER_SECOND) ** 2)
+            ),
+            0.01,
+        ),
+        0.2,
+    )  # fmt: skip
+
+
+@formula("w_t", "ISO/TR 13989-2:2000 (1), as generally published: line load of the friction, no less than 150 N/mm", unit="N/mm")
+def counted_line_load(w_bt: NewtonPerMetre) -> NewtonPerMetre:
+    return largest(w_bt, LOWEST_LINE_LOAD)
+
+
+@formula("w_bt", "definition of the line load", unit="N/mm")
+def line_load_of(F_bt: Newton, b: Metre) -> NewtonPerMetre:
+    return F_bt / b
+
+
+@formula("P_VZ", "definition of the mean coefficient of friction")
+def loss_of_mean_friction(P: Watt, mu_m: Number, H_V: Number) -> Watt:
+    return P * mu_m * H_V
+
+
+@result
+class Regression:
+    """What one model gives; `outside`: by what the mesh lies outside its range, empty where it does not."""
+
+    loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
+    friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")
+    outside: str = ""
+
+
+def beside(c: Case, P: Watt, H_V: Number) -> dict[str, Any]:
+    """All of them, by their names."""
+    return {
+        "schlenk": of_schlenk(c, P, H_V), "niemann": of_niemann(c, P, H_V), "xu_kahraman": of_xu_kahraman(c, P),
+        "benedict_kelley": of_benedict_kelley(c, P),
+    }  # fmt: skip
+
+
+# --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------
+def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
+    u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
+    mu_m = schlenk(w_t=w_bt, v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(c.oil.eta_0), Ra=c.Ra, X_L=_X_L(c))
+    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(w_bt, u_C))
+
+
+def of_niemann(c: Case, P: Watt, H_V: Number) -> Regression:
+    u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
+    mu_m = mean_friction(
+        w_t=counted_line_load(w_bt=w_bt), K_Bgamma=1.0, v_SumC=sum_of_speeds(v_C=u_C), rho_nC=R_C, eta=flat(c.oil.eta_0),
+        X_R=roughness_factor(Ra=c.Ra, rho_nC=R_C), X_L=_X_L(c),
+    )  # fmt: skip
+    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(w_bt, u_C))
+
+
+def _X_L(c: Case) -> Number:
+    return LUBRICANT_FACTOR.get(c.oil.lubricant.oil.base, 1.0)
+
+
+def _outside_tests(w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> str:
+    """Line load from 150 N/mm, sum of the speeds from 1 m/s up."""
+    found = []
+    if np.any(w_bt < LOWEST_LINE_LOAD):
+        found.append(f"line load {short(float(np.min(w_bt)) / 1e3)} N/mm, from 150")
+    if np.any(2 * u_C < 1.0):
+        found.append(f"sum of speeds {short(2 * float(np.min(u_C)))} m/s, from 1")
+    return "; ".join(found)
+
+
+# --- integrated along the path --------------------------------------------------------------------------------------------------
+def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
+    """None where it runs away: flanks so rough that its exponential does, or pressures far outside its runs."""
+    sigma = c.surfaces.sigma
+    if np.any(sigma > ROUGHEST):
+        return None
+    w, w_f = _load(c, P)
+    p_H = hertz_pressure(w=w_f, E_r=c.motion.E_r, rho_n=c.motion.R)
+    f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=c.oil.eta_0, sigma=sigma)
+    mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=c.oil.eta_0, R=c.motion.R)
+    highest, outside = float(np.max(p_H)), []
+    if not RUNS[0] <= highest <= RUNS[1]:
+        outside.append(f"pressure up to {short(highest / 1e6)} MPa, {RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g}")
+    if np.any(sigma > SMOOTH):
+        outside.append(f"roughness {short(float(np.max(sigma)) * 1e6)} µm, up to {SMOOTH * 1e6:g}")
+    found = _summed(c, P, w, mu, "; ".join(outside))
+    return found if np.all(np.isfinite(found.loss)) else None
+
+
+def of_benedict_kelley(c: Case, P: Watt) -> Regression:
+    w, w_f = _load(c, P)
+    mu = benedict_kelley(w=w_f, eta_0=c.oil.eta_0, V_s=c.motion.V_s, V_T=2 * c.motion.u_e)
+    bounded = (np.asarray(mu) <= 0.01) | (np.asarray(mu) >= 0.2)
+    share = float(np.mean(along(c.path.weight * bounded) / along(c.path.weight)))
+    return _summed(c, P, w, mu, f"held at its bounds on {share * 100:.0f} % of the path" if share > HELD else "")
+
+
+def _line_load(c: Case, P: Watt) -> NewtonPerMetre:
+    F_bt = transverse_force(P=P, omega_1=flat(c.motion.omega_1), r_b1=c.mesh.driver.base_radius)
+    return line_load_of(F_bt=F_bt, b=c.mesh.face_width)
+
+
+def _load(c: Case, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
+    return line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
+
+
+def _summed(c: Case, P: Watt, w: NewtonPerMetre, mu: Number, outside: str) -> Regression:
+    P_s = sliding_loss(s=c.path.weight, mu=mu, w=w, V_s=c.motion.V_s)
+    H_VL = loss_factor(s=c.path.weight, w=w, V_s=c.motion.V_s, P=P)
+    return Regression(friction_mean=mean_friction_of(P_s=P_s, P=P, H_VL=H_VL), loss=P_s, outside=outside)

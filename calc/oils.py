@@ -1,0 +1,218 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is known of an oil: each value with source and confidence, and printed viscosities held against the oil's own law.
+
+A printed dynamic viscosity is kept where it is within 5 % of the law through the oil's two kinematic viscosities and its density; else it
+is rejected, and the reason is found from the numbers: what it implies, its SAE grade, its neighbours, and what is printed for other oils.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from .catalogue import BaseStock, Oil, PrintedViscosity, base_stocks, grades, shipped_oils
+from .lubricant import LOWEST, Lubricant, implied_viscosity, line_problem
+from .sheet.expression import symbol
+from .sheet.number import short
+from .sheet.quantity import Quantity, keys
+from .sheet.record import record
+from .sheet.step import Erratum, Table
+from .sheet.trace import untraced
+from .sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond
+
+KEPT = 0.05  # how far a printed viscosity may lie from the law
+CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given": by the user, who answers for it
+NO_VALUES = ("name", "source", "printed")
+SPECIFIC_HEAT = Quantity("number", "Specific heat; the program takes one law for all oils", "J/(kg·K)", "c_p")
+
+
+@record
+class JudgedValue:
+    """One value of an oil, in the unit that it is shown in, with where it comes from and how far it can be trusted."""
+
+    key: str
+    label: str
+    symbol: str
+    value: float | str
+    unit: str
+    confidence: str
+    source: str
+
+
+@record
+class JudgedViscosity:
+    """One printed viscosity beside the law.  `implied`: its kinematic viscosity; `grade`: the SAE grade of that, at 100 °C only."""
+
+    temperature: Celsius
+    printed: PascalSecond
+    law: PascalSecond
+    implied: SquareMetrePerSecond
+    grade: str
+    kept: bool
+    reason: str
+
+    @property
+    def deviation(self) -> Number:
+        return self.printed / self.law - 1
+
+    @property
+    def verdict(self) -> str:
+        return "kept" if self.kept else "rejected"
+
+
+# --- values ----------------------------------------------------------------------------------------------------------------
+def judged_values(oil: Oil) -> tuple[JudgedValue, ...]:
+    """Every value of an oil; what the oil does not have itself is that of its base stock."""
+    return (*_own(oil), *_of_base(oil))
+
+
+def _own(oil: Oil) -> Iterator[JudgedValue]:
+    claims = {claim.key: claim for claim in oil.claims}
+    for key, about in keys(Oil).items():
+        value = getattr(oil, about.attribute)
+        if key in NO_VALUES or value is None:
+            continue
+        default = oil.source if value != about.field.default else f"{oil.source}, or left out: the program's usual value"
+        claim = claims.get(key)
+        yield _judged(key, about.about, value, claim.confidence if claim else "given", claim.source if claim else default)
+    if (claim := claims.get("specific_heat_J_kgK")) is not None:
+        yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim.confidence, claim.source)
+
+
+def _of_base(oil: Oil) -> Iterator[JudgedValue]:
+    base = base_stocks()[oil.base]
+    claims = {claim.key: claim for claim in base.claims}
+    replaced = {"limiting_shear": oil.limiting_shear, "k_mm2_N": oil.pressure_viscosity_40}
+    for key, about in keys(BaseStock).items():
+        if key in claims and replaced.get(key) is None:
+            claim = claims[key]
+            yield _judged(key, about.about, getattr(base, about.attribute), claim.confidence, f"base stock {base.name}: {claim.source}")
+
+
+def _judged(key: str, about: Quantity, value: float | str, confidence: str, source: str) -> JudgedValue:
+    shown = about.units.shown(value) if isinstance(value, float) else value
+    return JudgedValue(key, about.label, symbol(about.symbol) if about.symbol else "base", shown, about.unit, confidence, source)
+
+
+def least_sure(oil: Oil) -> tuple[str, tuple[str, ...]]:
+    """The lowest confidence among the values of an oil, and the symbols of those that have it."""
+    values = judged_values(oil)
+    lowest = max((v.confidence for v in values), key=CONFIDENCES.index)
+    return lowest, tuple(v.symbol for v in values if v.confidence == lowest)
+
+
+def values_table(oil: Oil) -> Table:
+    """Every value of an oil with its source and confidence."""
+    rows = tuple((v.label, v.value, v.unit, v.confidence, v.source) for v in judged_values(oil))
+    columns = (("Value", ""), ("Number", ""), ("Unit", ""), ("Confidence", ""), ("Source", ""))
+    return Table("oil", f"Oil {oil.name}: what is known of it", columns, rows)
+
+
+# --- printed viscosities ---------------------------------------------------------------------------------------------------
+def printed_at(oil: Oil, T: Celsius) -> PrintedViscosity | None:
+    """What is printed for an oil at a temperature."""
+    return next((one for one in oil.printed if abs(one.temperature - T) < 1e-9), None)
+
+
+def printed_viscosities(lubricant: Lubricant) -> tuple[JudgedViscosity, ...]:
+    """Each printed viscosity of an oil with its verdict."""
+    with untraced():  # a judgement on the source: no part of a step's calculation
+        return tuple(_against_law(lubricant, one) for one in lubricant.oil.printed)
+
+
+def _against_law(lubricant: Lubricant, one: PrintedViscosity) -> JudgedViscosity:
+    state = lubricant.at(one.temperature)
+    implied = implied_viscosity(mu=one.viscosity, rho=state.rho)
+    kept = abs(one.viscosity / state.mu - 1) <= KEPT
+    reason = "" if kept else "; ".join(_reasons(lubricant, one, implied))
+    return JudgedViscosity(
+        one.temperature, one.viscosity, state.mu, implied, grade(implied) if one.temperature == 100 else "", kept, reason
+    )
+
+
+def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[str]:
+    """Why a printed viscosity does not go with its oil, from the numbers alone."""
+    oil, T = lubricant.oil, one.temperature
+    own = {40.0: oil.nu40, 100.0: oil.nu100}.get(T, lubricant.at(T).nu)
+    what = f"implies {_mm2_s(implied)} mm²/s at {T:g} °C"
+    if T == 100 and grade(implied) != grade(own):
+        yield f"{what}, {grade(implied)}; the oil has {_mm2_s(own)}, {grade(own)}"
+    else:
+        yield f"{what}, {short(implied / own, 2)} times the {_mm2_s(own)} " + (
+            "that the oil has" if T in (40, 100) else "of its viscosity line"
+        )
+    wrong = next((o for o in oil.printed if (o.temperature - T) * (o.viscosity - one.viscosity) > 0), None)
+    if wrong is not None:
+        side = "less" if one.viscosity < wrong.viscosity else "more"
+        yield f"{side} than the {_mPas(wrong.viscosity)} printed for {wrong.temperature:g} °C, though oil thins with heat"
+        yield from (f"equals the value printed for {name} at {T:g} °C: copied?" for name in _others(oil, one))
+    yield from _between(lubricant, one)
+
+
+def _others(oil: Oil, one: PrintedViscosity) -> Iterator[str]:
+    """The oils of the table for which the same viscosity is printed at the same temperature."""
+    for name, other in shipped_oils().items():
+        same = printed_at(other, one.temperature)
+        if name != oil.name and same is not None and same.viscosity == one.viscosity:
+            yield name
+
+
+def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[str]:
+    """Whether a value agrees at least with those that are printed at 40 and 100 °C: the line through them."""
+    oil = lubricant.oil
+    ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
+    if one.temperature in (40, 100) or ends[0] is None or ends[1] is None:
+        return
+    nu40, nu100 = (implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None)
+    other = replace(oil, nu40=nu40, nu100=nu100)
+    if not LOWEST / 2 < nu100 < nu40 or line_problem(other) is not None:
+        return
+    there = Lubricant(other, lubricant.law).at(one.temperature).mu
+    agrees = abs(one.viscosity / there - 1) <= KEPT
+    line = f"the line through the values printed at 40 and 100 °C, which has {_mPas(there)}"
+    yield f"lies on {line}, and shares their fault" if agrees else f"not on {line}, either"
+
+
+def grade(nu: SquareMetrePerSecond) -> str:
+    """The SAE grade of a kinematic viscosity at 100 °C."""
+    known = grades()
+    if nu < known[0].from_:
+        return f"thinner than {known[0].name}"
+    return next((g.name for g in known if nu < g.below), f"thicker than {known[-1].name}")
+
+
+def _mm2_s(nu: SquareMetrePerSecond) -> str:
+    return short(UNITS["mm²/s"].shown(nu))
+
+
+def _mPas(mu: PascalSecond) -> str:
+    return f"{short(UNITS['mPa·s'].shown(mu))} mPa·s"
+
+
+def printed_table(lubricant: Lubricant) -> Table | None:
+    """The printed viscosities of an oil beside its law; None where there are none."""
+    shown, percent = UNITS["mPa·s"].shown, UNITS["%"].shown
+    rows = tuple(
+        (v.temperature, shown(v.printed), round(shown(v.law), 3), round(percent(v.deviation), 1), round(UNITS["mm²/s"].shown(v.implied), 2),
+         v.verdict, v.reason) for v in printed_viscosities(lubricant)
+    )  # fmt: skip
+    columns = (
+        ("T", "°C"),
+        ("Printed", "mPa·s"),
+        ("Law", "mPa·s"),
+        ("Deviation", "%"),
+        ("Implied ν", "mm²/s"),
+        ("Verdict", ""),
+        ("Reason", ""),
+    )
+    note = f"Kept: within {KEPT:.0%} of the law through the oil's viscosities at 40 and 100 °C and its density.".replace("%", " %")
+    return Table("oil_printed", f"Oil {lubricant.oil.name}: viscosities printed elsewhere", columns, rows, note) if rows else None
+
+
+def errata(lubricant: Lubricant, T: Celsius, about: str = "friction.oil_viscosity", source: str = "") -> tuple[Erratum, ...]:
+    """What is printed for an oil at this temperature, where it is rejected; `about`: the value that is judged instead."""
+    return tuple(
+        Erratum(
+            about, f"Viscosity of the oil at {v.temperature:g} °C", UNITS["mPa·s"].shown(v.printed), "mPa·s",
+            source or f"printed viscosity; {lubricant.oil.source}", f"The printed value {v.reason}.",
+        )
+        for v in printed_viscosities(lubricant) if not v.kept and abs(v.temperature - T) < 1e-9
+    )  # fmt: skip
