@@ -91,6 +91,10 @@ class Design:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
                     yield key, "needed where there is no [bearings] table to take it from"
+        if self.friction is not None and self.bearings is not None:
+            for i, scenario in enumerate(self.friction.scenarios):
+                if scenario.power is not None:
+                    yield f"friction.scenarios.{i}.power_kW", "leave it out: the losses of the [bearings] say what the train carries"
         if self.gears is not None and self.engine is None and self.gears.speed is None:
             yield "gears.speed_rpm", "needed where there is no [engine] table to take it from"
         if self.gears is not None and self.engine is None and self.gears.speed_irregularity and self.gears.irregularity_order is None:
@@ -193,6 +197,8 @@ class Design:
                 yield f"gears.wheels.{i}.material", wheel.material, solids
         if self.friction is not None:
             yield "friction.oil", self.friction.oil, known_oils
+            for i, scenario in enumerate(self.friction.scenarios):
+                yield f"friction.scenarios.{i}.oil", scenario.oil, known_oils
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> str:

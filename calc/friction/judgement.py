@@ -13,6 +13,7 @@ from ..sheet.number import short
 from ..sheet.step import Curve, Erratum, Series, Table
 from .balance.closure import Drive
 from .inputs import FrictionInputs, carrier
+from .losses.wheels import has_bearings
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .mesh.loss import THESIS, MeshLoss, loss_factor, solve_mesh
 from .mesh.path import array, line_load
@@ -91,6 +92,21 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         + ("The rolling loss is an upper bound." if friction.film == "judged" else 'Choose film = "judged".'),
         kind="advice",
     )
+    outside = {name: "runs away" if one is None else one.outside for name, one in mesh.published_models.items()}
+    outside = {name: why for name, why in outside.items() if why}
+    yield check(
+        f"{id}.models",
+        f"Published regressions inside their range, {mesh.case.mesh.title}",
+        float(len(mesh.published_models) - len(outside)),
+        ">=",
+        float(len(mesh.published_models)),
+        "",
+        "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
+        "Outside: "
+        + "; ".join(f"{compared.TITLES[name].split(',')[0].split(' ×')[0]} ({why})" for name, why in outside.items())
+        + ". Their losses are extrapolations; nothing is judged by them.",
+        kind="advice",
+    )
     yield check(
         f"{id}.lambda",
         f"Smallest film over roughness, {mesh.case.mesh.title}",
@@ -124,7 +140,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         "The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil.",
         kind="advice",
     )
-    if friction.bulk_temperature is None:
+    if friction.bulk_temperature is None and friction.bulk == "oil":
         yield check(
             f"{id}.bulk",
             f"Estimated warming of the teeth above the oil, {mesh.case.mesh.title}",
@@ -133,7 +149,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
             BULK_LIMIT,
             "K",
             OWN,
-            "The teeth run hotter than the oil: give bulk_temperature_C.",
+            'The teeth run hotter than the oil: give friction.bulk_temperature_C, or bulk = "estimated".',
             kind="advice",
         )
 
@@ -199,11 +215,14 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
 # --- notes -----------------------------------------------------------------------------------------------------------------
 def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[str, ...]:
     found = []
-    if friction.bulk_temperature is None:
+    if friction.bulk_temperature is None and friction.bulk == "oil":
         found.append(f"The teeth are taken as warm as the oil, {short(oil.T_m)} °C; their warming is estimated beside.")
     for mesh in result.meshes.values():
         share = by_regime(mesh).rigid_share
+        m = by_regime(mesh)
         rigid = f"a rigid isoviscous film on {share * 100:.0f} % of the path"
+        if share and m.rolling_loss > m.sliding_loss:
+            rigid += f"; at so light a load rolling governs, {short(m.rolling_loss)} W (bound) against {short(m.sliding_loss)} W of sliding"
         found.append(f"Mesh {mesh.case.mesh.title}: {rigid if share else 'no rigid isoviscous film, the EHL formula holds'}.")
     if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
         found.append("The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs only.")
@@ -220,9 +239,22 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         f"Limiting shear {short(oil.Lambda)} of the pressure: {assumed.source} (confidence {assumed.confidence}); "
         "steel is taken to conduct 46 W/(m·K)."
     )
-    found.append("Churning of wheels that dip into oil and rolling bearings are not counted, unless given as other losses.")
+    if not friction.seals:
+        found.append("No shaft seals are counted, unless given ([[friction.seals]]).")
+    if not friction.dips:
+        found.append("No wheel dips into oil: churning is not counted ([[friction.dips]]).")
+    if not has_bearings(friction):
+        found.append("The wheels' own bearings are not counted, unless given ([[friction.rolling_bearings]], [[friction.plain_bearings]]).")
+    elif any(b.f_0 is None or b.f_1 is None for b in friction.rolling_bearings if b.method == "palmgren"):
+        found.append("Palmgren's factors f_0 and f_1 by type are from memory: give those of the bearing's catalogue.")
+    if friction.rolling_bearings or friction.plain_bearings:
+        found.append("The wheels' bearings run in oil as warm as that of the teeth.")
     found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
     last = list(result.meshes.values())[-1].case.mesh.driven.name
+    entries: tuple[Any, ...] = (*friction.seals, *friction.rolling_bearings, *friction.plain_bearings, *friction.dips, *friction.jets)
+    strange = [entry.name for entry in entries if not carrier(entry.name, result.wheels, "")]
+    if strange:
+        found.append(f"Carried by wheel {last}, the last, for their names begin with that of no wheel: {', '.join(strange)}.")
     for other in friction.other_losses:
         wheel = carrier(other.name, result.wheels, last)
         why = "" if carrier(other.name, result.wheels, "") else ", the last: its name begins with that of no wheel"
