@@ -24,6 +24,7 @@ COMMANDS = {
     "choose": "search for the user: a ranked table, of which one row can be taken",
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
+    "scenarios": "a train under several conditions side by side: the friction thesis' three, or a design's own",
     "validate": "published reference values beside ours",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
 }
@@ -112,6 +113,14 @@ def parser() -> argparse.ArgumentParser:
         "--chord-error", type=float, metavar="UM", help="how far a tooth's straight pieces may stand off (default: 1 µm)"
     )
     add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
+
+    add["scenarios"].add_argument(
+        "files", nargs="*", metavar="FILE", help="designs with [[friction.scenarios]] (default: those of the thesis)"
+    )
+    add["scenarios"].add_argument(
+        "-o", "--output", metavar="FOLDER", help="also write the curves as CSV and a report as PDF for each design"
+    )
+    add["scenarios"].add_argument("--json", action="store_true", help="print one JSON object")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
 

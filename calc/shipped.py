@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
+SCENARIOS = tuple(DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief"))  # of the gear friction thesis
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import numpy as np
 from ...catalogue import Oil
 from ...lubricant import Lubricant
 from ...sheet.errors import NoSolution
+from ...sheet.number import short
 from ...sheet.quantity import group, result, value
 from ...sheet.step import Curve, Series, Table
 from ...sheet.trace import untraced
@@ -94,19 +95,30 @@ def tables(found: Mapping[str, ScenarioResult]) -> tuple[Table, ...]:
 
 
 def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: str) -> Table:
+    """What differs stands in columns, what is the same in all scenarios in the note."""
     columns = (
         ("Scenario", ""), ("Oil", ""), ("T_oil", "°C"), ("η_0", "mPa·s"), ("P_VZ", "W"), ("sliding", "W"), ("rolling", "W"), ("η_Z", "%"),
         ("μ_m", ""), ("H_VL", ""), ("h_min", "µm"), ("λ_min", ""), ("p_H", "MPa"), ("T_f max", "°C"),
     )  # fmt: skip
-    rows = []
+    rows: list[tuple[str | float | None, ...]] = []
     for name, s in found.items():
         m: MeshLoss = getattr(s.meshes[key], model)
         rows.append(
             (name, s.oil, s.temperature, s.oil_viscosity * 1e3, m.loss, m.sliding_loss, m.rolling_loss, m.efficiency * 100, m.friction_mean,
              m.loss_factor, m.film_min * 1e6, m.lambda_min, m.pressure_max * 1e-6, m.temperature_max)
         )  # fmt: skip
-    covers = tuple(f"friction.scenarios.{name}.{key}" for name in found)
-    return Table(f"scenarios_{key}_{model}", f"Scenarios, mesh {key.replace('_', '–')}, {words}", columns, tuple(rows), covers=covers)
+    same = [i for i in range(1, len(columns)) if len(rows) > 1 and all(row[i] == rows[0][i] for row in rows)]
+    kept = [i for i in range(len(columns)) if i not in same]
+    note = ", ".join(f"{columns[i][0]} {_said(rows[0][i])} {columns[i][1]}".rstrip() for i in same)
+    return Table(
+        f"scenarios_{key}_{model}", f"Scenarios, mesh {key.replace('_', '–')}, {words}", tuple(columns[i] for i in kept),
+        tuple(tuple(row[i] for i in kept) for row in rows), f"The same in all: {note}." if note else "",
+        covers=tuple(f"friction.scenarios.{name}.{key}" for name in found),
+    )  # fmt: skip
+
+
+def _said(cell: str | float | None) -> str:
+    return short(cell) if isinstance(cell, float) else str(cell)
 
 
 def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, str]) -> Iterator[Curve]:

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero scenarios`: a train under several conditions side by side, by the judged model and by the friction source's.
+
+Without a file: the three scenarios of the gear friction thesis.  With -o, the curves of each design as CSV, and its report as PDF.
+"""
+
+import csv
+from argparse import Namespace
+from io import StringIO
+from pathlib import Path
+from typing import Any
+
+from assistant.plain import table_json, table_lines
+from assistant.saving import write_asked
+from calc.design_file import design, read
+from calc.friction.beyond.scenarios import ALONG, MODELS, tables
+from calc.sheet.errors import BadInput, InputError
+from calc.sheet.step import Outcome, Table
+from calc.shipped import SCENARIOS
+from calc.solve import solve
+from calc.version import VERSION
+
+HOW = "give [[friction.scenarios]]: name, and oil, oil_temperature_C, load_sharing, flank_roughness_um or power_kW"
+
+
+def run(asked: Namespace) -> int:
+    """Exit code 3 where a design has no solution; nothing is judged."""
+    files = [Path(name) for name in asked.files] or list(SCENARIOS)
+    solved = [(path, *_solved(path)) for path in files]
+    unsolved = [(path, outcome) for path, _, outcome in solved if outcome.result is None]
+    found = [(path, name, outcome) for path, name, outcome in solved if outcome.result is not None]
+    shown = [(path, name, (*tables(outcome.result.scenarios), *_models(outcome))) for path, name, outcome in found]
+    if asked.output:
+        _write(Path(asked.output), found)
+    if asked.json:
+        import json
+
+        designs = [{"file": path.name, "name": name, "tables": {t.id: table_json(t) for t in made}} for path, name, made in shown]
+        print(json.dumps({"schema": 1, "program": "contralbero", "version": VERSION, "designs": designs}, ensure_ascii=False, indent=1))
+    else:
+        for n, (_, name, made) in enumerate(shown):
+            print(("\n" if n else "") + name)
+            for table in made:
+                print("\n" + "\n".join(f"  {line}".rstrip() for line in table_lines(table)))
+        if not asked.files:
+            print("\ndesigns/friction_source.md tells what of the thesis' statements holds, with these numbers.")
+    for path, outcome in unsolved:
+        import sys
+
+        print(f"{path}: friction: {outcome.reason or outcome.state}", file=sys.stderr)
+    return 3 if unsolved else 0
+
+
+def _solved(path: Path) -> tuple[str, Outcome]:
+    document = read(path)
+    made = design(document)
+    if made.friction is None or not made.friction.scenarios:
+        raise BadInput(str(path), [InputError(0, "friction.scenarios", "", f"there are none; {HOW}")])
+    return made.name, solve(made).outcomes["friction"]
+
+
+def _models(outcome: Outcome) -> list[Table]:
+    """What other models say at the design's own conditions."""
+    return [table for table in outcome.tables if table.id.startswith("models_")]
+
+
+def _write(folder: Path, found: list[tuple[Path, str, Outcome]]) -> None:
+    from reports.report import write
+
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BadInput(str(folder), [InputError(0, "-o", "", f"is no folder to write to: {error.strerror or error}")]) from None
+    for path, _, outcome in found:
+        write_asked(folder / f"{path.stem}_curves.csv", curves_text(outcome.result.scenarios))
+        document = read(path)
+        write(document, solve(design(document)), path.read_bytes(), folder / f"{path.stem}.pdf")
+
+
+def curves_text(found: dict[str, Any]) -> str:
+    """Along the path of every mesh: a row a position, for each scenario and model, in the units that the heads tell."""
+    file = StringIO()
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(("mesh", "model", "scenario", "x, mm", *(label for _, _, label, _ in ALONG)))
+    for name, scenario in found.items():
+        for key, mesh in scenario.meshes.items():
+            for model, words in MODELS:
+                local = getattr(mesh, model).local
+                columns = [getattr(local, attribute) * factor for attribute, _, _, factor in ALONG]
+                for x, *values in zip(local.x * 1e3, *columns):
+                    rows.writerow((key, words, name, f"{x:.6g}", *(f"{value:.6g}" for value in values)))
+    return file.getvalue()
