@@ -93,6 +93,11 @@ def largest_pressure(p_H: Pascal) -> Pascal:
     return _extreme(np.max, p_H)
 
 
+@formula("p_C", "the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
+def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
+    return p_H
+
+
 @formula("T_f,max", "definition: largest along the path", shows="largest T_f along the path")
 def hottest_film(T_f: Celsius) -> Celsius:
     return _extreme(np.max, T_f)
@@ -188,6 +193,7 @@ class MeshLoss:
     film_min: Metre = value("Thinnest film", "µm", "h_min")
     lambda_min: Number = value("Smallest film over roughness", "", "λ_min")
     pressure_max: Pascal = value("Largest Hertzian pressure", "MPa", "p_H")
+    pressure_pitch: Pascal | None = value("Hertzian pressure at the pitch point", "MPa", "p_C")
     temperature_max: Celsius = value("Hottest film", "°C", "T_f")
     bulk_temperature: Celsius | None = value("Temperature of the teeth, estimated", "°C", "Θ_M")
     deborah_max: Number = value("Largest Deborah number", "", "De")
@@ -261,10 +267,12 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         estimate = rolling_estimate(s=s, q_E=ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e))
     P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
     H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
+    p_C = pressure_at_pitch_point(p_H=c.path.at_pitch_point(p_H)) if c.mesh.spur else None
     return MeshLoss(
         loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,
         friction_mean=mean_friction(P_s=P_s, P=P, H_VL=H_VL), film_min=thinnest_film(h=f.h), lambda_min=least_film_ratio(lam=t.lam),
-        pressure_max=largest_pressure(p_H=p_H), bulk_temperature=None,
+        pressure_max=largest_pressure(p_H=p_H), pressure_pitch=p_C,
+        bulk_temperature=None,
         temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
         load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in (c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f))),
