@@ -26,6 +26,7 @@ from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry, column
 from calc.friction.mesh.loss import Case, case, solve_mesh
+from calc.friction.mesh.many import losses
 from calc.friction.models.regressions import of_schlenk
 from calc.lubricant import Lubricant
 from calc.shipped import DESIGNS, EXAMPLE
@@ -67,7 +68,7 @@ def main() -> None:
     exponents = random.uniform(-1.0, 1.0, 100_000)
 
     def together() -> Any:
-        return solve_mesh(of(mesh, lubricant, T, n, 12), P, False).loss  # type: ignore[arg-type]
+        return losses(FLANKS, mesh, lubricant, T, n, P, by_regime=False).loss  # type: ignore[arg-type]
 
     def alone(i: int) -> float:
         return solve_mesh(of(mesh, lubricant, float(T[i]), float(n[i]), 12), float(P[i]), False).loss

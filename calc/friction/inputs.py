@@ -166,7 +166,7 @@ class FrictionInputs:
         "Other losses",
         OtherLoss,
         optional=True,
-        help='What is known otherwise; the wheel that the name begins with carries it ("idler pump"), else the last.',
+        help='What is known otherwise; the wheel that the name begins with carries it ("idler-pump"), else the last.',
     )
     scenarios: tuple[Scenario, ...] = tables(
         "Scenarios", Scenario, optional=True, help="The same train under other conditions, side by side."

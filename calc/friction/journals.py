@@ -16,9 +16,10 @@ from ..bearings.turn import SECOND_ORDER, Response, response
 from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.standing import Drive as GearDrive
 from ..countershaft.standing import Gear, Standing, standing_of
+from ..lubricant import Lubricant
 from ..sheet.formula import formula
 from ..sheet.trace import about, untraced
-from ..sheet.units import Newton, RevPerSecond, Watt
+from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
 from .result import JournalResult
 
 
@@ -109,8 +110,11 @@ def journals_of(on: OnShaft) -> Journals:
     return Journals(on, responses, speed)
 
 
-def journals_at(on: OnShaft, ratio: float, T: float) -> Journals:
-    """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T: arrays."""
+def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | None = None) -> Journals:
+    """At speeds `ratio` times that of the design, loads that turn growing with its square, and supply temperatures T, one each or arrays.
+
+    `lubricant`: left out, that of the bearings.
+    """
     responses, speed = {}, 0.0
     with untraced():
         for place, one in on.bearings.bearings.items():
@@ -119,5 +123,6 @@ def journals_at(on: OnShaft, ratio: float, T: float) -> Journals:
                 one.duty, load=one.duty.load * (ratio**2 if turns else 1.0 + 0.0 * ratio), speed=one.duty.speed * ratio,
                 effective_speed=one.duty.effective_speed * ratio, supply_temperature=T,
             )  # fmt: skip
-            responses[place], speed = response(one.seat, duty), duty.speed
+            seat = one.seat if lubricant is None else replace(one.seat, lubricant=lubricant)
+            responses[place], speed = response(seat, duty), duty.speed
     return Journals(on, responses, speed)

@@ -69,7 +69,7 @@ def solve(
     result = outcome.result
     if friction.scenarios:
         with QUIET():
-            result = replace(result, scenarios=scenarios.solved(d, friction, oils, viscosity_law, power))
+            result = replace(result, scenarios=scenarios.solved(d, friction, oils, viscosity_law, power, on))
         finite(result)
     more = journals.notes(result.journals) if journals is not None else []
     return replace(

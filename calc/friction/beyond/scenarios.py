@@ -21,6 +21,7 @@ from ...sheet.trace import untraced
 from ...sheet.units import Celsius, NewtonMetre, Number, PascalSecond, Watt
 from ..balance.closure import Drive, balance, drive
 from ..inputs import FrictionInputs, Scenario
+from ..journals import OnShaft, journals_at
 from ..mesh.loss import MeshLoss
 
 # What is drawn along the path: attribute of `Local`, title, label of the axis, factor.
@@ -46,27 +47,35 @@ class ScenarioResult:
     meshes: dict[str, ScenarioMesh] = group(spread=True)
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
     mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
+    bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     total_loss: Watt = value("Sum of the losses", "W", "P")
-    share: Number = value("Losses over the power at the first driver", "%")
+    share: Number | None = value("Losses over the power at the first driver", "%")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
     about: str = ""  # oil, temperature, load sharing in words
     oil: str = ""
     temperature: Celsius
 
 
-def solved(d: Drive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None) -> dict[str, ScenarioResult]:
-    """All scenarios of a design by their names.  NoSolution names the scenario that has none."""
+def solved(
+    d: Drive, friction: FrictionInputs, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+) -> dict[str, ScenarioResult]:
+    """All scenarios of a design by their names.  NoSolution names the scenario that has none.
+
+    Where the teeth have the oil of the journals, a scenario's oil and temperature are those of the journals too.
+    """
     found = {}
     for scenario in friction.scenarios:
         try:
             with untraced():
-                found[scenario.name] = _one(d, scenario, oils, law, power)
+                found[scenario.name] = _one(d, scenario, oils, law, power, on)
         except NoSolution as none:
             raise NoSolution(f"scenario {scenario.name}: {none.what}", none.tried, none.advice) from None
     return found
 
 
-def _one(d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None) -> ScenarioResult:
+def _one(
+    d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
+) -> ScenarioResult:  # fmt: skip
     measured: Any = d.friction.bulk_temperature if s.oil_temperature is None else None
     own = replace(
         d.friction, load_sharing=s.load_sharing or d.friction.load_sharing, flank_roughness=s.flank_roughness or d.friction.flank_roughness,
@@ -75,11 +84,17 @@ def _one(d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt |
     name = s.oil or d.lubricant.oil.name
     T = d.T_oil if s.oil_temperature is None else s.oil_temperature
     lubricant = Lubricant(oils[name], law) if s.oil else d.lubricant
-    other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, d.shaft, d.forces, d.lubrication)
+    shaft, f = d.shaft, d.friction
+    shared = (s.oil_temperature is not None and f.oil_temperature is None, s.oil is not None and f.oil is None)
+    if on is not None and any(shared):
+        supply = T if shared[0] else next(iter(on.bearings.bearings.values())).duty.supply_temperature
+        shaft = journals_at(on, 1.0, supply, lubricant if shared[1] else None)
+    other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
     r = balance(other, None if d.shaft is not None else s.power or power)
     meshes = {key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()}
+    share = None if d.shaft is not None else r.total_loss / r.crank_power  # with a shaft all is loss
     return ScenarioResult(
-        meshes=meshes, oil_viscosity=r.oil_viscosity, mesh_loss=r.mesh_loss, total_loss=r.total_loss, share=r.total_loss / r.crank_power,
+        meshes=meshes, oil_viscosity=r.oil_viscosity, bearing_loss=r.bearing_loss, mesh_loss=r.mesh_loss, total_loss=r.total_loss, share=share,
         crank_torque=r.crank_torque, about=f"{name}, {T:g} °C, {own.load_sharing}", oil=name, temperature=T,
     )  # fmt: skip
 
@@ -89,9 +104,24 @@ MODELS = (("judged", "by regime"), ("source", "source: EHL film everywhere"))
 
 
 def tables(found: Mapping[str, ScenarioResult]) -> tuple[Table, ...]:
-    """One table a mesh and model: what the source tabulates, a row a scenario."""
-    meshes = next(iter(found.values())).meshes if found else {}
-    return tuple(_table(found, key, model, words) for key in meshes for model, words in MODELS)
+    """The whole balance; and one table a mesh and model: what the source tabulates, a row a scenario."""
+    if not found:
+        return ()
+    meshes = next(iter(found.values())).meshes
+    return _balance(found), *(_table(found, key, model, words) for key in meshes for model, words in MODELS)
+
+
+def _balance(found: Mapping[str, ScenarioResult]) -> Table:
+    columns = (
+        ("Scenario", ""),
+        ("Oil, temperature, load sharing", ""),
+        ("journals", "W"),
+        ("meshes", "W"),
+        ("all losses", "W"),
+        ("T_1", "N·m"),
+    )
+    rows = tuple((name, s.about, s.bearing_loss, s.mesh_loss, s.total_loss, s.crank_torque) for name, s in found.items())
+    return Table("scenarios", "Scenarios: the whole balance, as judged", columns, rows, covers=("friction.scenarios.",))
 
 
 def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: str) -> Table:
@@ -113,7 +143,6 @@ def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: str
     return Table(
         f"scenarios_{key}_{model}", f"Scenarios, mesh {key.replace('_', '–')}, {words}", tuple(columns[i] for i in kept),
         tuple(tuple(row[i] for i in kept) for row in rows), f"The same in all: {note}." if note else "",
-        covers=tuple(f"friction.scenarios.{name}.{key}" for name in found),
     )  # fmt: skip
 
 

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The loss of one mesh at any number of operating points at once.
+
+Speed, power and oil temperature may be arrays, and so are the results then.  They are solved some hundred at a time, which keeps the
+arrays in the processor's cache and the memory small however many there are.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...lubricant import Lubricant
+from ...sheet.trace import untraced
+from ...sheet.units import Celsius, RevPerSecond, Watt
+from ..inputs import FrictionInputs
+from .film import oil_at
+from .geometry import MeshGeometry, column
+from .loss import Local, MeshLoss, case, solve_mesh
+
+AT_ONCE = 500
+SPUR_POINTS, HELICAL_POINTS, STRIPS = 12, 2, 5  # some 50 positions of a spur path, 125 of a helical one
+
+
+def losses(
+    friction: FrictionInputs, mesh: MeshGeometry, lubricant: Lubricant, T: Celsius, n_1: RevPerSecond, P: Watt, *, by_regime: bool = True,
+    points: int = 0, strips: int = STRIPS,
+) -> MeshLoss:  # fmt: skip
+    """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
+
+    One number each or arrays of one length.  `by_regime`: False takes the EHL film everywhere.  `points`: of each piece of the path,
+    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 1 %.  NoSolution names the operating
+    point and the place on the path where the temperature of the film does not settle, or the quantity that has no meaning.
+    """
+    T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
+    points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
+    parts = []
+    with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
+        for start in range(0, P_all.size, AT_ONCE):
+            some = slice(start, start + AT_ONCE)
+            at: Any = (T_all[some], n_all[some], P_all[some])
+            c = case(friction, mesh, oil_at(lubricant, column(at[0])), at[1], points=points, strips=strips)
+            parts.append(solve_mesh(c, at[2], by_regime))
+    return _joined(parts)
+
+
+def _joined(parts: list[MeshLoss]) -> MeshLoss:
+    """Results one after the other."""
+    if len(parts) == 1:
+        return parts[0]
+    found: dict[str, Any] = {}
+    for name, first in vars(parts[0]).items():
+        values = [getattr(part, name) for part in parts]
+        if name == "local":
+            columns: dict[str, Any] = {key: np.concatenate([getattr(part, key) for part in values]) for key in vars(first) if key != "x"}
+            found[name] = Local(x=first.x, **columns)
+        else:  # a loss that none of some points has is one number for them all
+            found[name] = None if first is None else np.concatenate([np.broadcast_to(v, np.shape(p.load)) for v, p in zip(values, parts)])
+    return MeshLoss(**found)
