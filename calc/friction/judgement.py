@@ -23,6 +23,7 @@ from .result import FrictionResult, MeshResult
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
+NAMES = {"schlenk": "Schlenk", "niemann": "Niemann and Winter", "xu_kahraman": "Xu and Kahraman", "benedict_kelley": "Benedict and Kelley"}
 
 
 def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
@@ -103,7 +104,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         "",
         "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
         "Outside: "
-        + "; ".join(f"{compared.TITLES[name].split(',')[0].split(' ×')[0]} ({why})" for name, why in outside.items())
+        + "; ".join(f"{NAMES[name]} ({why})" for name, why in outside.items())
         + ". Their losses are extrapolations; nothing is judged by them.",
         kind="advice",
     )

@@ -98,7 +98,7 @@ def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | 
         found = result.scenarios or {}
         ways = {key: judgement.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
-            curves=(*scenarios.curves(found, ways), *of_map, bars), tables=(*scenarios.tables(found), *of_fuel, table), notes=missing
+            curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(found)), notes=missing
         )  # fmt: skip
 
 

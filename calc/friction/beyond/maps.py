@@ -54,7 +54,7 @@ def axes(friction: FrictionInputs, T: Celsius, n: RevPerSecond) -> tuple[Array, 
     if friction.map_temperatures is not None:
         return speeds, np.array(sorted(friction.map_temperatures))
     around = np.array([T - COOLER, T - COOLER / 2, T, T + WARMER])
-    return speeds, around[(around >= COLDEST) & (around <= HOTTEST)]
+    return speeds, around[(around == T) | ((around >= COLDEST) & (around <= HOTTEST))]
 
 
 def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None) -> Map:

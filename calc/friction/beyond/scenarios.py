@@ -94,8 +94,8 @@ def _one(
     meshes = {key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()}
     share = None if d.shaft is not None else r.total_loss / r.crank_power  # with a shaft all is loss
     return ScenarioResult(
-        meshes=meshes, oil_viscosity=r.oil_viscosity, bearing_loss=r.bearing_loss, mesh_loss=r.mesh_loss, total_loss=r.total_loss, share=share,
-        crank_torque=r.crank_torque, about=f"{name}, {T:g} °C, {own.load_sharing}", oil=name, temperature=T,
+        meshes=meshes, oil_viscosity=r.oil_viscosity, bearing_loss=r.bearing_loss, mesh_loss=r.mesh_loss, total_loss=r.total_loss,
+        share=share, crank_torque=r.crank_torque, about=f"{name}, {T:g} °C, {own.load_sharing}", oil=name, temperature=T,
     )  # fmt: skip
 
 

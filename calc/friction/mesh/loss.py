@@ -286,16 +286,24 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
     if not (np.any(s.M_1) or np.any(s.M_2)):
         return c.oil
     T_b, oil = c.oil.T_m, c.oil
+    T: Any = T_b
+    before: Any = None
     with untraced():
         for _ in range(PASSES):
             _, t = rubbing(oil)
-            T_m = skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
-            left = float(np.max(np.abs(T_m - oil.T_m)))
+            gap: Any = skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
+            left = float(np.max(np.abs(gap)))
             if left <= SKIN:
                 break
-            oil = c.oil.at(T_m)
+            slope = 0.0
+            if before is not None:
+                step = T - before[0]
+                slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, 0.5)
+            before = T, gap
+            T = T + gap / (1 - slope)
+            oil = c.oil.at(T)
         else:
-            worst = float(np.asarray(c.path.x)[int(np.argmax(np.abs(T_m - oil.T_m))) % np.size(c.path.x)]) * 1e3
+            worst = float(np.asarray(c.path.x)[int(np.argmax(np.abs(gap))) % np.size(c.path.x)]) * 1e3
             tried = f"{worst:.4g} mm from T₁: off by {left:.3g} K after {PASSES} passes"
             raise NoSolution(f"mesh {c.mesh.title}: temperature of the skins", tried, "less friction.body_resistance_K_W")
     skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)

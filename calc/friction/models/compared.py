@@ -15,8 +15,8 @@ RANGES = {
     "benedict_kelley": "μ from 0.01 to 0.2 (held there)",
 }
 TITLES = {
-    "schlenk": "Schlenk × Ohlendorf", "niemann": "Niemann–Winter, Michaelis × Ohlendorf", "xu_kahraman": "Xu–Kahraman, integrated",
-    "benedict_kelley": "Benedict–Kelley, integrated",
+    "schlenk": "Schlenk × Ohlendorf", "niemann": "Niemann, Winter, Michaelis × Ohlendorf", "xu_kahraman": "Xu, Kahraman, integrated",
+    "benedict_kelley": "Benedict, Kelley, integrated",
 }  # fmt: skip
 
 
