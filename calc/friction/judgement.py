@@ -23,6 +23,7 @@ from .result import FrictionResult, MeshResult
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
+JUMP = 1e-6  # of the power
 NAMES = {"schlenk": "Schlenk", "niemann": "Niemann and Winter", "xu_kahraman": "Xu and Kahraman", "benedict_kelley": "Benedict and Kelley"}
 
 
@@ -225,6 +226,12 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         if share and m.rolling_loss > m.sliding_loss:
             rigid += f"; at so light a load rolling governs, {short(m.rolling_loss)} W (bound) against {short(m.sliding_loss)} W of sliding"
         found.append(f"Mesh {mesh.case.mesh.title}: {rigid if share else 'no rigid isoviscous film, the EHL formula holds'}.")
+    for mesh in result.meshes.values():
+        if abs(mesh.power_in - mesh.judged.load) > JUMP * mesh.power_in:
+            found.append(
+                f"Mesh {mesh.case.mesh.title}: its loss jumps where places on the path change their regime, and the balance falls into the "
+                f"jump: solved for {short(mesh.judged.load)} W, while {short(mesh.power_in)} W come in."
+            )
     if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
         found.append("The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs only.")
     if friction.film == "source":

@@ -22,8 +22,7 @@ from ..mesh.geometry import MeshGeometry, require
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
 MORE_POWER = "give more gears.power_kW, less speed, a narrower face, or a thinner oil"
-LEFT: Number = 1e-3  # of the power: what a jump of the loss may leave
-
+LEFT: Number = 1e-2  # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
 FINE = 1e-9  # of the power: steps below it say nothing about a slope
 
 Loss = Callable[[str, Watt], Watt]
@@ -104,8 +103,9 @@ class Guess:
 def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> dict[str, Watt]:
     """The power that loads each mesh; `needs` tells what each wheel needs besides its meshes, at the powers of the pass before.
 
-    Where a position changes its regime the loss jumps by a little, and P = P_in may fall into the jump; then the last pass stands
-    if it is within 0.1 %.  The balance loses nothing by that: P_in always is P_out plus the loss that is published.
+    Where a position changes its regime the loss jumps by what it rolls, and P = P_in may fall into the jump, which no power solves; then
+    the last pass stands if it is within 1 %, and a note says so.  The balance loses nothing by that: P_in always is P_out plus the
+    loss that is published.
     """
     guesses = {name: Guess() for name in meshes}
     loads: dict[str, Watt] = {}
