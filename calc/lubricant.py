@@ -7,7 +7,7 @@ thinning of multigrade oils at high shear rate is not part of these laws.
 
 from .catalogue import Oil, base_stocks
 from .sheet.formula import formula
-from .sheet.functions import log10
+from .sheet.functions import ln, log10
 from .sheet.record import record
 from .sheet.units import (
     Celsius,
@@ -28,7 +28,6 @@ REFERENCE: Celsius = 15.0
 CP_0: JoulePerKilogramKelvin = 1801.25
 CP_1: JoulePerKilogramKelvin = 4.6
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
-LN_10: Number = 2.302585092994046
 LOWEST, HIGHEST = 2e-6, 0.1  # m²/s: where the viscosity laws hold
 ADDED = {"walther": 0.6, "d341": 0.7}  # the constant under the double logarithm
 FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
@@ -58,7 +57,7 @@ def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> Pasca
 
 @formula(
     "α",
-    "AGMA 925-A03, as generally published: α = k·η^s, η dynamic (the gear friction thesis writes the kinematic one)",
+    "AGMA 925-A03, as generally published: α = k·ηˢ, η dynamic (the gear friction thesis writes the kinematic one)",
 )
 def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
     return k * (mu / MILLIPASCAL_SECOND) ** s
@@ -76,7 +75,9 @@ def implied_viscosity(mu: PascalSecond, rho: KilogramPerMetre3) -> SquareMetrePe
 
 @formula("β", "derivative of the viscosity and density laws: −d ln μ/dT")
 def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
-    return SLOPE / (1 - SLOPE * (T - REFERENCE)) - LN_10 * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (T + ZERO_CELSIUS)
+    return SLOPE / (1 - SLOPE * (T - REFERENCE)) - ln(10.0) * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (
+        T + ZERO_CELSIUS
+    )
 
 
 @formula("C_1", "slope of the viscosity line through the points at 40 and 100 °C", names={"nu_40": "ν_40", "nu_100": "ν_100"})

@@ -192,10 +192,14 @@ def _others(rest: list[tuple[str, Shown]], own: list[tuple[str, Box]], said: lis
     """The further calculations of a part by their values; what says the same as the one in full is left out."""
     known = {s.rpartition("= ")[2] for s in said}
     found: dict[str, dict[str, None]] = {}
+    told: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
     unit = ""
     for label, line in rest:
         if f"{line.value} {line.unit}".rstrip() not in known:
             part, _, variant = label.partition(", ")
+            if variant and (part, line.value) in told:
+                continue
+            told.add((part, line.value))
             found.setdefault("" if own else part, {})[f"{variant} {line.value}".strip()] = None
             unit = line.unit
     if not found:

@@ -2,12 +2,13 @@
 """A curve of the sheet as a figure: one style, readable in grey print.
 
 Lines differ by their pattern as well as by their colour, bars by their grey; the legend stands above the axes where it can hide
-nothing, and a locus is drawn in true scale.  All variants of a curve stand in one figure.
+nothing, and a locus is drawn in true scale.  All variants of a curve stand in one figure; two of many lines stand beside each other.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -35,6 +36,7 @@ from .plots import (
     series_style,
 )
 from .prose import STRONG, lines
+from .tornado import Lying, dashed, lies
 
 if TYPE_CHECKING:
     from .page import Pen
@@ -43,21 +45,21 @@ GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2
 TALL, SQUARE = 128.0, 160.0  # height of the axes
 FLAT, ROOM = 2.0, 1.2  # width over height from which a drawing is flat, and the room it gets around it
+CROWDED = 4  # lines; two variants of more are drawn apart
 SAMPLE = 20.0  # width of a legend's sample
 
 Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the left margin, height of its middle
 
 
-def figure_blocks(curves: list[tuple[int, Curve]], word: str, plots: Plots) -> list[Block]:
+def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots) -> list[Block]:
     """Figures two beside each other, each with its number and title below."""
     blocks = []
+    curves = [part for number, curve in numbered for part in _apart(number, curve)]
     n = 0
     while n < len(curves):
-        alone = _flat(curves[n][1]) or n + 1 == len(curves) or _flat(curves[n + 1][1])
-        row = curves[n : n + 1] if alone else curves[n : n + 2]
-        pair = [
-            _Figure(number, curve, word, plots, WIDTH if _flat(curve) or (alone and not curve.equal) else PART) for number, curve in row
-        ]
+        row = curves[n : n + 1] if _alone(curves[n : n + 2]) else curves[n : n + 2]
+        alone = len(row) == 1
+        pair = [_Figure(number, c, word, plots, WIDTH if _broad(c) or (alone and not c.equal) else PART) for number, c in row]
         n += len(row)
         above = max(len(f.legend) for f in pair)
         for figure in pair:
@@ -70,6 +72,27 @@ def figure_blocks(curves: list[tuple[int, Curve]], word: str, plots: Plots) -> l
 
         blocks.append(Block(height, draw, gap=8.0))
     return blocks
+
+
+def _apart(number: int, curve: Curve) -> list[tuple[str, Curve]]:
+    """A curve with its number; two variants of many lines are the figures a and b, where like lines look alike."""
+    if curve.equal or curve.bars or len(curve.variants) != 2 or len(curve.series) <= CROWDED:
+        return [(str(number), curve)]
+    made = []
+    for letter, variant in zip("ab", curve.variants):
+        own = tuple(replace(s, variant="") for s in curve.series if s.variant in ("", variant))
+        made.append((f"{number}{letter}", replace(curve, title=f"{curve.title}, {variant}", series=own, variants=())))
+    return made
+
+
+def _alone(two: list[tuple[str, Curve]]) -> bool:
+    """Whether the first of two figures takes a row for itself: broad ones do, and the figures a and b of one curve stay together."""
+    return len(two) < 2 or any(_broad(curve) for _, curve in two) or two[1][0].endswith("a")
+
+
+def _broad(curve: Curve) -> bool:
+    """Whether a figure takes the page's whole width whatever stands beside it."""
+    return lies(curve) or _flat(curve)
 
 
 def _flat(curve: Curve) -> bool:
@@ -86,7 +109,7 @@ def _ratio(curve: Curve) -> float:
 class _Figure:
     """One figure with its legend and caption, laid out before anything is drawn."""
 
-    def __init__(self, number: int, curve: Curve, word: str, plots: Plots, width: float) -> None:
+    def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
         self.curve, self.plots, self.width = curve, plots, width
         self.caption = lines(f"{word} {number}. {curve.title}", STRONG, width - LEFT_AXIS, 3)
         self.legend = _legend(curve, width - LEFT_AXIS)
@@ -95,6 +118,9 @@ class _Figure:
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
         if _flat(curve):
             self.axes, self.wide = ROOM * (width - LEFT_AXIS - RIGHT_AXIS) / _ratio(curve), width
+        self.lying = Lying(curve, width) if lies(curve) else None
+        if self.lying is not None:
+            self.axes = self.lying.height
 
     @property
     def legend_height(self) -> float:
@@ -114,8 +140,11 @@ class _Figure:
                 pen.put(box, at + SAMPLE + 4.0, base)
                 at += SAMPLE + 4.0 + box.width + 12.0
         low = y - self.legend_height - HIGH - self.axes - LOW
-        height = self.axes + LOW + HIGH
-        pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height))
+        if self.lying is not None:
+            self.lying.draw(pen, x, low)
+        else:
+            height = self.axes + LOW + HIGH
+            pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height))
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)
 
@@ -157,15 +186,7 @@ def _line_sample(colour: Colour, dashes: tuple[float, ...], thick: float) -> Sam
     """A piece of line as long as a legend needs, in dashes."""
 
     def draw(pen: Pen, x: float, y: float) -> None:
-        at, on = 0.0, True
-        lengths = dashes or (SAMPLE,)
-        i = 0
-        while at < SAMPLE:
-            length = min(lengths[i % len(lengths)], SAMPLE - at)
-            if on:
-                pen.line([(LEFT + x + at, y), (LEFT + x + at + length, y)], thick, colour)
-            at += length
-            on, i = not on, i + 1
+        dashed(pen, (LEFT + x, y), (LEFT + x + SAMPLE, y), (colour, dashes, thick))
 
     return draw
 

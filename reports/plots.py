@@ -12,7 +12,7 @@ from calc.sheet.number import short
 from calc.sheet.step import Curve
 
 from .arrows import arrows, draw_arrows
-from .boxes import BLACK, Colour
+from .boxes import BLACK, Box, Colour, scaled
 from .flow import LEFT
 from .letters import clean
 from .prose import Style, broken, run
@@ -44,6 +44,7 @@ INK: Colour = (0.25, 0.25, 0.25)
 LETTER = Style(6.6, 8.6)
 NUMBER = Style(6.2, 8.0, colour=INK)
 TICK = 2.5
+SMALLER = 0.8  # the name of an axis may become so much smaller
 LEFT_AXIS, RIGHT_AXIS, LOW, HIGH = 46.0, 8.0, 25.0, 4.0  # around the axes
 
 
@@ -74,6 +75,24 @@ def limits(curve: Curve) -> list[tuple[str, float]]:
 
 def numbers(values: Any) -> Any:
     return np.atleast_1d(np.asarray(values, float))
+
+
+def tick_words(values: list[float]) -> list[str]:
+    """The numbers of an axis, all written one way and none of them rounded: 0.005 beside 0.01, and not 5·10⁻³; 40.025 beside 40.05."""
+    largest = max((abs(v) for v in values), default=0.0)
+    rounded = [v if abs(v) > 1e-9 * largest else 0.0 for v in values]
+    if 1e-2 <= largest < 1e5:
+        return [f"{v:.7g}".replace("-", "−") for v in rounded]
+    return [short(v) for v in rounded]
+
+
+def fitted(words: str, width: float) -> Box:
+    """The name of an axis on one line: made smaller where it is a little too long, cut where it is much too long."""
+    words = clean(words)
+    box = run(words, LETTER)
+    if box.width * SMALLER > width:
+        box = run(broken(words, LETTER, width / SMALLER, 1)[0], LETTER)
+    return scaled(box, width / box.width) if box.width > width else box
 
 
 class Plots:
@@ -236,18 +255,25 @@ def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float) -> None:
     (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
     down = y + frame.y0 - TICK - 0.85 * NUMBER.size
     end = -1.0
-    for value in axes.xaxis.get_majorticklocs():
-        box = run(short(value), NUMBER)
+    ticks = _seen(axes.xaxis.get_majorticklocs(), low_x, high_x)
+    for value, words in zip(ticks, tick_words(ticks)):
+        box = run(words, NUMBER)
         at = axes.transData.transform((value, low_y))[0] - box.width / 2
-        if low_x - 1e-9 <= value <= high_x + 1e-9 and at > end:
+        if at > end:
             pen.put(box, x + min(at, axes.figure.bbox.width - box.width), down)
             end = at + box.width + 3.0
-    for value in axes.yaxis.get_majorticklocs():
-        if low_y - 1e-9 <= value <= high_y + 1e-9:
-            box = run(short(value), NUMBER)
-            at = axes.transData.transform((low_x, value))[1]
-            pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
-    name = run(broken(clean(curve.x_label), LETTER, frame.width, 1)[0], LETTER)
-    pen.put(name, x + frame.x0 + (frame.width - name.width) / 2, down - 1.35 * LETTER.size)
-    name = run(broken(clean(curve.y_label), LETTER, frame.height, 1)[0], LETTER)
+    ticks = _seen(axes.yaxis.get_majorticklocs(), low_y, high_y)
+    for value, words in zip(ticks, tick_words(ticks)):
+        box = run(words, NUMBER)
+        at = axes.transData.transform((low_x, value))[1]
+        pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
+    whole = axes.figure.bbox.width
+    name = fitted(curve.x_label, whole)
+    at = min(frame.x0 + (frame.width - name.width) / 2, whole - name.width)
+    pen.put(name, x + max(at, 0.0), down - 1.35 * LETTER.size)
+    name = fitted(curve.y_label, frame.height)
     pen.turn(name, x + 7.0, y + frame.y0 + (frame.height - name.width) / 2)
+
+
+def _seen(ticks: Any, low: float, high: float) -> list[float]:
+    return [float(v) for v in ticks if low - 1e-9 <= v <= high + 1e-9]

@@ -74,11 +74,11 @@ def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDT
     return made
 
 
-def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, gap: float = 5.0) -> list[Block]:
+def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 5.0) -> list[Block]:
     """A table under a small heading of its own."""
     if not title:
-        return table(columns, rows, gap=gap)
-    return [*heading(title, GROUP, gap=gap + 3.0, after=0.0), *table(columns, rows, gap=0.0)]
+        return table(columns, rows, width=width, gap=gap)
+    return [*heading(title, GROUP, gap=gap + 3.0, after=0.0), *table(columns, rows, width=width, gap=0.0)]
 
 
 def _cell(cell: str | Cell) -> Cell:
@@ -167,25 +167,30 @@ def _row(
     columns: Sequence[Column], cells: Sequence[str | Cell], wide: list[float], left: list[float], width: float, top: Block | None
 ) -> list[Block]:
     """One row, in several blocks where it is longer than a page should hold."""
-    content: list[list[tuple[Box, float]]] = []  # per column: its lines with their leading
-    for column, w, given in zip(columns, wide, cells):
-        cell = _cell(given)
-        style = cell.style or column.style
-        made: list[tuple[Box, float]] = []
-        if cell.box is not None:
-            made.append((cell.box, max(style.leading, cell.box.height)))
-        elif cell.words:
-            made += [(line, style.leading) for line in lines(cell.words, style, w)]
+    given = [_cell(cell) for cell in cells]
+    content = [_words(cell, column, w) for cell, column, w in zip(given, columns, wide)]  # per column: its lines with their leading
+    said = [len(made) for made in content]
+    for i, cell in enumerate(given):
         if cell.under and cell.under[0]:
-            made += [(line, cell.under[1].leading) for line in lines(cell.under[0], cell.under[1], w)]
-        content.append(made)
-    aligned = [_cell(given).align or column.align for column, given in zip(columns, cells)]
+            # What stands below may run on under neighbours that are no taller than the words above it.
+            free = all(n <= said[i] and not other.under for n, other in zip(said[i + 1 :], given[i + 1 :]))
+            style = cell.under[1]
+            content[i] += [(line, style.leading) for line in lines(cell.under[0], style, width - left[i] if free else wide[i])]
+    aligned = [cell.align or column.align for column, cell in zip(columns, given)]
     longest = max((len(c) for c in content), default=0)
     blocks = []
     for start in range(0, max(1, longest), MOST):
         part = [c[start : start + MOST] for c in content]
         blocks.append(_part(aligned, part, wide, left, width, top, last=start + MOST >= longest))
     return blocks
+
+
+def _words(cell: Cell, column: Column, width: float) -> list[tuple[Box, float]]:
+    """The lines of a cell without what stands below them."""
+    style = cell.style or column.style
+    if cell.box is not None:
+        return [(cell.box, max(style.leading, cell.box.height))]
+    return [(line, style.leading) for line in lines(cell.words, style, width)] if cell.words else []
 
 
 def _part(

@@ -20,7 +20,7 @@ SMALLEST = 4.2  # points
 TIGHT = 1.25  # what is so much wider than the column is made smaller rather than written out
 RAISE, LOWER = 0.36, 0.17  # of the size
 SUPER = dict(zip("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+−0123456789"))
-INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,])+)")
+INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,])*)")  # in T_1T_2 the second T is a letter with an index of its own
 LETTERS = re.compile(r"[^\W\d_]+")
 UPRIGHT_LETTERS = set("ΣΔΠ∠°")
 
@@ -188,7 +188,7 @@ class Setter:
         inside = small.box(of, 2.2 if unit else 0.0)
         if unit:
             inside = row([small.word(unit, UPRIGHT), small.operator("·", 0.05), inside])
-        if inside.width <= 0.45 * self.column:
+        if inside.width <= 0.7 * self.column:
             up = raised(inside, RAISE * self.size + max(0.0, inside.down - 0.30 * self.size))
             return 4.0, [Piece(row([e, up]))]
         pieces = self.pieces(of, 2.2 if unit else 0.0, open)
@@ -216,6 +216,8 @@ def lines(pieces: list[Piece], width: float) -> list[Box]:
                     if here <= cost:
                         best, cost = i, here
                 x += pieces[i].box.width
+            if (opened := pieces[best].open) is None or opened >= 1.0:  # rather a little smaller than torn inside its brackets
+                best = _whole(pieces, start, width) or best
             if cost == float("inf"):  # nowhere to break inside: up to the next place, made smaller below
                 while best < len(pieces) and pieces[best].open is None:
                     best += 1
@@ -224,6 +226,23 @@ def lines(pieces: list[Piece], width: float) -> list[Box]:
         made.append(scaled(line, width / line.width) if line.width > width else line)
         start = end
     return made
+
+
+def _whole(pieces: list[Piece], start: int, width: float) -> int:
+    """Where the line ends that is a little too wide (at most TIGHT times) and leaves none of its tall brackets open; 0: there is none."""
+    x, tall = 0.0, False
+    for i in range(start, len(pieces) + 1):
+        opened = pieces[i].open if i < len(pieces) else 0.0
+        if tall and width < x <= TIGHT * width and opened is not None and opened < 1.0:
+            return i
+        if i < len(pieces):
+            x, tall = x + pieces[i].box.width, tall or _drawn_out(pieces[i].box)
+    return 0
+
+
+def _drawn_out(box: Box) -> bool:
+    """Whether a box is a bracket that was drawn out in height."""
+    return len(box.marks) == 1 and box.marks[0][0] == "text" and box.marks[0][7] > 1.0
 
 
 def formula(tree: Expr, size: float, column: float) -> list[Piece]:

@@ -6,7 +6,7 @@ After them the tables that the step itself has put together.
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 
 from calc.sheet.number import short
@@ -116,11 +116,17 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
     made: list[Block] = []
     for shown in tables:
-        columns = [_headed(shown, i) for i in range(len(shown.columns))]
         rows = [[_shown(cell) for cell in row] for row in shown.rows]
+        columns = [_headed(shown, i, _one_line) for i in range(len(shown.columns))]
+        if sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns)) + GAP * len(columns) > WIDTH:
+            columns = [_headed(shown, i, _two_lines) for i in range(len(shown.columns))]
         for n, some in enumerate(_fitting(columns)):
             title = context.words["two"].format(name=shown.title) if n else shown.title
-            made += named_table(title, [columns[i] for i in some], [[row[i] for i in some] for row in rows] or [[""] * len(some)])
+            fixed = [columns[i].width for i in some]
+            # A table of numbers alone ends with its last column.
+            width = min(WIDTH, sum(w or 0.0 for w in fixed) + GAP * (len(some) - 1) + 0.01) if all(fixed) else WIDTH
+            cells = [[row[i] for i in some] for row in rows] or [[Cell()] * len(some)]
+            made += named_table(title, [columns[i] for i in some], cells, width=width)
         if shown.note:
             made += paragraph(shown.note, NOTE, gap=2.0)
     return made
@@ -132,15 +138,24 @@ def _shown(cell: str | float | None) -> Cell:
     return Cell(cell, align="l") if isinstance(cell, str) else Cell(short(cell), align="r")
 
 
-def _headed(shown: Table, i: int) -> Column:
-    """A column of a table; one of numbers is as wide as they need, so that no number is broken."""
+def _headed(shown: Table, i: int, header: Callable[[str], float]) -> Column:
+    """A column of a table; one of numbers is as wide as they and its header need, so that no number is broken."""
     label, unit = shown.columns[i]
     words = f"{label}, {unit}" if unit else label
     cells = [row[i] for row in shown.rows]
     if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
         return Column(words)
     column = Column(words, "r")
-    return replace(column, width=max([_two_lines(words), *(natural(_shown(c), column) for c in cells if not isinstance(c, str))]))
+    return replace(column, width=max([header(words), *(natural(_shown(c), column) for c in cells if not isinstance(c, str))]))
+
+
+def _words_width(column: Column, cells: list[Cell]) -> float:
+    """The width in which nothing of a column of words wraps."""
+    return max([_one_line(column.header), *(natural(cell, column) for cell in cells)])
+
+
+def _one_line(header: str) -> float:
+    return run(header, HEADER).width
 
 
 def _two_lines(header: str) -> float:
@@ -153,17 +168,27 @@ def _two_lines(header: str) -> float:
 
 
 def _fitting(columns: list[Column]) -> list[list[int]]:
-    """The columns of each of the tables that a wide one is divided into; the first column, which names the rows, stands in all."""
+    """The columns of each of the tables that a wide one is divided into, about as wide as each other; the first column, which names the
+    rows, stands in all."""
     if not columns:
         return []
+    wide = [column.width or LEAST_WORDS for column in columns]
+    found = parts = _filled(wide, WIDTH)
+    room = WIDTH
+    while len(parts) == len(found) > 1 and room > WIDTH / 2:
+        found, room = parts, room - 10.0
+        parts = _filled(wide, room)
+    return found
+
+
+def _filled(wide: list[float], room: float) -> list[list[int]]:
+    """The columns of each part when every part takes as many as there is room for."""
     parts = [[0]]
-    first = columns[0].width or LEAST_WORDS
-    filled = first
-    for i, column in enumerate(columns[1:], 1):
-        wide = GAP + (column.width or LEAST_WORDS)
-        if filled + wide > WIDTH and len(parts[-1]) > 1:
+    filled = wide[0]
+    for i, needed in enumerate(wide[1:], 1):
+        if filled + GAP + needed > room and len(parts[-1]) > 1:
             parts.append([0])
-            filled = first
+            filled = wide[0]
         parts[-1].append(i)
-        filled += wide
+        filled += GAP + needed
     return parts

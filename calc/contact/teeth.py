@@ -2,9 +2,13 @@
 # mypy: disable-error-code="no-any-return"
 """What loss and warmth of a whole mesh follow from by the standards: roughness, mean friction, loss factor, bulk temperature."""
 
+from typing import Annotated
+
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi
 from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, PascalSecond, Radian, Watt
+
+WattPerSquareMetre = Annotated[float, "W/m²"]
 
 ISO = "ISO/TR 15144-1:2014"
 AS_FOUND = "as generally published"
@@ -13,7 +17,7 @@ MILLIMETRE: Metre = 1e-3
 METRE_PER_SECOND: MetrePerSecond = 1.0
 NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
-KILOWATT: Watt = 1e3
+KILOWATT_PER_SQUARE_MILLIMETRE: WattPerSquareMetre = 1e9
 RISE: Kelvin = 7400.0
 
 # Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
@@ -64,7 +68,7 @@ def loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian
 
 @formula("ΔΘ_M", f"AGMA 925-A03, {ISO} (84), {AS_FOUND}: teeth above oil", names={"X_Ca": "X_Ca"})
 def bulk_rise(P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number, X_Ca: Number) -> Kelvin:
-    return RISE * (P / KILOWATT * mu_m * H_v / (a / MILLIMETRE * b / MILLIMETRE)) ** 0.72 * X_S / (1.2 * X_Ca)
+    return RISE * (P * mu_m * H_v / (KILOWATT_PER_SQUARE_MILLIMETRE * a * b)) ** 0.72 * X_S / (1.2 * X_Ca)
 
 
 @formula("Θ_M", f"{ISO} (84), {AS_FOUND}: bulk temperature", names={"T_oil": "Θ_oil", "Delta_T": "ΔΘ_M"})

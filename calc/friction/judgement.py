@@ -15,7 +15,7 @@ from .balance.closure import Drive
 from .inputs import FrictionInputs, carrier
 from .losses.wheels import has_bearings
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import THESIS, MeshLoss, loss_factor, solve_mesh
+from .mesh.loss import LOADED, THESIS, MeshLoss, loss_factor, solve_mesh
 from .mesh.path import array, line_load
 from .models import compared
 from .result import FrictionResult, MeshResult
@@ -104,9 +104,8 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         float(len(mesh.published_models)),
         "",
         "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
-        "Outside: "
-        + "; ".join(f"{NAMES[name]} ({why})" for name, why in outside.items())
-        + ". Their losses are extrapolations; nothing is judged by them.",
+        f"Outside: {', '.join(NAMES[name] for name in outside) or 'none'}; the table of the models says by what. Their losses are "
+        "extrapolations; nothing is judged by them.",
         kind="advice",
     )
     yield check(
@@ -234,6 +233,10 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
             )
     if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
         found.append("The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs only.")
+    if friction.load_sharing == "smooth" or any(scenario.load_sharing == "smooth" for scenario in friction.scenarios):
+        found.append(
+            f"Film and friction are drawn where a place carries {LOADED * 100:g} % of the full load or more: a relieved tip carries none."
+        )
     if friction.film == "source":
         found.append("The friction source's film is judged: EHL everywhere, no rolling loss.")
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
@@ -243,10 +246,8 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
             "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, nor for any pressure."
         )
     assumed = next(value for value in oils.judged_values(oil.lubricant.oil) if value.key == "limiting_shear")
-    found.append(
-        f"Limiting shear {short(oil.Lambda)} of the pressure: {assumed.source} (confidence {assumed.confidence}); "
-        "steel is taken to conduct 46 W/(m·K)."
-    )
+    where = f"{assumed.source}; confidence {assumed.confidence}"
+    found.append(f"Limiting shear {short(oil.Lambda)} of the pressure, by {where}. Steel is taken to conduct 46 W/(m·K).")
     if not friction.seals:
         found.append("No shaft seals are counted, unless given ([[friction.seals]]).")
     if not friction.dips:
@@ -317,10 +318,10 @@ def way(mesh: MeshResult) -> str:
 def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
     """Along the path in the middle of the face, judged and by the other model."""
     title, x_label = f"Mesh {mesh.case.mesh.title}", way(mesh)
-    models = (("judged", mesh.judged), ("by regime", mesh.by_regime) if mesh.by_regime else ("source", mesh.source))
+    models = (("by regime", mesh.by_regime or mesh.judged), ("source: EHL everywhere", mesh.source))
 
     def lines(quantity: str, factor: float = 1.0) -> tuple[Series, ...]:
-        return tuple(Series(label, np.asarray(m.local.x) * 1e3, np.asarray(getattr(m.local, quantity)) * factor) for label, m in models)
+        return tuple(Series(label, np.asarray(m.local.x) * 1e3, m.local.drawn(quantity) * factor) for label, m in models)
 
     roughness = (("combined roughness", mesh.case.surfaces.sigma * 1e6),)
     yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the path", x_label, "μ", lines("mu"))

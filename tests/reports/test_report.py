@@ -9,10 +9,12 @@ import pytest
 from pypdf import PdfReader
 
 from calc.sheet.check import Check
+from calc.sheet.expression import Shown
 from calc.sheet.step import Outcome
 from calc.solve import Results
 from calc.version import VERSION
-from reports.derivation import shown
+from reports.contents import PUBLICATION
+from reports.derivation import _others, shown
 from reports.derivation import spoken as spoken_line
 from reports.flow import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP, paginate
 from reports.report import write
@@ -193,3 +195,21 @@ def test_headings_are_never_last_on_a_page(example: Solved) -> None:
     for page in pages:
         assert not page.blocks[-1][1].keep
         assert page.filled <= HEIGHT + 1e-6
+
+
+def test_publications_and_standards_are_told_from_their_clauses() -> None:
+    for source, name in (
+        ("AGMA 925-A03, as generally published: working pressure angle", "AGMA 925-A03"), ("ISO/TR 15144-1:2014 (84)", "ISO/TR 15144-1:2014"),
+        ("ISO 6336-2, 5", "ISO 6336-2"), ("DIN 31652-1: Sommerfeld number", "DIN 31652-1"), ("Xu and Kahraman 2005: exponent", "Xu and Kahraman 2005"),
+    ):  # fmt: skip
+        found = PUBLICATION.search(source)
+        assert found is not None and found[0] == name
+
+
+def test_what_a_variant_has_in_common_with_its_part_is_not_repeated() -> None:
+    def line(value: str) -> Shown:
+        return Shown("F", None, None, "", value, "N", "", "")
+
+    values = (("mesh a", "34"), ("mesh a, source", "34"), ("mesh b", "35"), ("mesh b, source", "36"))
+    said = _others([(label, line(value)) for label, value in values], [], [], {"others": "further: {values}", "more": "{count} more"})
+    assert said == "further: mesh a 34; mesh b 35, source 36 N"

@@ -16,8 +16,10 @@ from reports.flow import LEFT, Block
 from reports.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
 from reports.letters import width
 from reports.page import Pen
-from reports.prose import CELL
-from reports.values import value_blocks
+from reports.prose import CELL, NOTE
+from reports.tables import Cell, Column
+from reports.tables import table as made_table
+from reports.values import _fitting, value_blocks
 from reports.words import WORDS
 
 from .reading import ROOT, V12, pages_of, solved, spans, squeezed, text_of, with_outcome
@@ -228,3 +230,29 @@ def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
         "–",
     ]
     assert words[words.index("web4") + 6] == "1"
+
+
+# --- how wide ---------------------------------------------------------------------------------------------------------------
+def test_headers_stand_on_one_line_where_there_is_room() -> None:
+    rows = ((600.0, 1.0, 2.0), (1500.0, 3.0, 4.0))
+    numbers = Table("m", "Losses over speed", (("n", "rpm"), ("100 °C", "W"), ("120 °C", "W")), rows)
+    read = text_of(with_outcome(solved(V12), "engine", tables=(numbers,)).report())
+    assert "n, rpm 100 °C, W 120 °C, W" in " ".join(read.split())
+
+
+def test_the_parts_of_a_wide_table_are_about_as_wide_as_each_other() -> None:
+    columns = [Column("", "l", 60.0), *(Column("", "r", 34.0) for _ in range(12))]
+    assert _fitting(columns) == [[0, *range(1, 7)], [0, *range(7, 13)]]
+    assert _fitting(columns[:6]) == [[0, 1, 2, 3, 4, 5]] and _fitting([]) == []
+
+
+def test_what_stands_below_words_runs_on_under_short_neighbours() -> None:
+    under = "so long that it does not stand on a single line in a column of this width"
+    columns = (Column("A", width=80.0), Column("B", "r", 300.0))
+    beside, taller = (_words_of(columns, Cell("name", under=(under, NOTE)), words) for words in ("12.5", "many words " * 20))
+    assert under in beside and under not in taller
+    assert squeezed(under) in squeezed("".join(taller))
+
+
+def _words_of(columns: tuple[Column, ...], *cells: str | Cell) -> list[str]:
+    return drawn(made_table(columns, [cells], width=400.0, header=False))

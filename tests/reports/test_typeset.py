@@ -129,3 +129,20 @@ def test_every_formula_of_the_program_can_be_set(width: float) -> None:
 
 def _names(found: Expr) -> set[str]:
     return {found.name} if found.head == "symbol" else set().union(*map(_names, found.args))
+
+
+def test_tall_brackets_are_made_a_little_smaller_rather_than_torn() -> None:
+    def torn(source: str) -> int:
+        whole = box(source).width
+        return len(lines(pieces(tree(source), SIZE, whole), whole / 1.1))
+
+    assert torn("max(a / b, c + d + a + b)") == 1
+    assert torn("max(a, b + c + d + a + b)") == 2, "brackets that are letters may break"
+    assert torn("a / b + max(c, d)") == 2, "its brackets are letters too"
+
+
+def test_a_letter_after_an_index_may_have_its_own() -> None:
+    (t1, i1, t2, i2) = symbol("T_1T_2", SIZE).marks
+    assert [m[3] for m in (t1, i1, t2, i2)] == ["T", "1", "T", "2"]
+    assert t1[5] == t2[5] > i1[5] == i2[5] and i1[2] == i2[2] < t1[2] == t2[2]
+    assert [m[3] for m in symbol("P_H1max", SIZE).marks] == ["P", "H1max"]

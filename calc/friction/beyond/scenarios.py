@@ -100,7 +100,7 @@ def _one(
 
 
 # --- shown -------------------------------------------------------------------------------------------------------------------
-MODELS = (("judged", "by regime"), ("source", "source: EHL film everywhere"))
+MODELS = (("judged", "by regime"), ("source", "source: EHL everywhere"))
 
 
 def tables(found: Mapping[str, ScenarioResult]) -> tuple[Table, ...]:
@@ -156,7 +156,7 @@ def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, str]) -> Ite
     for key in meshes:
         for attribute, title, label, factor in ALONG:
             series = tuple(
-                Series(name, np.asarray(local.x) * 1e3, np.asarray(getattr(local, attribute)) * factor, words)
+                Series(name, np.asarray(local.x) * 1e3, local.drawn(attribute) * factor, words)
                 for model, words in MODELS
                 for name, s in found.items()
                 for local in [getattr(s.meshes[key], model).local]

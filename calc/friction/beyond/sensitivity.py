@@ -21,6 +21,8 @@ from ..losses.windage import AIR_DENSITY
 from ..mesh.geometry import column
 
 WARMER = 10.0  # K
+DUST = 1e-9  # of the losses: what the last digits make
+LAWS = {"barus": "Barus", "roelands": "Roelands"}
 
 
 @record
@@ -36,7 +38,8 @@ class Swing:
 
     def span(self, nominal: Watt) -> Watt:
         ends = [P for P in (self.at_low, self.at_high) if P is not None]
-        return max((*ends, nominal)) - min((*ends, nominal))
+        span = max((*ends, nominal)) - min((*ends, nominal))
+        return span if span > DUST * abs(nominal) else 0.0
 
 
 def swings(d: Drive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
@@ -102,7 +105,7 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
         sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
         other("load sharing of two pairs", f.load_sharing, sharing, "flanks as generated, or both tips relieved", load_sharing=sharing)
     law = {"barus": "roelands", "roelands": "barus"}[f.pressure_law]
-    other("viscosity under pressure", f.pressure_law, law, "two laws", pressure_law=law)
+    other("viscosity under pressure", LAWS[f.pressure_law], LAWS[law], "two laws", pressure_law=law)
     film = {"judged": "source", "source": "judged"}[f.film]
     words = {"judged": "by regime, with rolling", "source": "EHL everywhere, no rolling"}
     other("film", words[f.film], words[film], "the friction source's model, or by Johnson's regimes", film=film)
@@ -134,7 +137,15 @@ def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     x_label = ", ".join(f"{i} {name}" for i, name in enumerate(names, 1))
     curve = Curve("tornado", "What the open constants change in the power lost", x_label, "ΔP, W", series, bars=True, names=names)
     rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in found)
-    columns = (("Constant", ""), ("Low end", ""), ("High end", ""), ("P low", "W"), ("P high", "W"), ("Span", "W"), ("Why this far", ""))
+    columns = (
+        ("Constant", ""),
+        ("Low end", ""),
+        ("High end", ""),
+        ("P at low", "W"),
+        ("P at high", "W"),
+        ("Span", "W"),
+        ("Why this far", ""),
+    )
     note = (
         f"One constant at a time, the whole balance closed anew; as assumed {short(nominal)} W. The ends are no tolerances: no probability "
         "is implied."

@@ -33,7 +33,7 @@ from ..inputs import Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Sea
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.motion import wheel_speed
 from . import churning, jets, plain_bearings, rolling_bearings, seals
-from .windage import mist_of_the_tests, mist_viscosity, oil_share, windage
+from .windage import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
 
 Forces = Callable[[Mapping[str, Watt]], Mapping[str, Newton]]
 
@@ -121,7 +121,7 @@ def unloaded(
         around = Around(lubricant, T, state.rho, state.nu, state.mu)
         rho_m = require("density of the mist", friction.mist_density)
         rho_0 = mist_of_the_tests(rho_oil=state.rho)
-        eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu)
+        eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu, eta_air=AIR_VISCOSITY)
     found: dict[str, WheelResult] = {}
     for name, n in speeds.items():
         wheel, beta_b = bodies[name]

@@ -32,8 +32,8 @@ def oil_share(rho_m: KilogramPerMetre3, rho_oil: KilogramPerMetre3) -> Number:
 
 
 @formula("η_m", f"{ANDERSON}: viscosity of the mist by shares of volume", unit="mPa·s")
-def mist_viscosity(s_oil: Number, eta_oil: PascalSecond) -> PascalSecond:
-    return s_oil * eta_oil + (1 - s_oil) * AIR_VISCOSITY
+def mist_viscosity(s_oil: Number, eta_oil: PascalSecond, eta_air: PascalSecond) -> PascalSecond:
+    return s_oil * eta_oil + (1 - s_oil) * eta_air
 
 
 @formula("P_W", f"{ANDERSON}; scaled to another mist by its density to the power 0.8")

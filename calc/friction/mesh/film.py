@@ -82,7 +82,7 @@ def film_elastic_isoviscous(g_E: Number, U: Number, W: Number) -> Number:
     return 3.10 * g_E**0.8 * U / W
 
 
-@formula("H_VE", f"{TOYODA} (the friction source credits Hamrock and Dowson)", governs="min")
+@formula("H_VE", f"{TOYODA} (the friction source credits Hamrock and Dowson)", governs="min", names={"e": "n_G"})
 def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Number:
     return 3.06 * G**e * U**0.69 * W**-0.10
 

@@ -14,6 +14,7 @@ import numpy as np
 
 from ...contact.hertz import half_width, hertz_pressure, mean_pressure
 from ...contact.teeth import bulk_rise, bulk_temperature, mean_roughness
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along
@@ -34,6 +35,7 @@ THESIS = "gear friction thesis"
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
 PASSES = 100
+LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
 
 
 @formula("P_s", f"{THESIS}: mean over a mesh cycle of the friction power of all lines in contact", names={"s": "Δs"})
@@ -177,6 +179,13 @@ class Local:
     mu: Number
     q: WattPerMetre
     T_f: Celsius
+
+    def drawn(self, name: str) -> Array:
+        """One of them to draw: film and friction only where a place is loaded, nan elsewhere."""
+        column, p_H = np.asarray(getattr(self, name)), np.asarray(self.p_H)
+        if name not in ("h", "lam", "mu"):
+            return column
+        return np.where(p_H >= LOADED**0.5 * np.max(p_H * (1 - 1e-9)), column, np.nan)
 
 
 @result

@@ -128,8 +128,8 @@ def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPe
 
 
 @formula("B", f"{OLVER}: resistance of a moving surface to heat, per length")
-def transient_resistance(a: Metre, u: MetrePerSecond) -> KelvinMetrePerWatt:
-    return sqrt(STEEL_DIFFUSIVITY * a / u) / (2 * a * STEEL_CONDUCTIVITY)
+def transient_resistance(a_th: SquareMetrePerSecond, a: Metre, u: MetrePerSecond, k_s: WattPerMetreKelvin) -> KelvinMetrePerWatt:
+    return sqrt(a_th * a / u) / (2 * a * k_s)
 
 
 @formula("ε", f"{OLVER}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless given")
@@ -255,7 +255,7 @@ def traction(
     if some_rigid:
         mu_IR = rigid_fluid_friction(eta_0=oil.eta_0, V_s=motion.V_s, R=motion.R, h_0=film.h_0, w_f=w_f)
         width = array(np.where(rigid, sheared_half_width(R=motion.R, h_0=film.h_0), b_H))
-    B_1, B_2 = transient_resistance(a=width, u=motion.u_1), transient_resistance(a=width, u=motion.u_2)
+    B_1, B_2 = (transient_resistance(a_th=STEEL_DIFFUSIVITY, a=width, u=u, k_s=STEEL_CONDUCTIVITY) for u in (motion.u_1, motion.u_2))
     epsilon = heat_partition(B_1=B_1, B_2=B_2, M_1=s.M_1, M_2=s.M_2)
     R_th = film_resistance(epsilon=epsilon, B_1=B_1, h=film.h, a=width, k_f=oil.k_f)
 

@@ -15,8 +15,8 @@ RANGES = {
     "benedict_kelley": "μ from 0.01 to 0.2 (held there)",
 }
 TITLES = {
-    "schlenk": "Schlenk × Ohlendorf", "niemann": "Niemann, Winter, Michaelis × Ohlendorf", "xu_kahraman": "Xu, Kahraman, integrated",
-    "benedict_kelley": "Benedict, Kelley, integrated",
+    "schlenk": "Schlenk × Ohlendorf", "niemann": "Niemann and Winter, Michaelis × Ohlendorf", "xu_kahraman": "Xu and Kahraman, integrated",
+    "benedict_kelley": "Benedict and Kelley, integrated",
 }  # fmt: skip
 
 
@@ -48,4 +48,11 @@ def table(
         rows.append((TITLES[name], one.loss, one.friction_mean, H, RANGES[name], f"outside: {one.outside}" if one.outside else ""))
     columns = (("Model", ""), ("P_VZ", "W"), ("μ_m", ""), ("H", ""), ("Range", ""), ("Here", ""))
     note = "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film."
-    return Table(f"models_{key}", f"Mesh {title}: models of friction side by side", columns, tuple(rows), note)
+    return Table(
+        f"models_{key}",
+        f"Mesh {title}: models of friction side by side",
+        columns,
+        tuple(rows),
+        note,
+        covers=tuple(f"friction.{key}.{name}" for name in published),
+    )

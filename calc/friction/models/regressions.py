@@ -142,9 +142,9 @@ def _outside_tests(w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> str:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s up."""
     found = []
     if np.any(w_bt < LOWEST_LINE_LOAD):
-        found.append(f"line load {short(float(np.min(w_bt)) / 1e3)} N/mm, from 150")
+        found.append(f"line load {short(float(np.min(w_bt)) / 1e3)} N/mm, tests from 150")
     if np.any(2 * u_C < 1.0):
-        found.append(f"sum of speeds {short(2 * float(np.min(u_C)))} m/s, from 1")
+        found.append(f"sum of speeds {short(2 * float(np.min(u_C)))} m/s, tests from 1")
     return "; ".join(found)
 
 
@@ -160,9 +160,9 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
     mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=c.oil.eta_0, R=c.motion.R)
     highest, outside = float(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
-        outside.append(f"pressure up to {short(highest / 1e6)} MPa, {RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g}")
+        outside.append(f"pressure up to {short(highest / 1e6)} MPa, runs from {RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g}")
     if np.any(sigma > SMOOTH):
-        outside.append(f"roughness {short(float(np.max(sigma)) * 1e6)} µm, up to {SMOOTH * 1e6:g}")
+        outside.append(f"roughness {short(float(np.max(sigma)) * 1e6)} µm, runs up to {SMOOTH * 1e6:g}")
     found = _summed(c, P, w, mu, "; ".join(outside))
     return found if np.all(np.isfinite(found.loss)) else None
 

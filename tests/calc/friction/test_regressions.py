@@ -62,7 +62,7 @@ def test_windage_in_the_mist_of_the_tests_is_the_published_form():
     """2.82·10⁻⁷ kW·(1 + 2.3·F/R)·n^2.8·R^4.6·(0.028·μ + 0.019)^0.2 with rpm, m, mPa·s; its 0.028 is rounded."""
     state = lubricant().at(120.0)
     rho_0 = a.mist_of_the_tests(rho_oil=state.rho)
-    eta_m = a.mist_viscosity(s_oil=a.oil_share(rho_m=rho_0, rho_oil=state.rho), eta_oil=state.mu)
+    eta_m = a.mist_viscosity(s_oil=a.oil_share(rho_m=rho_0, rho_oil=state.rho), eta_oil=state.mu, eta_air=a.AIR_VISCOSITY)
     ours = a.windage(b=15e-3, r=42e-3, n=5000 / 60, eta_m=eta_m, rho_m=rho_0, rho_0=rho_0)
     published = 2.82e-7 * 1e3 * (1 + 2.3 * 15 / 42) * 5000**2.8 * 0.042**4.6 * (0.028 * state.mu * 1e3 + 0.019) ** 0.2
     assert ours == pytest.approx(published, rel=3e-3)
@@ -71,7 +71,7 @@ def test_windage_in_the_mist_of_the_tests_is_the_published_form():
 def test_air_holds_no_oil_and_no_mist_more_than_oil():
     assert a.oil_share(rho_m=1.0, rho_oil=800.0) == 0.0
     assert a.oil_share(rho_m=1000.0, rho_oil=800.0) == 1.0
-    assert a.mist_viscosity(s_oil=0.0, eta_oil=0.01) == a.AIR_VISCOSITY
+    assert a.mist_viscosity(s_oil=0.0, eta_oil=0.01, eta_air=a.AIR_VISCOSITY) == a.AIR_VISCOSITY
 
 
 def test_windage_grows_as_the_power_2_8_of_speed():

@@ -37,7 +37,7 @@ def warming(c, P):
     m, lube = c.motion, c.oil.lubricant
     b_H, p_H = half_width(w_f, m.R, m.E_r), hertz_pressure(w_f, m.E_r, m.R)
     p_m, h = mean_pressure(p_H), film(False, c.oil, m, w_f, p_H).h
-    B_1, B_2 = t.transient_resistance(b_H, m.u_1), t.transient_resistance(b_H, m.u_2)
+    B_1, B_2 = (t.transient_resistance(t.STEEL_DIFFUSIVITY, b_H, u, t.STEEL_CONDUCTIVITY) for u in (m.u_1, m.u_2))
     R_th = t.film_resistance(t.heat_partition(B_1, B_2, 0.0, 0.0), B_1, h, b_H, c.oil.k_f)
     xi = t.solid_share(t.film_ratio(h, c.surfaces.sigma))
 
@@ -125,7 +125,7 @@ def test_solid_share_begins_at_a_film_ratio_of_two():
 
 
 def test_both_bodies_see_one_flash_temperature():
-    B_1, B_2 = t.transient_resistance(1e-4, 2.0), t.transient_resistance(1e-4, 5.0)
+    B_1, B_2 = (t.transient_resistance(t.STEEL_DIFFUSIVITY, 1e-4, u, t.STEEL_CONDUCTIVITY) for u in (2.0, 5.0))
     share = t.heat_partition(B_1, B_2, 0.0, 0.0)
     assert share * B_1 == pytest.approx((1 - share) * B_2)
 
