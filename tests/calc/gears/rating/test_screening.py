@@ -47,7 +47,7 @@ def path_of(gears, key="a_b", grade=7):
 def flash_at(p, rho, mu=0.06, w_t=150e3, b_M=13756.0**2, E_r=226e9):
     at = p.at(rho)
     w = at.X * w_t
-    b_H = scuffing.hertz_half_width(w, at.rho_n, E_r)
+    b_H = scuffing.half_width(w, at.rho_n, E_r)
     return scuffing.flash_temperature(mu, 1.0, w, at.v_1, at.v_2, b_M, b_M, b_H)
 
 
