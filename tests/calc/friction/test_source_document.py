@@ -19,7 +19,12 @@ from .pairs import friction, oil, spur_pair
 
 DESIGNS = Path(__file__).parents[3] / "designs"
 TEXT = (DESIGNS / "friction_source.md").read_text(encoding="utf-8")
-ROWS = {cells[0]: cells[1:] for line in TEXT.splitlines() if line.startswith("| ") for cells in [[c.strip() for c in line.strip("|").split("|")]]}
+ROWS = {
+    cells[0]: cells[1:]
+    for line in TEXT.splitlines()
+    if line.startswith("| ")
+    for cells in [[c.strip() for c in line.strip("|").split("|")]]
+}
 OIL = "friction thesis 10W40"
 
 
