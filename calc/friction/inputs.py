@@ -46,7 +46,14 @@ class RollingBearing:
     count: int = integer("Bearings that share the load", default=2, low=1, high=8)
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
     series: str | None = text("Series", optional=True, help='For SKF\'s model: "60", "62", "63" …')
-    lubrication: str = choice("Lubrication", "bath", "mist", "jet", default="mist", help="By Palmgren: mist half of a bath, a jet twice.")
+    lubrication: str = choice(
+        "Lubrication",
+        "bath",
+        "mist",
+        "jet",
+        default="mist",
+        help="By Palmgren: mist half of a bath, a jet twice. By SKF: mist starves more.",
+    )
     f_0: float | None = quantity("Factor f_0", optional=True, low=0, high=50, symbol="f_0", help="Of oil and type. Left out: by the type.")
     f_1: float | None = quantity("Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", help="Of the load. Left out: by the type.")
 
@@ -92,7 +99,16 @@ class Scenario:
 
     name: str = text("Name")
     oil: str | None = text("Oil", optional=True)
-    oil_temperature: float | None = quantity("Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5)
+    oil_temperature: float | None = quantity(
+        "Oil temperature",
+        "°C",
+        optional=True,
+        low=-40,
+        high=200,
+        symbol="T_oil",
+        step=5,
+        help="With it a measured bulk temperature counts no more.",
+    )
     load_sharing: str | None = choice("Load sharing", "linear", "smooth", optional=True)
     flank_roughness: tuple[float, ...] | None = series(
         "Flank roughness Ra", "µm", count=(1, 2), optional=True, above=0, high=20, symbol="Ra"

@@ -24,6 +24,7 @@ OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 JUMP = 1e-6  # of the power
+HOT_TEETH = 150.0  # °C
 NAMES = {"schlenk": "Schlenk", "niemann": "Niemann and Winter", "xu_kahraman": "Xu and Kahraman", "benedict_kelley": "Benedict and Kelley"}
 
 
@@ -53,7 +54,30 @@ def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...
         "A fault of the program, not of the design: please report it.",
     )
     delivered = () if result.delivered_power is None else (_delivers(result.delivered_power),)
-    return (balance, *delivered, *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)))
+    return (
+        balance,
+        *delivered,
+        _models(result),
+        *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)),
+    )
+
+
+def _models(result: FrictionResult) -> Check:
+    """How many of the published regressions hold for every mesh."""
+    meshes = result.meshes.values()
+    outside = [name for name in NAMES if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))]
+    return check(
+        "friction.train.models",
+        "Published regressions inside their range at every mesh",
+        float(len(NAMES) - len(outside)),
+        ">=",
+        float(len(NAMES)),
+        "",
+        "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
+        f"Outside: {', '.join(NAMES[name] for name in outside) or 'none'}; the tables of the models say by what. Their losses are "
+        "extrapolations; nothing is judged by them.",
+        kind="advice",
+    )
 
 
 def _delivers(power: float) -> Check:
@@ -92,20 +116,6 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         "Johnson 1970, regimes of fluid-film lubrication",
         "EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. "
         + ("The rolling loss is an upper bound." if friction.film == "judged" else 'Choose film = "judged".'),
-        kind="advice",
-    )
-    outside = {name: "runs away" if one is None else one.outside for name, one in mesh.published_models.items()}
-    outside = {name: why for name, why in outside.items() if why}
-    yield check(
-        f"{id}.models",
-        f"Published regressions inside their range, {mesh.case.mesh.title}",
-        float(len(mesh.published_models) - len(outside)),
-        ">=",
-        float(len(mesh.published_models)),
-        "",
-        "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
-        f"Outside: {', '.join(NAMES[name] for name in outside) or 'none'}; the table of the models says by what. Their losses are "
-        "extrapolations; nothing is judged by them.",
         kind="advice",
     )
     yield check(
@@ -151,6 +161,19 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
             "K",
             OWN,
             'The teeth run hotter than the oil: give friction.bulk_temperature_C, or bulk = "estimated".',
+            kind="advice",
+        )
+
+    if mesh.judged.bulk_temperature is not None:
+        yield check(
+            f"{id}.bulk_temperature",
+            f"Estimated temperature of the teeth, {mesh.case.mesh.title}",
+            mesh.judged.bulk_temperature,
+            "<=",
+            HOT_TEETH,
+            "°C",
+            "case-hardened steel loses hardness from about 150 to 180 °C on, as generally published",
+            "The teeth run hot: less power or loss, a wider face, more oil on them.",
             kind="advice",
         )
 
@@ -256,6 +279,10 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         found.append("The wheels' own bearings are not counted, unless given ([[friction.rolling_bearings]], [[friction.plain_bearings]]).")
     elif any(b.f_0 is None or b.f_1 is None for b in friction.rolling_bearings if b.method == "palmgren"):
         found.append("Palmgren's factors f_0 and f_1 by type are from memory: give those of the bearing's catalogue.")
+    if any(wheel.thrown_oil is not None and wheel.thrown_oil < 0 for wheel in result.wheels.values()):
+        found.append("A jet of oil that is faster than the teeth drives its wheel: its loss is below zero.")
+    if any(seal.method == "linke" for seal in friction.seals) and 0.0 in [wheel.seal_loss for wheel in result.wheels.values()]:
+        found.append("Linke's rule has no loss for shaft seals in so thin and hot an oil: it is outside its range; take simrit.")
     if friction.rolling_bearings or friction.plain_bearings:
         found.append("The wheels' bearings run in oil as warm as that of the teeth.")
     found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")

@@ -27,9 +27,10 @@ LAWS = {"barus": "Barus", "roelands": "Roelands"}
 
 @record
 class Swing:
-    """One constant: what it is, its two ends in words, the power at each end (None: no solution there), and why this far."""
+    """One constant: what it is, its symbol, its two ends in words, the power at each end (None: no solution there), and why this far."""
 
     name: str
+    symbol: str
     low: str
     high: str
     at_low: Watt | None
@@ -55,28 +56,41 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
     Lambda, mu_s, rho_m = d.oil.Lambda, f.solid_friction, f.mist_density
     shown = " and ".join(short(Ra * 1e6) for Ra in f.flank_roughness)
     thin = min(AIR_DENSITY, rho_m)
-    open_: list[tuple[str, float, tuple[float, float], str, tuple[str, str], str]] = [
-        ("Lambda", Lambda, _about(Lambda, 0.4), "limiting shear Λ", _both(Lambda, 0.4), "by base stock, ±40 %"),
-        ("thickening", 1.0, _about(1.0, 0.2), "pressure-viscosity α", ("−20 %", "+20 %"), "published laws for one oil differ so much"),
-        ("rough", 1.0, _about(1.0, 0.3), "flank roughness Ra", (f"{shown} µm −30 %", "+30 %"), "new to run-in flanks, own rule"),
-        ("mu_s", mu_s, _about(mu_s, 0.2), "friction of the solids μ_s", _both(mu_s, 0.2), "0.1 to 0.16 in the literature"),
-        ("mist", rho_m, (thin, 2 * rho_m), "density of the oil mist", _kgm3(thin, 2 * rho_m), "air alone to twice what is assumed"),
+    open_: list[tuple[str, float, tuple[float, float], str, str, tuple[str, str], str]] = [
+        ("Lambda", Lambda, _about(Lambda, 0.4), "limiting shear Λ", "Λ", _both(Lambda, 0.4), "by base stock, ±40 %"),
+        ("thickening", 1.0, _about(1.0, 0.2), "pressure-viscosity α", "α", ("−20 %", "+20 %"), "published laws for one oil differ so much"),
+        ("rough", 1.0, _about(1.0, 0.3), "flank roughness Ra", "Ra", (f"{shown} µm −30 %", "+30 %"), "new to run-in flanks, own rule"),
+        ("mu_s", mu_s, _about(mu_s, 0.2), "friction of the solids μ_s", "μ_s", _both(mu_s, 0.2), "0.1 to 0.16 in the literature"),
+        ("mist", rho_m, (thin, 2 * rho_m), "density of the oil mist", "mist", _kgm3(thin, 2 * rho_m), "air alone to twice what is assumed"),
     ]
     T: Any = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
     if f.bulk_temperature is None and f.bulk == "oil":
         words = (f"{short(T)} °C", f"{short(T + WARMER)} °C")
-        open_.append(("bulk", T, (T, T + WARMER), "temperature of the teeth", words, "taken as the oil's; often some 10 K above"))
+        open_.append(("bulk", T, (T, T + WARMER), "temperature of the teeth", "T_b", words, "taken as the oil's; often some 10 K above"))
     at: dict[str, Any] = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
     for i, (key, _, ends, *_) in enumerate(open_):
         at[key][2 * i : 2 * i + 2] = ends
+    P = _ends(d, power, at)
+    if P is None:  # some end has no solution: one by one then
+        P = [_ends(d, power, {key: values[k : k + 1] for key, values in at.items()}) for k in range(2 * len(open_))]
+    return [
+        Swing(name, symbol, *words, _number(P[2 * i]), _number(P[2 * i + 1]), why)
+        for i, (_, _, _, name, symbol, words, why) in enumerate(open_)
+    ]
+
+
+def _ends(d: Drive, power: Watt | None, at: dict[str, Any]) -> Any:
+    """The losses at many ends at once, `at` holding every constant at each of them; None where one has no solution."""
+    f = d.friction
     many = replace(
         f, flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness), solid_friction=column(at["mu_s"]),
         mist_density=at["mist"], bulk_temperature=at.get("bulk", f.bulk_temperature),
     )  # fmt: skip
-    P = _power(d, many, power, {"Lambda": column(at["Lambda"]), "thickening": column(at["thickening"])})
-    if P is None:
-        return []
-    return [Swing(name, *words, float(P[2 * i]), float(P[2 * i + 1]), why) for i, (_, _, _, name, words, why) in enumerate(open_)]
+    return _power(d, many, power, {"Lambda": column(at["Lambda"]), "thickening": column(at["thickening"])})
+
+
+def _number(P: Any) -> Watt | None:
+    return None if P is None else float(np.squeeze(P))
 
 
 def _about(x: float, share: float) -> tuple[float, float]:
@@ -96,24 +110,22 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
     f = d.friction
     found = []
 
-    def other(name: str, taken: str, instead: str, why: str, **change: Any) -> None:
-        P = _power(d, replace(f, **change), power)
-        if P is not None:
-            found.append(Swing(name, taken, instead, nominal, float(P), why))
+    def other(name: str, symbol: str, taken: str, instead: str, why: str, **change: Any) -> None:
+        found.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, replace(f, **change), power)), why))
 
     if all(mesh.spur for mesh in d.meshes.values()):
         sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
-        other("load sharing of two pairs", f.load_sharing, sharing, "flanks as generated, or both tips relieved", load_sharing=sharing)
+        other(
+            "load sharing of two pairs", "X_Γ", f.load_sharing, sharing, "flanks as generated, or both tips relieved", load_sharing=sharing
+        )
     law = {"barus": "roelands", "roelands": "barus"}[f.pressure_law]
-    other("viscosity under pressure", LAWS[f.pressure_law], LAWS[law], "two laws", pressure_law=law)
+    other("viscosity under pressure", "η(p)", LAWS[f.pressure_law], LAWS[law], "two laws", pressure_law=law)
     film = {"judged": "source", "source": "judged"}[f.film]
     words = {"judged": "by regime, with rolling", "source": "EHL everywhere, no rolling"}
-    other("film", words[f.film], words[film], "the friction source's model, or by Johnson's regimes", film=film)
+    other("film", "film", words[f.film], words[film], "the friction source's model, or by Johnson's regimes", film=film)
     if f.film == "judged":
-        P = _power(d, f, power, count="sliding_loss")
-        if P is not None:
-            why = "the bound supposes a full inlet"
-            found.append(Swing("rolling of the rigid film", "none: a starved inlet", "full inlet", float(P), nominal, why))
+        P, why = _number(_power(d, f, power, count="sliding_loss")), "the bound supposes a full inlet"
+        found.append(Swing("rolling of the rigid film", "rolling", "none: a starved inlet", "full inlet", P, nominal, why))
     return found
 
 
@@ -134,8 +146,16 @@ def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
     ends: tuple[tuple[str, Callable[[Swing], Watt | None]], ...] = (("low end", lambda s: s.at_low), ("high end", lambda s: s.at_high))
     series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in found])) for label, at in ends)
     names = tuple(s.name for s in found)
-    x_label = ", ".join(f"{i} {name}" for i, name in enumerate(names, 1))
-    curve = Curve("tornado", "What the open constants change in the power lost", x_label, "ΔP, W", series, bars=True, names=names)
+    x_label = ", ".join(f"{i} {s.symbol}" for i, s in enumerate(found, 1))
+    curve = Curve(
+        "open_constants",
+        "What the open constants of mesh and mist change in the power lost",
+        x_label,
+        "ΔP, W",
+        series,
+        bars=True,
+        names=names,
+    )
     rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in found)
     columns = (
         ("Constant", ""),
@@ -150,6 +170,8 @@ def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
         f"One constant at a time, the whole balance closed anew; as assumed {short(nominal)} W. The ends are no tolerances: no probability "
         "is implied."
     )
+    if any(s.at_low is None or s.at_high is None for s in found):
+        note += " An empty cell: no solution with the constant there."
     return curve, Table("tornado", "Sensitivity to what the literature leaves open", columns, rows, note)
 
 

@@ -12,11 +12,12 @@ from ...bearings import formulas as f
 from ...bearings.film.table import eccentricity_from, film_at
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import pi, sin, sqrt
+from ...sheet.functions import largest, pi, sin, sqrt
 from ...sheet.units import Metre, MetrePerSecond, Newton, Number, PascalSecond, Radian, RevPerSecond, Watt
 from ..inputs import PlainBearing
 from ..mesh.path import array
 
+NOTHING: Newton = 1e-9  # a load that no film feels
 TABLE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
 
 
@@ -45,8 +46,7 @@ def power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: PascalSecond) 
     if not 0.1 <= b <= 2:
         raise NoSolution(where, f"its length is {b:.3g} diameters", "choose a length between 0.1 and 2 diameters")
     u = f.surface_speed(d=d, n=n)
-    loaded = np.asarray(F) > 0
-    p = f.specific_load(F=array(np.where(loaded, F, 1e-9)) if np.ndim(F) else F or 1e-9, d=d, l=l)
+    p = f.specific_load(F=largest(F, NOTHING), d=d, l=l)
     S = f.sommerfeld(mu=eta, n_h=n, p=p, psi=psi)
     least = film_at(0.98, b).sommerfeld
     if np.any(np.asarray(S) < least):

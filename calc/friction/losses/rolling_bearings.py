@@ -36,7 +36,9 @@ BALLS = {
 }  # fmt: skip
 ROLLERS = {"4": (1.00e-6, 0.0015), "22": (1.40e-6, 0.0015)}
 K_Z = {"deep-groove-ball": 3.1, "cylindrical-roller": 5.1}
-MU_EHL = {"deep-groove-ball": 0.05, "cylindrical-roller": 0.02}  # full film; balls in mineral oil
+MU_EHL = {"deep-groove-ball": 0.05, "cylindrical-roller": 0.02}  # full film; balls in synthetic oil 0.04
+SYNTHETIC: Number = 0.04
+STARVED = {"bath": 3e-8, "mist": 6e-8, "jet": 3e-8}  # K_rs
 
 
 @formula("d_m", "mean diameter of a bearing", unit="mm")
@@ -81,9 +83,9 @@ def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
     return 1 / (1 + 1.84e-9 * (n / ONE_RPM * d_m / MILLIMETRE) ** 1.28 * (nu / CENTISTOKE) ** 0.64)
 
 
-@formula("φ_rs", f"{SKF}: oil pushed aside and starved; K_rs = 3·10⁻⁸ (oil bath of low level, jet)")
-def starvation(nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
-    return exp(-3e-8 * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
+@formula("φ_rs", f"{SKF}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist")
+def starvation(K_rs: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
+    return exp(-K_rs * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
 
 
 @formula("φ_bl", f"{SKF}: share of boundary lubrication")
@@ -118,8 +120,8 @@ def load_of_one(F: Newton, N: Number) -> Newton:
     return F / N
 
 
-def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePerSecond) -> Watt:
-    """What all bearings of one entry lose under the radial load F together, one or many."""
+def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePerSecond, base: str = "mineral") -> Watt:
+    """What all bearings of one entry lose under the radial load F together, one or many; `base` of the oil."""
     d_m = mean_diameter(d=bearing.bore, D=bearing.outside_diameter)
     F_L = load_of_one(F=F, N=bearing.count)
     if bearing.method == "palmgren":
@@ -137,11 +139,12 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
             f"rolling bearing {bearing.name}: SKF's model", tried, f'take method = "palmgren", or one of these series: {listed}'
         )
     R_1, S_1 = known[bearing.series]
+    mu_EHL = SYNTHETIC if balls and base != "mineral" else MU_EHL[bearing.kind]
     rolling, sliding = (rolling_of_balls, sliding_of_balls) if balls else (rolling_of_rollers, sliding_of_rollers)
     M = torque_by_skf(
         phi_ish=inlet_heat(n=n, d_m=d_m, nu=nu),
-        phi_rs=starvation(nu=nu, n=n, d=bearing.bore, D=bearing.outside_diameter, K_Z=K_Z[bearing.kind]),
+        phi_rs=starvation(K_rs=STARVED[bearing.lubrication], nu=nu, n=n, d=bearing.bore, D=bearing.outside_diameter, K_Z=K_Z[bearing.kind]),
         G_rr=rolling(R_1=R_1, d_m=d_m, F=F_L), nu=nu, n=n, G_sl=sliding(S_1=S_1, d_m=d_m, F=F_L),
-        mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=MU_EHL[bearing.kind]),
+        mu_sl=sliding_friction(phi_bl=boundary_share(n=n, nu=nu, d_m=d_m), mu_EHL=mu_EHL),
     )  # fmt: skip
     return bearing_power(N=bearing.count, M=M, n=n)

@@ -3,7 +3,7 @@
 """What radial shaft seals cost: two published rules, by diameter and speed alone, or also by the oil."""
 
 from ...sheet.formula import formula
-from ...sheet.functions import log10
+from ...sheet.functions import largest, log10
 from ...sheet.units import Celsius, Kelvin, Metre, Number, RevPerSecond, SquareMetrePerSecond, Watt
 
 MILLIMETRE: Metre = 1e-3
@@ -18,10 +18,14 @@ def simrit(d_sh: Metre, n: RevPerSecond) -> Watt:
     return 7.69e-6 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
 
 
-@formula("P_D", "Linke, Stirnradverzahnung, as generally published: one radial shaft seal in oil", names={"nu_40": "ν_40"})
+@formula(
+    "P_D",
+    "Linke, Stirnradverzahnung, as generally published: one radial shaft seal in oil; no less than nothing where thin oil is hot",
+    names={"nu_40": "ν_40"},
+)
 def linke(T_oil: Celsius, nu_40: SquareMetrePerSecond, d_sh: Metre, n: RevPerSecond) -> Watt:
     return (
-        (145 - 1.6 * T_oil / ONE_KELVIN + 350 * log10(log10(nu_40 / CENTISTOKE + 0.8)))
+        largest(145 - 1.6 * T_oil / ONE_KELVIN + 350 * log10(log10(nu_40 / CENTISTOKE + 0.8)), 0.0)
         * 1e-7 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
     )  # fmt: skip
 

@@ -197,14 +197,14 @@ def carrying(
         if not here:
             continue
         F = next((bearing.load for bearing in here if bearing.load is not None), forces.get(name, 0.0))
-        P = _sum(name, here, _borne, forces.get(name, 0.0), wheel.speed, state)
+        P = _sum(name, here, _borne, forces.get(name, 0.0), wheel.speed, state, lubricant.oil.base)
         assert P is not None
         found[name] = F, P
     return found
 
 
-def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State) -> Watt:
+def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
-        return rolling_bearings.power(bearing, F, n, oil.nu)
+        return rolling_bearings.power(bearing, F, n, oil.nu, base)
     return plain_bearings.power(bearing, F, n, oil.mu)

@@ -30,6 +30,7 @@ from ...sheet.units import (
     PerPascal,
     WattPerMetreKelvin,
 )  # fmt: skip
+from .cells import Cells
 from .motion import Motion
 from .path import array
 
@@ -156,7 +157,8 @@ def oil_at(lubricant: Lubricant, T_m: Celsius, Lambda: Number | None = None, thi
 
 @record
 class Film:
-    """The film at every position.  `rigid` is 1 where the rigid isoviscous film governs, `lead` the best of the others over it."""
+    """The film at every position.  `lead` is the best of the other films over the rigid isoviscous one, `rigid` the share of the stretch
+    for which the position stands in which that one governs."""
 
     h: Metre
     h_0: Metre  # where IR governs, its film before the thermal reduction
@@ -168,7 +170,7 @@ class Film:
     lead: Number
 
 
-def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, exponent: Number = EXPONENT) -> Film:
+def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pascal, cells: Cells, exponent: Number = EXPONENT) -> Film:
     """The film by regime, or with the EHL formula everywhere."""
     U = speed_parameter(eta_0=oil.eta_0, u_e=motion.u_e, E_r=motion.E_r, R=motion.R)
     G = materials_parameter(alpha=oil.alpha, E_r=motion.E_r)
@@ -182,7 +184,7 @@ def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pasc
         H = governing_film(H_IR=H_IR, H_VR=H_VR, H_IE=H_IE, H_VE=H_VE)
         h_0 = rigid_film(H_IR=H_IR, R=motion.R)
         lead = largest(largest(H_VR, H_IE), H_VE) / H_IR
-        rigid = array(np.asarray(lead) < 1)
+        rigid = array(cells.below_zero(np.log(np.asarray(lead))))
     L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
     Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)
     Phi = bounded_reduction(Phi_T=Phi_T)

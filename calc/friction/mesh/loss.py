@@ -29,12 +29,13 @@ from .geometry import MeshGeometry, column, flat, require
 from .motion import Motion, motion
 from .path import Path, array, line_load, path, transverse_force
 from .rolling import ehl_rolling_power, rigid_rolling_power
-from .traction import Surfaces, Traction, body_resistance, combined_roughness, skin_temperature, traction
+from .traction import HOTTEST, Surfaces, Traction, body_resistance, combined_roughness, place, skin_temperature, traction
 
 THESIS = "gear friction thesis"
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
 PASSES = 100
+HOTTER_TEETH = "give friction.bulk_temperature_C, less power or speed, or a wider face"
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
 
 
@@ -44,7 +45,11 @@ def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -
     return along(s * mu * w * V_s)
 
 
-@formula("P_R", "mean over a mesh cycle of the rolling power where the rigid isoviscous film governs", names={"s": "Δs", "r": "[IR]"})
+@formula(
+    "P_R",
+    "mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
+    names={"s": "Δs", "r": "[IR]"},
+)
 def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     return along(s * q_R * r)
 
@@ -230,6 +235,13 @@ def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
+def _sound(c: Case, T: Any, what: str, advice: str) -> Any:
+    """The temperature, if the laws of the oil still hold there."""
+    if np.all(np.asarray(T) < HOTTEST):
+        return T
+    raise NoSolution(f"mesh {c.mesh.title}: temperature of the {what}", f"above {HOTTEST:g} °C, where the laws of the oil end", advice)
+
+
 def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
     """The loss with teeth as warm as it makes them: secant steps on their temperature, as a column where there are many points."""
     T: Any = flat(c.warming.T_oil) + 0.0 * P
@@ -245,11 +257,11 @@ def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLo
             slope = np.clip(1 + (gap - gap_before) / np.where(step == 0, 1.0, step), -1.0, 0.9)
         before, gap_before = T, gap
         T = T + gap / (1 - slope)
-        T = T if np.ndim(T) else float(T)
+        T = _sound(c, T if np.ndim(T) else float(T), "teeth", HOTTER_TEETH)
     hot = float(np.max(np.abs(gap)))
-    raise NoSolution(
-        f"mesh {c.mesh.title}: temperature of the teeth", f"off by {hot:.3g} K after {PASSES} passes", "give bulk_temperature_C"
-    )
+    point = f"operating point {int(np.argmax(np.abs(gap)))}, " if np.ndim(gap) else ""
+    tried = f"{point}off by {hot:.3g} K after {PASSES} passes"
+    raise NoSolution(f"mesh {c.mesh.title}: temperature of the teeth", tried, HOTTER_TEETH)
 
 
 def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
@@ -261,7 +273,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
     p_m = mean_pressure(p_H=p_H)
 
     def rubbing(oil: Oil) -> tuple[Film, Traction]:
-        f = film(by_regime, oil, m, w_f, p_H, exponent)
+        f = film(by_regime, oil, m, w_f, p_H, c.path.cells, exponent)
         return f, traction(oil, m, f, w, w_f, p_m, b_H, c.surfaces, c.path.x, name)
 
     oil = _skins(c, rubbing)
@@ -309,11 +321,10 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
                 step = T - before[0]
                 slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, 0.5)
             before = T, gap
-            T = T + gap / (1 - slope)
+            T = _sound(c, T + gap / (1 - slope), "skins", "less friction.body_resistance_K_W, less power or speed")
             oil = c.oil.at(T)
         else:
-            worst = float(np.asarray(c.path.x)[int(np.argmax(np.abs(gap))) % np.size(c.path.x)]) * 1e3
-            tried = f"{worst:.4g} mm from T₁: off by {left:.3g} K after {PASSES} passes"
+            tried = f"{place(c.path.x, gap, int(np.argmax(np.abs(gap))))}: off by {left:.3g} K after {PASSES} passes"
             raise NoSolution(f"mesh {c.mesh.title}: temperature of the skins", tried, "less friction.body_resistance_K_W")
     skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
     return oil

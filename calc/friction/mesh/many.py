@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...lubricant import Lubricant
+from ...sheet.errors import NoSolution
 from ...sheet.trace import untraced
 from ...sheet.units import Celsius, RevPerSecond, Watt
 from ..inputs import FrictionInputs
@@ -28,8 +29,9 @@ def losses(
     """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
 
     One number each or arrays of one length.  `by_regime`: False takes the EHL film everywhere.  `points`: of each piece of the path,
-    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 1 %.  NoSolution names the operating
-    point and the place on the path where the temperature of the film does not settle, or the quantity that has no meaning.
+    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, both to 2e-3 where the regime
+    changes on the path.  NoSolution names the operating point and the place on the path where the temperature of the film does not
+    settle, or the quantity that has no meaning.
     """
     T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
@@ -39,14 +41,16 @@ def losses(
             some = slice(start, start + AT_ONCE)
             at: Any = (T_all[some], n_all[some], P_all[some])
             c = case(friction, mesh, oil_at(lubricant, column(at[0])), at[1], points=points, strips=strips)
-            parts.append(solve_mesh(c, at[2], by_regime))
+            try:
+                parts.append(solve_mesh(c, at[2], by_regime))
+            except NoSolution as none:
+                among = f"{none.tried} (counted from operating point {start})" if start else none.tried
+                raise NoSolution(none.what, among, none.advice) from None
     return _joined(parts)
 
 
 def _joined(parts: list[MeshLoss]) -> MeshLoss:
     """Results one after the other."""
-    if len(parts) == 1:
-        return parts[0]
     found: dict[str, Any] = {}
     for name, first in vars(parts[0]).items():
         values = [getattr(part, name) for part in parts]

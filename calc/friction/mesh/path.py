@@ -9,7 +9,8 @@ E, and the load of a position follows from the total length of all contact lines
 
 Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink at C; behind
 them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is right to 1e-7 (1e-5 with
-smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/test_path.py).
+smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/test_path.py).  Where the
+lubrication regime changes on the path (`cells.py`), of both to 3e-4.
 """
 
 import math
@@ -25,10 +26,11 @@ from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
 from ...sheet.record import record
 from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
+from .cells import Cells, cells
 from .geometry import MeshGeometry, require, sound
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
-HELICAL_POINTS = 2  # and of a helical one, whose pieces are shorter
+HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
 STRIPS = 11  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
 FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
 
@@ -151,6 +153,7 @@ class Path:
     weight: Metre
     carried: float
     per_strip: int
+    cells: Cells
 
     @property
     def marks(self) -> tuple[float, ...]:
@@ -214,32 +217,35 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
     epsilon_alpha = transverse_contact_ratio(epsilon_1=epsilon_1, epsilon_2=epsilon_2)
     epsilon_beta = overlap_ratio(b=mesh.face_width, beta_b=mesh.base_helix_angle, p_bt=p_bt)
     if mesh.spur and not 1 <= epsilon_alpha <= 2:
-        raise NoSolution(where, f"ε_α = {epsilon_alpha:.4g}", "the load sharing of a spur pair needs a contact ratio from 1 to 2")
+        raise NoSolution(where, f"ε_α = {epsilon_alpha:.12g}", "the load sharing of a spur pair needs a contact ratio from 1 to 2")
     if epsilon_alpha + epsilon_beta < 1:
         ratios = f"ε_α + ε_β = {epsilon_alpha + epsilon_beta:.4g}"
         raise NoSolution(where, ratios, "below 1 the teeth lose contact: a wider face or higher teeth")
     marks = np.clip([C_A, C_B, C_C, C_D, C_E], C_A, C_E)
     if mesh.spur:
-        x, weight = _gauss(np.sort(marks)[None, :], points or POINTS)
-        x, weight = np.hstack((x, marks[None, :])), weight * mesh.face_width / p_bt
+        points = points or POINTS
+        x, width = _gauss(np.sort(marks)[None, :], points)
+        x, weight = np.hstack((x, marks[None, :])), width * mesh.face_width / p_bt
         share = linear_load_sharing if load_sharing == "linear" else smooth_load_sharing
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
             carried = share(x=array(x.ravel()), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
         g_alpha, g_beta = epsilon_alpha * p_bt, epsilon_beta * p_bt
-        x, weight, s = _strips(marks, g_alpha, g_beta, p_bt, points or HELICAL_POINTS, strips)
-        weight = weight * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
+        points = points or HELICAL_POINTS
+        x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
+        weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
         carried = contact_length(s=array(s.ravel()), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle)
+    parts = cells(x, width, points, marks.size)
     weight = np.hstack((weight, np.zeros((len(x), marks.size))))
     return Path(
         C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
         epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=array(x.ravel()), weight=array(weight.ravel()), carried=carried,
-        per_strip=x.shape[-1],
+        per_strip=x.shape[-1], cells=parts,
     )  # fmt: skip
 
 
-def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: int, strips: int) -> tuple[Array, Array, Array]:
-    """Positions on each strip of a helical face, their weights per width, and how far their contact line has come.
+def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: int, strips: int) -> tuple[Array, Array, Array, Array]:
+    """Positions on each strip of a helical face, their widths, the share of the strip in the face, how far their contact line has come.
 
     The load has a kink wherever the line of some tooth begins or ends to enter at A or leave at E.
     """
@@ -247,9 +253,9 @@ def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: in
     y, width = _gauss(np.array([0.0, g_beta]), strips)  # how much later each strip is
     kinks = (np.array([0.0, g_alpha, g_beta, g_alpha + g_beta]) - y[:, None]) % p_bt
     breaks = [np.minimum(C_A + kinks + turn * p_bt, C_E) for turn in range(math.ceil(g_alpha / p_bt))]
-    x, weight = _gauss(np.sort(np.hstack((*breaks, np.broadcast_to([C_A, C_C, C_E], (strips, 3))))), points)
+    x, width_x = _gauss(np.sort(np.hstack((*breaks, np.broadcast_to([C_A, C_C, C_E], (strips, 3))))), points)
     x = np.hstack((x, np.broadcast_to(marks, (strips, marks.size))))
-    return x, weight * width[:, None] / g_beta, x - C_A + y[:, None]
+    return x, width_x, width[:, None] / g_beta, x - C_A + y[:, None]
 
 
 def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMetre, NewtonPerMetre]:

@@ -17,7 +17,7 @@ import numpy as np
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import asinh, cos, exp, largest, ln, smallest, sqrt
+from ...sheet.functions import asinh, cos, exp, ln, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.trace import untraced
 from ...sheet.units import (
@@ -165,7 +165,7 @@ def film_temperature(T_m: Celsius, q: WattPerMetre, R_th: KelvinMetrePerWatt) ->
     return T_m + q * R_th
 
 
-ADVICE = "less power or speed, wider or smoother flanks, or another oil in this mesh"
+ADVICE = 'less power or speed, wider or smoother flanks, or another oil in this mesh; pressure_law = "barus", less body_resistance_K_W'
 
 
 def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
@@ -193,16 +193,16 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
     left = float(np.ravel(gap)[worst])
     off = f"off by {left:.3g} K after {PASSES} passes" if np.isfinite(left) else "the formulas give no number there"
-    raise NoSolution(f"{subject}: temperature of the film", f"{_place(x, gap, worst)}: {off}", ADVICE)
+    raise NoSolution(f"{subject}: temperature of the film", f"{place(x, gap, worst)}: {off}", ADVICE)
 
 
 def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
-    where = _place(x, gap, int(np.argmax(gap)))
+    where = place(x, gap, int(np.argmax(gap)))
     tried = f"{where} it would be above {HOTTEST:g} °C, where the laws of the oil end"
     return NoSolution(f"{subject}: temperature of the film", tried, ADVICE)
 
 
-def _place(x: Metre, gap: Array, worst: int) -> str:
+def place(x: Metre, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
     which = f"operating point {point}, " if gap.ndim > 1 else ""
@@ -222,8 +222,19 @@ class Surfaces:
 
 
 @record
+class Rubbing:
+    """What rubs by one law: coefficient, heat and its partition, film temperature, Deborah number."""
+
+    mu: Number
+    q: WattPerMetre
+    epsilon: Number
+    T_f: Celsius
+    De: Number
+
+
+@record
 class Traction:
-    """Friction at every position: film over roughness, load share of the solids, coefficient, heat, its partition, film temperature."""
+    """Friction at every position: film over roughness, load share of the solids, and what rubs."""
 
     lam: Number
     xi: Number
@@ -234,48 +245,84 @@ class Traction:
     De: Number
 
 
+@record
+class Contact:
+    """What both laws are told: oil, motion, film; the load with and without its floor, pressure and half width; the flanks."""
+
+    oil: Oil
+    motion: Motion
+    film: Film
+    w: NewtonPerMetre
+    w_f: NewtonPerMetre
+    p_m: Pascal
+    b_H: Metre
+    surfaces: Surfaces
+    xi: Number
+
+
 def traction(
-    oil: Oil,
-    motion: Motion,
-    film: Film,
-    w: NewtonPerMetre,
-    w_f: NewtonPerMetre,
-    p_m: Pascal,
-    b_H: Metre,
-    s: Surfaces,
-    x: Metre,
+    oil: Oil, motion: Motion, film: Film, w: NewtonPerMetre, w_f: NewtonPerMetre, p_m: Pascal, b_H: Metre, s: Surfaces, x: Metre,
     subject: str,
-) -> Traction:
-    """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor."""
+) -> Traction:  # fmt: skip
+    """The friction at film temperature.  The heat comes from the load w as it is, pressure and film from w_f with its floor.
+
+    Where the regime changes within the stretch of a position, both laws act, each on its share.
+    """
     lam = film_ratio(h=film.h, sigma=s.sigma)
     xi = solid_share(lam=lam)
-    rigid = np.asarray(film.rigid) > 0
-    mu_IR, width = array(np.zeros_like(w)), b_H
-    some_rigid = bool(rigid.any())
-    if some_rigid:
-        mu_IR = rigid_fluid_friction(eta_0=oil.eta_0, V_s=motion.V_s, R=motion.R, h_0=film.h_0, w_f=w_f)
-        width = array(np.where(rigid, sheared_half_width(R=motion.R, h_0=film.h_0), b_H))
-    B_1, B_2 = (transient_resistance(a_th=STEEL_DIFFUSIVITY, a=width, u=u, k_s=STEEL_CONDUCTIVITY) for u in (motion.u_1, motion.u_2))
-    epsilon = heat_partition(B_1=B_1, B_2=B_2, M_1=s.M_1, M_2=s.M_2)
-    R_th = film_resistance(epsilon=epsilon, B_1=B_1, h=film.h, a=width, k_f=oil.k_f)
+    at = Contact(oil, motion, film, w, w_f, p_m, b_H, s, xi)
+    rigid = np.asarray(film.rigid)
+    if not (rigid > 0).any():
+        return Traction(lam=lam, xi=xi, **vars(_elastic(at, array(np.ones_like(rigid)), x, subject)))
+    thin = _rigid(at)
+    if not (rigid < 1).any():
+        return Traction(lam=lam, xi=xi, **vars(thin))
+    thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
+    both = {name: array(rigid * one + (1 - rigid) * getattr(thick, name)) for name, one in vars(thin).items()}
+    return Traction(lam=lam, xi=xi, **both)
 
-    def at(T_f: Celsius) -> Traction:
+
+def _rigid(c: Contact) -> Rubbing:
+    """Oil sheared over the whole gap of a rigid film, with the viscosity of the inlet: explicit."""
+    m, film = c.motion, c.film
+    mu_IR = rigid_fluid_friction(eta_0=c.oil.eta_0, V_s=m.V_s, R=m.R, h_0=film.h_0, w_f=c.w_f)
+    a = sheared_half_width(R=m.R, h_0=film.h_0)
+    epsilon, R_th = _heat(c, a)
+    mu = friction(xi=c.xi, mu_s=c.surfaces.mu_s, mu_f=mu_IR)
+    q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
+    T_f = film_temperature(T_m=c.oil.T_m, q=q, R_th=R_th)
+    return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T_f, De=deborah(eta=c.oil.eta_0, u_e=m.u_e, a=a))
+
+
+def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
+    """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a stretch is elastic."""
+    oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
+    epsilon, R_th = _heat(c, c.b_H)
+
+    def at(T_f: Celsius) -> Rubbing:
         eta_f = oil.lubricant.at(T_f).mu
         alpha_f = oil.alpha_at(eta_f)
         if s.roelands:
-            eta = viscosity_by_roelands(eta_f=eta_f, Z=roelands_index(alpha_f=alpha_f, eta_f=eta_f), p_m=p_m)
+            eta = viscosity_by_roelands(eta_f=eta_f, Z=roelands_index(alpha_f=alpha_f, eta_f=eta_f), p_m=c.p_m)
         else:
-            eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_m)
+            eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=c.p_m)
         tau_E = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha_f)
-        mu_f = fluid_friction(tau_E=tau_E, p_m=p_m, eta=eta, V_s=motion.V_s, h=film.h, Lambda=oil.Lambda)
-        if some_rigid:
-            mu_f = array(np.where(rigid, mu_IR, mu_f))
-        mu = friction(xi=xi, mu_s=s.mu_s, mu_f=mu_f)
-        q = friction_power(mu=mu, w=w, V_s=motion.V_s)
+        mu_f = fluid_friction(tau_E=tau_E, p_m=c.p_m, eta=eta, V_s=m.V_s, h=film.h, Lambda=oil.Lambda)
+        mu = friction(xi=c.xi, mu_s=s.mu_s, mu_f=mu_f)
+        q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
         T = film_temperature(T_m=oil.T_m, q=q, R_th=R_th)
-        return Traction(lam=lam, xi=xi, mu=mu, q=q, epsilon=epsilon, T_f=T, De=deborah(eta=eta, u_e=motion.u_e, a=width))
+        return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T, De=deborah(eta=eta, u_e=m.u_e, a=c.b_H))
 
     with untraced():
-        most = friction(xi=xi, mu_s=s.mu_s, mu_f=largest(mu_IR, oil.Lambda + 0.0 * w))
-        T_f = settled(lambda T: at(T).T_f, oil.T_m, oil.T_m + most * w * motion.V_s * R_th, x, subject)
+        most = friction(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)
+        highest = oil.T_m + there * most * c.w * m.V_s * R_th
+        T_f = settled(lambda T: oil.T_m + there * (at(T).T_f - oil.T_m), oil.T_m, highest, x, subject)
     return at(T_f)
+
+
+def _heat(c: Contact, a: Metre) -> tuple[Number, KelvinMetrePerWatt]:
+    """The share of the heat that enters the driver, and the film's warming per heat, where it is made over the half width a."""
+    s, m = c.surfaces, c.motion
+    B_1, B_2 = (transient_resistance(a_th=STEEL_DIFFUSIVITY, a=a, u=u, k_s=STEEL_CONDUCTIVITY) for u in (m.u_1, m.u_2))
+    epsilon = heat_partition(B_1=B_1, B_2=B_2, M_1=s.M_1, M_2=s.M_2)
+    return epsilon, film_resistance(epsilon=epsilon, B_1=B_1, h=c.film.h, a=a, k_f=c.oil.k_f)

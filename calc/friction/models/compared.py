@@ -5,12 +5,12 @@ from ...sheet.formula import formula
 from ...sheet.step import Table
 from ...sheet.units import Number, Watt
 from ..mesh.loss import MeshLoss
-from .regressions import LOWEST_LINE_LOAD, RUNS, SMOOTH, Regression
+from .regressions import FASTEST, LOWEST_LINE_LOAD, RUNS, SMOOTH, Regression
 
-LINE_LOAD = f"line load from {LOWEST_LINE_LOAD / 1e3:g} N/mm, sum of speeds from 1 m/s"
+TESTS = f"line load from {LOWEST_LINE_LOAD / 1e3:g} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {FASTEST:g} m/s"
 RANGES = {
-    "schlenk": f"{LINE_LOAD} (held there below)",
-    "niemann": f"{LINE_LOAD} (held there below)",
+    "schlenk": TESTS,
+    "niemann": TESTS,
     "xu_kahraman": f"{RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g} MPa, roughness to {SMOOTH * 1e6:g} µm (from memory); one gear oil, 75W-90",
     "benedict_kelley": "μ from 0.01 to 0.2 (held there)",
 }

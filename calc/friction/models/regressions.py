@@ -39,6 +39,7 @@ LOWEST_LINE_LOAD: NewtonPerMetre = 150e3
 ROUGHEST: Metre = 2e-6
 RUNS = (0.5e9, 2.5e9)  # Pa, the pressures of Xu and Kahraman's runs, from memory
 SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
+FASTEST: MetrePerSecond = 50.0  # of the pitch line, ISO/TR 13989-2, as in public code
 HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 
 XU = "Xu and Kahraman 2005, as generally published"
@@ -121,30 +122,39 @@ def beside(c: Case, P: Watt, H_V: Number) -> dict[str, Any]:
 # --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------
 def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
-    mu_m = schlenk(w_t=w_bt, v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(c.oil.eta_0), Ra=c.Ra, X_L=_X_L(c))
-    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(w_bt, u_C))
+    mu_m = schlenk(w_t=w_bt, v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c))
+    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
 
 
 def of_niemann(c: Case, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
     mu_m = mean_friction(
-        w_t=counted_line_load(w_bt=w_bt), K_Bgamma=1.0, v_SumC=sum_of_speeds(v_C=u_C), rho_nC=R_C, eta=flat(c.oil.eta_0),
-        X_R=roughness_factor(Ra=c.Ra, rho_nC=R_C), X_L=_X_L(c),
+        w_t=counted_line_load(w_bt=w_bt), K_Bgamma=1.0, v_SumC=sum_of_speeds(v_C=u_C), rho_nC=R_C, eta=flat(_eta(c)),
+        X_R=roughness_factor(Ra=flat(c.Ra), rho_nC=R_C), X_L=_X_L(c),
     )  # fmt: skip
-    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(w_bt, u_C))
+    return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
+
+
+def _eta(c: Case) -> PascalSecond:
+    """Viscosity of the oil as it comes, which all of them take, also where the teeth are warmer."""
+    same = c.warming.T_oil is c.oil.T_m or np.array_equal(c.warming.T_oil, c.oil.T_m)
+    return c.oil.eta_0 if same else c.oil.lubricant.at(c.warming.T_oil).mu
 
 
 def _X_L(c: Case) -> Number:
     return LUBRICANT_FACTOR.get(c.oil.lubricant.oil.base, 1.0)
 
 
-def _outside_tests(w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> str:
-    """Line load from 150 N/mm, sum of the speeds from 1 m/s up."""
+def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> str:
+    """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
     found = []
+    v_t = u_C * c.mesh.centre_distance / c.path.C_F  # C rolls with the part of the pitch line's speed along the line of action
     if np.any(w_bt < LOWEST_LINE_LOAD):
         found.append(f"line load {short(float(np.min(w_bt)) / 1e3)} N/mm, tests from 150")
     if np.any(2 * u_C < 1.0):
         found.append(f"sum of speeds {short(2 * float(np.min(u_C)))} m/s, tests from 1")
+    if np.any(v_t > FASTEST):
+        found.append(f"pitch line {short(float(np.max(v_t)))} m/s, tests up to {FASTEST:g}")
     return "; ".join(found)
 
 
@@ -156,8 +166,9 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
         return None
     w, w_f = _load(c, P)
     p_H = hertz_pressure(w=w_f, E_r=c.motion.E_r, rho_n=c.motion.R)
-    f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=c.oil.eta_0, sigma=sigma)
-    mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=c.oil.eta_0, R=c.motion.R)
+    eta_0 = _eta(c)
+    f = xu_kahraman_exponent(S=c.motion.S, p_H=p_H, eta_0=eta_0, sigma=sigma)
+    mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=eta_0, R=c.motion.R)
     highest, outside = float(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
         outside.append(f"pressure up to {short(highest / 1e6)} MPa, runs from {RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g}")
@@ -169,7 +180,7 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
 
 def of_benedict_kelley(c: Case, P: Watt) -> Regression:
     w, w_f = _load(c, P)
-    mu = benedict_kelley(w=w_f, eta_0=c.oil.eta_0, V_s=c.motion.V_s, V_T=2 * c.motion.u_e)
+    mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=2 * c.motion.u_e)
     bounded = (np.asarray(mu) <= 0.01) | (np.asarray(mu) >= 0.2)
     share = float(np.mean(along(c.path.weight * bounded) / along(c.path.weight)))
     return _summed(c, P, w, mu, f"held at its bounds on {share * 100:.0f} % of the path" if share > HELD else "")

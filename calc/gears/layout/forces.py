@@ -7,6 +7,7 @@ which points towards the flywheel where the crank turns clockwise seen from its 
 
 import math
 from collections.abc import Mapping
+from functools import reduce
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from ...sheet.number import short
@@ -35,7 +36,7 @@ def forces(gears: GearsInputs, train: "TrainResult", layout: LayoutResult, torqu
     """An outcome whose result is a ForcesResult.  `torques`: of the driver of every mesh, by the mesh ("a_b")."""
     turns = _turns(gears, train)
     with trace() as lines:
-        meshes, wheels = _all(gears, train, layout, torques, turns)
+        meshes, wheels = _all(gears, train, layout, torques, turns, gears.hands())
     result = ForcesResult(wheels=wheels, meshes=meshes)
     return Outcome("gears", result=result, lines=tuple(lines), tables=_tables(result), notes=_notes(gears, result, turns))
 
@@ -45,7 +46,7 @@ def axis_forces(gears: GearsInputs, train: "TrainResult", torques: Mapping[str, 
 
     `torques` may be arrays: many operating points.
     """
-    _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train))
+    _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train), {})  # no hands: thrust is not asked for
     found = {name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()}
     return {name: force for name, force in found.items() if force is not None}
 
@@ -59,9 +60,13 @@ def _turns(gears: GearsInputs, train: "TrainResult") -> dict[str, Number]:
 
 
 def _all(
-    gears: GearsInputs, train: "TrainResult", layout: LayoutResult | None, torques: Mapping[str, NewtonMetre], turns: Mapping[str, Number]
+    gears: GearsInputs,
+    train: "TrainResult",
+    layout: LayoutResult | None,
+    torques: Mapping[str, NewtonMetre],
+    turns: Mapping[str, Number],
+    hand: Mapping[str, str],
 ) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:
-    hand = gears.hands()
     shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
     meshes = {}
     for key, mesh in train.meshes.items():
@@ -108,6 +113,10 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
             one, two = (part.transverse for part in parts)
             found["bearing_force_min"] = f.bearing_force_least(F_bt1=one, F_bt2=two)
             found["bearing_force_max"] = f.bearing_force_most(F_bt1=one, F_bt2=two)
+        else:
+            found["bearing_force_max"] = reduce(
+                lambda F, part: f.bearing_force_most(F_bt1=F, F_bt2=part.transverse), parts[1:], parts[0].transverse
+            )
         if hand:
             thrusts: Any = tuple(part.thrust for part in parts)
             found["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]

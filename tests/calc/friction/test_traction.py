@@ -36,7 +36,7 @@ def warming(c, P):
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=P, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
     m, lube = c.motion, c.oil.lubricant
     b_H, p_H = half_width(w_f, m.R, m.E_r), hertz_pressure(w_f, m.E_r, m.R)
-    p_m, h = mean_pressure(p_H), film(False, c.oil, m, w_f, p_H).h
+    p_m, h = mean_pressure(p_H), film(False, c.oil, m, w_f, p_H, c.path.cells).h
     B_1, B_2 = (t.transient_resistance(t.STEEL_DIFFUSIVITY, b_H, u, t.STEEL_CONDUCTIVITY) for u in (m.u_1, m.u_2))
     R_th = t.film_resistance(t.heat_partition(B_1, B_2, 0.0, 0.0), B_1, h, b_H, c.oil.k_f)
     xi = t.solid_share(t.film_ratio(h, c.surfaces.sigma))

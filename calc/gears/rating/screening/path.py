@@ -58,7 +58,7 @@ def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Me
     if isinstance(rho_1, float):
         return min(before if rho_1 < rho_B else after if rho_1 > rho_D else 1.0, 1.0)
     share: Any = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, 1.0))
-    return np.minimum(share, 1.0)
+    return np.clip(share, 0.0, 1.0)  # the last digits of a contact ratio of 1 would make it less than nothing
 
 
 @formula(

@@ -112,8 +112,8 @@ def test_fuel_and_carbon_dioxide_follow_the_losses():
 def test_the_parts_are_the_whole():
     outcome = friction_of(gamma())
     curves = {c.id: c for c in outcome.whole.curves}
-    whole = next(s for s in curves["map"].series if s.label == "120 °C")
-    assert sum(np.asarray(s.y) for s in curves["map_parts"].series) == pytest.approx(whole.y)
+    whole = next(s for s in curves["over_speed"].series if s.label == "120 °C")
+    assert sum(np.asarray(s.y) for s in curves["over_speed_parts"].series) == pytest.approx(whole.y)
 
 
 def test_a_measured_bulk_temperature_does_not_stand_in_the_map():

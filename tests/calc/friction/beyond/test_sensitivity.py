@@ -114,7 +114,7 @@ def test_thin_mist_goes_down_to_air_and_no_further():
 
 def test_the_bars_are_the_table():
     outcome = friction_of(LOADED)
-    curve = next(c for c in outcome.whole.curves if c.id == "tornado")
+    curve = next(c for c in outcome.whole.curves if c.id == "open_constants")
     table = next(t for t in outcome.whole.tables if t.id == "tornado")
     assert curve.bars and curve.names == tuple(row[0] for row in table.rows)
     nominal = outcome.result.total_loss
@@ -123,7 +123,7 @@ def test_the_bars_are_the_table():
 
 
 def test_a_law_without_solution_is_left_out_and_an_end_without_counts_nothing():
-    swing = sensitivity.Swing("x", "a", "b", None, 12.0, "why")
+    swing = sensitivity.Swing("x", "X", "a", "b", None, 12.0, "why")
     assert swing.span(10.0) == 2.0
     curve, table = sensitivity.tornado((swing,), 10.0)
     assert [float(s.y[0]) for s in curve.series] == [0.0, 2.0]

@@ -95,9 +95,9 @@ def rollers(R_1, S_2):
 
 @pytest.mark.parametrize("F, rpm, nu", [(1000.0, 3000.0, 15.0), (50.0, 10000.0, 8.0), (3000.0, 200.0, 100.0)])
 def test_a_6205_by_skf(F, rpm, nu):
-    one = bearing(method="skf", series="62", count=1)
+    one = bearing(method="skf", series="62", count=1, lubrication="bath")
     assert power(one, F, rpm, nu) == pytest.approx(by_skf(F, rpm, nu, *balls(3.9e-7, 3.23e-3), 3.1, 0.05), rel=1e-9)
-    assert power(bearing(method="skf", series="62", count=2), 2 * F, rpm, nu) == pytest.approx(2 * power(one, F, rpm, nu))
+    assert power(bearing(method="skf", series="62", count=2, lubrication="bath"), 2 * F, rpm, nu) == pytest.approx(2 * power(one, F, rpm, nu))
 
 
 def test_a_6205_lies_between_the_rules_of_thumb():
@@ -109,7 +109,7 @@ def test_a_6205_lies_between_the_rules_of_thumb():
 
 def test_cylindrical_rollers_by_skf():
     """NU 2205: series 22."""
-    one = bearing(kind="cylindrical-roller", method="skf", series="22", count=1)
+    one = bearing(kind="cylindrical-roller", method="skf", series="22", count=1, lubrication="bath")
     assert power(one, 2000.0) == pytest.approx(by_skf(2000.0, 3000.0, 15.0, *rollers(1.40e-6, 0.0015), 5.1, 0.02), rel=1e-9)
 
 
