@@ -199,6 +199,10 @@ class Design:
             yield "friction.oil", self.friction.oil, known_oils
             for i, scenario in enumerate(self.friction.scenarios):
                 yield f"friction.scenarios.{i}.oil", scenario.oil, known_oils
+            wheels = [wheel.name for wheel in self.gears.wheels] if self.gears is not None else []
+            for kind in ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses") if wheels else ():
+                for i, entry in enumerate(getattr(self.friction, kind)):
+                    yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
 
 
 def _unknown_name(name: str, known: Iterable[str]) -> str:

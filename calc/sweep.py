@@ -63,7 +63,8 @@ def varied(document: Document, texts: Sequence[str]) -> list[Varied]:
             if about is None:
                 raise BadInput("--vary", [InputError(0, text, "", FORM)])
             values = _values(said, about.kind in ("integer", "integers"), about.kind in ("text", "choice"))
-            if about.kind in ("series", "integers") and not isinstance(address(document.data, key)[-1], int):
+            one = about.count is not None and about.count[0] == 1  # where one number may stand for the list
+            if about.kind in ("series", "integers") and not one and not isinstance(address(document.data, key)[-1], int):
                 raise ValueError(f"is a list; vary one of its numbers by its place, like {key}.0")
             if any(other.key == key for other in found):
                 raise ValueError("stands twice; give all its values at once")

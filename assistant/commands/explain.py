@@ -4,7 +4,9 @@
 from argparse import Namespace
 from typing import Any
 
-from calc.design_file import load, value_at
+from calc.design import Design
+from calc.design_file import Document, load, value_at
+from calc.design_file import design as design_of
 from calc.explain import chain, origin
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
@@ -15,6 +17,28 @@ from calc.solve import solve
 
 def run(asked: Namespace) -> int:
     document, design = load(asked.file)
+    return _explain(asked, document, design)
+
+
+def _scenario(asked: Namespace, document: Document, design: Design) -> int:
+    """A scenario is the design with its keys set: that one is explained."""
+    from calc.friction.beyond.scenarios import as_design
+
+    name, rest = next(
+        (s.name, asked.value.removeprefix(f"friction.scenarios.{s.name}."))
+        for s in (design.friction.scenarios if design.friction is not None else ())
+        if asked.value.startswith(f"friction.scenarios.{s.name}.")
+    )
+    changes = as_design(design, name)
+    for key, value in changes.items():
+        document = document.with_value(key, value)
+    if not asked.json:
+        told = ", ".join(f"{key} = {value}" for key, value in changes.items())
+        print(f"scenario {name}: the design with {told or 'nothing changed'}\n")
+    return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
+
+
+def _explain(asked: Namespace, document: Document, design: Design) -> int:
     results = solve(design)
     values = results.values()
     if asked.value not in values and (given := _given(document.data, asked.value)) is not None:
@@ -28,7 +52,7 @@ def run(asked: Namespace) -> int:
                 if (behind := _behind(check, values)) is not None:
                     if not asked.json:
                         print(f"{check.id}: {check.name}, {short(check.value)} {check.unit}, needs {check.limit_text()}. Its value:\n")
-                    return run(Namespace(**{**vars(asked), "value": behind}))
+                    return _explain(Namespace(**{**vars(asked), "value": behind}), document, design)
                 said = f"{check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()}. Source: {check.source}"
                 raise BadInput(document.place, [InputError(0, asked.value, "", f"is a check, not a value ({said})")])
         step = results.outcomes.get(asked.value.partition(".")[0])
@@ -38,6 +62,8 @@ def run(asked: Namespace) -> int:
         near = get_close_matches(asked.value, list(values), 3, 0.4)
         hint = "did you mean " + ", ".join(near) + "?" if near else "`contralbero check` lists the values"
         raise BadInput(document.place, [InputError(0, asked.value, "", f"is not a value of this design; {hint}")])
+    if asked.value.startswith("friction.scenarios."):
+        return _scenario(asked, document, design)
     lines = chain(results, asked.value)
     from calc.sheet.expression import line_json, line_text
 

@@ -29,9 +29,8 @@ def run(asked: Namespace) -> int:
     solved = [(path, *_solved(path)) for path in files]
     unsolved = [(path, outcome) for path, _, outcome in solved if outcome.result is None]
     found = [(path, name, outcome) for path, name, outcome in solved if outcome.result is not None]
-    shown = [(path, name, (*tables(outcome.result.scenarios), *_models(outcome))) for path, name, outcome in found]
-    if asked.output:
-        _write(Path(asked.output), found)
+    shown = [(path, name, (*tables(outcome.result), *_models(outcome))) for path, name, outcome in found]
+    written = _write(Path(asked.output), found) if asked.output else []
     if asked.json:
         import json
 
@@ -42,6 +41,8 @@ def run(asked: Namespace) -> int:
             print(("\n" if n else "") + name)
             for table in made:
                 print("\n" + "\n".join(f"  {line}".rstrip() for line in table_lines(table)))
+        for path in written:
+            print(("\n" if path is written[0] else "") + str(path))
         if not asked.files:
             print("\ndesigns/friction_source.md tells what of the thesis' statements holds, with these numbers.")
     for path, outcome in unsolved:
@@ -64,17 +65,22 @@ def _models(outcome: Outcome) -> list[Table]:
     return [table for table in outcome.tables if table.id.startswith("models_")]
 
 
-def _write(folder: Path, found: list[tuple[Path, str, Outcome]]) -> None:
+def _write(folder: Path, found: list[tuple[Path, str, Outcome]]) -> list[Path]:
+    """The files that were written."""
     from reports.report import write
 
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise BadInput(str(folder), [InputError(0, "-o", "", f"is no folder to write to: {error.strerror or error}")]) from None
+    written = []
     for path, _, outcome in found:
-        write_asked(folder / f"{path.stem}_curves.csv", curves_text(outcome.result.scenarios))
+        curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
+        write_asked(curves, curves_text(outcome.result.scenarios))
         document = read(path)
-        write(document, solve(design(document)), path.read_bytes(), folder / f"{path.stem}.pdf")
+        write(document, solve(design(document)), path.read_bytes(), report)
+        written += [curves, report]
+    return written
 
 
 def curves_text(found: dict[str, Any]) -> str:

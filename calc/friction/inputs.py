@@ -2,6 +2,7 @@
 """What the friction of the meshes needs beyond the gears themselves."""
 
 from collections.abc import Iterable
+from typing import Any
 
 from ..sheet.quantity import choice, inputs, integer, quantity, series, tables, text
 
@@ -12,11 +13,20 @@ BEARING_TYPES = (
 )  # fmt: skip
 
 
+CARRIED = "Left out: the wheel that the name begins with (crank-seal), else the last of the train."
+# Series of rolling bearings for which SKF's constants could be read.
+SKF_SERIES = {
+    "deep-groove-ball": ("2", "3", "42", "43", "60", "630", "62", "622", "63", "623", "64", "160", "161", "618", "619"),
+    "cylindrical-roller": ("4", "22"),
+}  # fmt: skip
+
+
 @inputs
 class OtherLoss:
     """A loss that the train carries besides those computed."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     power: float = quantity("Power", "W", low=0, high=1e6, symbol="P")
 
 
@@ -25,6 +35,7 @@ class Seal:
     """A radial shaft seal on the shaft of a wheel."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh")
     count: int = integer("Seals of this size", default=1, low=1, high=20)
     method: str = choice(
@@ -37,6 +48,7 @@ class RollingBearing:
     """Rolling bearings that carry a wheel."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
     bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d")
     outside_diameter: float = quantity("Outside diameter", "mm", above=0, high=2000, symbol="D")
@@ -60,6 +72,10 @@ class RollingBearing:
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.outside_diameter <= self.bore:
             yield "outside_diameter_mm", "must be larger than the bore"
+        if self.method == "skf" and self.series not in (known := SKF_SERIES.get(self.kind, ())):
+            rows = ", ".join(f'"{series}"' for series in known)
+            told = f"give one of {rows}" if known else f"SKF's constants could be read for {' and '.join(SKF_SERIES)} only"
+            yield "series", f'method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"'
 
 
 @inputs
@@ -67,6 +83,7 @@ class PlainBearing:
     """The bush of an idler on its fixed pin."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d")
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l")
     clearance: float = quantity("Diametral clearance when running", "µm", above=0, high=5000, symbol="g")
@@ -78,6 +95,7 @@ class Dip:
     """A wheel that dips into oil."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     depth: float = quantity("Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h")
     oil_volume: float = quantity("Oil in the sump", "L", above=0, high=1000, symbol="V_0")
 
@@ -87,6 +105,7 @@ class Jet:
     """Oil thrown onto a wheel, which carries it along."""
 
     name: str = text("Name")
+    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     flow: float = quantity("Flow", "L/min", above=0, high=1000, symbol="Q")
     jet_speed: float = quantity(
         "Speed of the jet along the teeth", "m/s", default=0.0, low=-200, high=200, symbol="v_j", help="Positive: the way the teeth go."
@@ -122,10 +141,12 @@ class Scenario:
 class FrictionInputs:
     """Oil, flanks and load sharing of the meshes."""
 
-    oil: str | None = text("Oil", optional=True, help="Left out: that of the bearings.")
+    oil: str | None = text(
+        "Oil", optional=True, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
+    )
     oil_temperature: float = quantity(
         "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5,
-        help="Left out: the bearings' supply temperature.",
+        help="Of teeth and wheels. Left out: the bearings' supply temperature.",
     )  # fmt: skip
     bulk_temperature: float = quantity(
         "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", help="Of the teeth, measured. Left out: by the next key."
@@ -188,8 +209,15 @@ class FrictionInputs:
         "Scenarios", Scenario, optional=True, help="The same train under other conditions, side by side."
     )
 
+    def problems(self) -> Iterable[tuple[str, str]]:
+        if self.bulk == "estimated" and self.bulk_temperature is not None:
+            yield "bulk_temperature_C", 'leave it out where bulk = "estimated": it is measured or estimated, not both'
 
-def carrier(loss: str, wheels: Iterable[str], last: str) -> str:
-    """The wheel that carries a loss: whose name it has, or begins with before a separator ("idler-seal"); else the last wheel."""
+
+def carrier(entry: Any, wheels: Iterable[str], last: str) -> str:
+    """The wheel that carries a loss: told, or whose name it has, or begins with before a separator ("idler-seal"); else the last wheel."""
+    if entry.wheel is not None:
+        return str(entry.wheel)
+    loss = entry.name
     named = [name for name in wheels if loss == name or (loss.startswith(name) and not loss[len(name)].isalnum())]
     return max(named, key=len, default=last)

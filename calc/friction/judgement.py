@@ -9,21 +9,18 @@ import numpy as np
 from .. import oils
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
-from ..sheet.number import short
-from ..sheet.step import Curve, Erratum, Series, Table
+from ..sheet.step import Erratum
+from . import pictures, remarks
 from .balance.closure import Drive
-from .inputs import FrictionInputs, carrier
-from .losses.wheels import has_bearings
+from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import LOADED, THESIS, MeshLoss, loss_factor, solve_mesh
+from .mesh.loss import THESIS, loss_factor, solve_mesh
 from .mesh.path import array, line_load
-from .models import compared
-from .result import FrictionResult, MeshResult
+from .result import FrictionResult, MeshResult, by_regime
 
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
-JUMP = 1e-6  # of the power
 HOT_TEETH = 150.0  # °C
 NAMES = {"schlenk": "Schlenk", "niemann": "Niemann and Winter", "xu_kahraman": "Xu and Kahraman", "benedict_kelley": "Benedict and Kelley"}
 
@@ -32,13 +29,9 @@ def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
     """Checks, curves, errata and notes of a closed balance."""
     friction = d.friction
     return {
-        "checks": checks(friction, result), "curves": curves(result), "errata": errata(friction, result, d.oil),
-        "notes": notes(friction, result, d.oil), "tables": tables(result, d),
+        "checks": checks(friction, result), "curves": pictures.curves(result), "errata": errata(friction, result, d.oil),
+        "notes": remarks.notes(friction, result, d.oil), "tables": pictures.tables(result, d),
     }  # fmt: skip
-
-
-def by_regime(mesh: MeshResult) -> MeshLoss:
-    return mesh.by_regime or mesh.judged
 
 
 # --- checks ----------------------------------------------------------------------------------------------------------------
@@ -234,124 +227,3 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             f"method of the {THESIS}, load sharing",
             "Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody.",
         )
-
-
-# --- notes -----------------------------------------------------------------------------------------------------------------
-def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[str, ...]:
-    found = []
-    if friction.bulk_temperature is None and friction.bulk == "oil":
-        found.append(f"The teeth are taken as warm as the oil, {short(oil.T_m)} °C; their warming is estimated beside.")
-    for mesh in result.meshes.values():
-        share = by_regime(mesh).rigid_share
-        m = by_regime(mesh)
-        rigid = f"a rigid isoviscous film on {share * 100:.0f} % of the path"
-        if share and m.rolling_loss > m.sliding_loss:
-            rigid += f"; at so light a load rolling governs, {short(m.rolling_loss)} W (bound) against {short(m.sliding_loss)} W of sliding"
-        found.append(f"Mesh {mesh.case.mesh.title}: {rigid if share else 'no rigid isoviscous film, the EHL formula holds'}.")
-    for mesh in result.meshes.values():
-        if abs(mesh.power_in - mesh.judged.load) > JUMP * mesh.power_in:
-            found.append(
-                f"Mesh {mesh.case.mesh.title}: its loss jumps where places on the path change their regime, and the balance falls into the "
-                f"jump: solved for {short(mesh.judged.load)} W, while {short(mesh.power_in)} W come in."
-            )
-    if friction.load_sharing != "linear" and not all(mesh.case.mesh.spur for mesh in result.meshes.values()):
-        found.append("The load of a helical mesh is uniform along its contact lines: load_sharing counts for spur pairs only.")
-    if friction.load_sharing == "smooth" or any(scenario.load_sharing == "smooth" for scenario in friction.scenarios):
-        found.append(
-            f"Film and friction are drawn where a place carries {LOADED * 100:g} % of the full load or more: a relieved tip carries none."
-        )
-    if friction.film == "source":
-        found.append("The friction source's film is judged: EHL everywhere, no rolling loss.")
-    elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
-        found.append("The rolling loss of the rigid film supposes a full inlet: it is an upper bound.")
-    if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
-        found.append(
-            "Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, nor for any pressure."
-        )
-    assumed = next(value for value in oils.judged_values(oil.lubricant.oil) if value.key == "limiting_shear")
-    where = f"{assumed.source}; confidence {assumed.confidence}"
-    found.append(f"Limiting shear {short(oil.Lambda)} of the pressure, by {where}. Steel is taken to conduct 46 W/(m·K).")
-    if not friction.seals:
-        found.append("No shaft seals are counted, unless given ([[friction.seals]]).")
-    if not friction.dips:
-        found.append("No wheel dips into oil: churning is not counted ([[friction.dips]]).")
-    if not has_bearings(friction):
-        found.append("The wheels' own bearings are not counted, unless given ([[friction.rolling_bearings]], [[friction.plain_bearings]]).")
-    elif any(b.f_0 is None or b.f_1 is None for b in friction.rolling_bearings if b.method == "palmgren"):
-        found.append("Palmgren's factors f_0 and f_1 by type are from memory: give those of the bearing's catalogue.")
-    if any(wheel.thrown_oil is not None and wheel.thrown_oil < 0 for wheel in result.wheels.values()):
-        found.append("A jet of oil that is faster than the teeth drives its wheel: its loss is below zero.")
-    if any(seal.method == "linke" for seal in friction.seals) and 0.0 in [wheel.seal_loss for wheel in result.wheels.values()]:
-        found.append("Linke's rule has no loss for shaft seals in so thin and hot an oil: it is outside its range; take simrit.")
-    if friction.rolling_bearings or friction.plain_bearings:
-        found.append("The wheels' bearings run in oil as warm as that of the teeth.")
-    found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
-    last = list(result.meshes.values())[-1].case.mesh.driven.name
-    entries: tuple[Any, ...] = (*friction.seals, *friction.rolling_bearings, *friction.plain_bearings, *friction.dips, *friction.jets)
-    strange = [entry.name for entry in entries if not carrier(entry.name, result.wheels, "")]
-    if strange:
-        found.append(f"Carried by wheel {last}, the last, for their names begin with that of no wheel: {', '.join(strange)}.")
-    for other in friction.other_losses:
-        wheel = carrier(other.name, result.wheels, last)
-        why = "" if carrier(other.name, result.wheels, "") else ", the last: its name begins with that of no wheel"
-        found.append(f'Other loss "{other.name}", {short(other.power)} W: carried by wheel {wheel}{why}.')
-    return tuple(found)
-
-
-# --- tables ----------------------------------------------------------------------------------------------------------------
-def tables(result: FrictionResult, d: Drive) -> tuple[Table, ...]:
-    """Where the power goes; the models of every mesh; what is known of the oil."""
-    models = (
-        compared.table(name, mesh.case.mesh.title, by_regime(mesh), mesh.source, mesh.ohlendorf_loss_factor, mesh.published_models)
-        for name, mesh in result.meshes.items()
-    )
-    printed = oils.printed_table(d.lubricant)
-    return (_where(result), *models, oils.values_table(d.lubricant.oil), *(() if printed is None else (printed,)))
-
-
-def _where(r: FrictionResult) -> Table:
-    """The balance, from the first driver to the end of the train."""
-    rows: list[tuple[str | float | None, ...]] = []
-    for mesh in r.meshes.values():
-        m, title = mesh.judged, mesh.case.mesh.title
-        rows.append((f"mesh {title}, sliding", m.sliding_loss, m.sliding_loss / r.total_loss * 100))
-        if m.rolling_loss:
-            rows.append((f"mesh {title}, rolling (bound)", m.rolling_loss, m.rolling_loss / r.total_loss * 100))
-    kinds = (
-        ("windage", r.windage_loss), ("churning", r.churning_loss), ("oil thrown onto wheels", r.thrown_oil_loss),
-        ("shaft seals", r.seal_loss), ("bearings of the wheels", r.wheel_bearing_loss), ("other losses", r.other_loss or None),
-    )  # fmt: skip
-    rows += [
-        (f"journal {place} of the counter-shaft", j.friction_power, j.friction_power / r.total_loss * 100)
-        for place, j in r.journals.items()
-    ]
-    rows += [(kind, P, P / r.total_loss * 100) for kind, P in kinds if P is not None]
-    rows.append(("all losses", r.total_loss, 100.0))
-    return Table("balance", "Where the power goes", (("Loss", ""), ("P", "W"), ("share", "%")), tuple(rows))
-
-
-# --- curves ----------------------------------------------------------------------------------------------------------------
-def curves(result: FrictionResult) -> tuple[Curve, ...]:
-    return tuple(c for name, mesh in result.meshes.items() for c in _curves(name, mesh))
-
-
-def way(mesh: MeshResult) -> str:
-    """The label of the path, with its points."""
-    letters = "ABCDE" if mesh.case.mesh.spur else "ACE"
-    marks = ", ".join(f"{letter} {x * 1e3:.2f}" for letter, x in zip("ABCDE", mesh.case.path.marks) if letter in letters)
-    return f"x from T₁, mm ({marks})"
-
-
-def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
-    """Along the path in the middle of the face, judged and by the other model."""
-    title, x_label = f"Mesh {mesh.case.mesh.title}", way(mesh)
-    models = (("by regime", mesh.by_regime or mesh.judged), ("source: EHL everywhere", mesh.source))
-
-    def lines(quantity: str, factor: float = 1.0) -> tuple[Series, ...]:
-        return tuple(Series(label, np.asarray(m.local.x) * 1e3, m.local.drawn(quantity) * factor) for label, m in models)
-
-    roughness = (("combined roughness", mesh.case.surfaces.sigma * 1e6),)
-    yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the path", x_label, "μ", lines("mu"))
-    yield Curve(f"{name}.film", f"{title}: film along the path", x_label, "h, µm", lines("h", 1e6), roughness)
-    yield Curve(f"{name}.heat", f"{title}: friction power along the path", x_label, "q, W/mm of contact line", lines("q", 1e-3))
-    yield Curve(f"{name}.temperature", f"{title}: film temperature along the path", x_label, "T_f, °C", lines("T_f"))

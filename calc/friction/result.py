@@ -93,6 +93,11 @@ class MeshResult:
         return {name: getattr(self, name) for name in ("schlenk", "niemann", "xu_kahraman", "benedict_kelley")}
 
 
+def by_regime(mesh: MeshResult) -> MeshLoss:
+    """The loss by the regime that governs, judged or shown beside."""
+    return mesh.by_regime or mesh.judged
+
+
 @result
 class JournalResult:
     """One journal of the counter-shaft in the balance: its friction over a turn, with what stands still beside the turning load."""

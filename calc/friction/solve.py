@@ -19,7 +19,7 @@ from ..sheet.quantity import published
 from ..sheet.step import Further, Outcome
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
-from . import judgement
+from . import judgement, pictures
 from .balance.closure import Drive, Forces, balance, drive
 from .beyond import maps, scenarios, sensitivity
 from .inputs import FrictionInputs
@@ -96,9 +96,9 @@ def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | 
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
         found = result.scenarios or {}
-        ways = {key: judgement.way(mesh) for key, mesh in result.meshes.items()}
+        ways = {key: pictures.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
-            curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(found)), notes=missing
+            curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(result)), notes=missing
         )  # fmt: skip
 
 

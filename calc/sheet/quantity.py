@@ -53,6 +53,8 @@ class Quantity:
         noun = {"integer": "a whole number", "number": "a number"}.get(self.kind, "numbers")
         if self.kind in ("series", "integers"):
             noun = "a list of whole numbers" if self.kind == "integers" else "a list of numbers"
+            if self.count is not None and self.count[0] == 1:
+                noun = f"a number, or {noun},"
         bounds = []
         if self.above is not None:
             bounds.append(f"above {self.above:g}")

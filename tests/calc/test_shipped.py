@@ -340,3 +340,11 @@ def test_every_curve_and_table_of_a_step_has_an_id_of_its_own(path):
     for outcome in solve(design(read(path))).outcomes.values():
         ids = [leaf.id for leaf in (*outcome.curves, *outcome.tables)]
         assert len(ids) == len(set(ids)), ids
+
+
+@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda p: p.stem)
+def test_curves_and_tables_of_a_step_are_told_apart_by_their_names(path):
+    """The session and the JSON find them so."""
+    for outcome in solve(design(read(path))).whole().outcomes.values():
+        names = [shown.id for shown in (*outcome.curves, *outcome.tables)]
+        assert len(names) == len(set(names))

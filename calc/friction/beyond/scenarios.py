@@ -23,6 +23,7 @@ from ..balance.closure import Drive, balance, drive
 from ..inputs import FrictionInputs, Scenario
 from ..journals import OnShaft, journals_at
 from ..mesh.loss import MeshLoss
+from ..result import FrictionResult
 
 # What is drawn along the path: attribute of `Local`, title, label of the axis, factor.
 ALONG = (
@@ -51,6 +52,7 @@ class ScenarioResult:
     total_loss: Watt = value("Sum of the losses", "W", "P")
     share: Number | None = value("Losses over the power at the first driver", "%")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
+    delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
     about: str = ""  # oil, temperature, load sharing in words
     oil: str = ""
     temperature: Celsius
@@ -63,7 +65,7 @@ def solved(
 
     Where the teeth have the oil of the journals, a scenario's oil and temperature are those of the journals too.
     """
-    found = {}
+    found: dict[str, ScenarioResult] = {}
     for scenario in friction.scenarios:
         try:
             with untraced():
@@ -95,33 +97,78 @@ def _one(
     share = None if d.shaft is not None else r.total_loss / r.crank_power  # with a shaft all is loss
     return ScenarioResult(
         meshes=meshes, oil_viscosity=r.oil_viscosity, bearing_loss=r.bearing_loss, mesh_loss=r.mesh_loss, total_loss=r.total_loss,
-        share=share, crank_torque=r.crank_torque, about=f"{name}, {T:g} °C, {own.load_sharing}", oil=name, temperature=T,
+        share=share, crank_torque=r.crank_torque, delivered_power=r.delivered_power,
+        about=_conditions(s, name, T, own), oil=name, temperature=T,
     )  # fmt: skip
+
+
+def _conditions(s: Scenario, oil: str, T: Celsius, own: FrictionInputs) -> str:
+    """Oil and temperature always, the rest where the scenario tells it."""
+    said = [oil, f"{short(T)} °C"]
+    if s.load_sharing is not None:
+        said.append(own.load_sharing)
+    if s.flank_roughness is not None:
+        said.append(f"Ra {' and '.join(short(Ra * 1e6) for Ra in s.flank_roughness)} µm")
+    if s.power is not None:
+        said.append(f"{short(s.power / 1e3)} kW")
+    return ", ".join(said)
 
 
 # --- shown -------------------------------------------------------------------------------------------------------------------
 MODELS = (("judged", "by regime"), ("source", "source: EHL everywhere"))
 
 
-def tables(found: Mapping[str, ScenarioResult]) -> tuple[Table, ...]:
+def tables(result: FrictionResult) -> tuple[Table, ...]:
     """The whole balance; and one table a mesh and model: what the source tabulates, a row a scenario."""
+    found: dict[str, ScenarioResult] = result.scenarios or {}
     if not found:
         return ()
     meshes = next(iter(found.values())).meshes
-    return _balance(found), *(_table(found, key, model, words) for key in meshes for model, words in MODELS)
+    return _balance(found, result), *(_table(found, key, model, words) for key in meshes for model, words in MODELS)
 
 
-def _balance(found: Mapping[str, ScenarioResult]) -> Table:
+def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Table:
+    """What each costs, the design first where no scenario is the same; columns that none has are left out."""
     columns = (
-        ("Scenario", ""),
-        ("Oil, temperature, load sharing", ""),
-        ("journals", "W"),
-        ("meshes", "W"),
-        ("all losses", "W"),
-        ("T_1", "N·m"),
-    )
-    rows = tuple((name, s.about, s.bearing_loss, s.mesh_loss, s.total_loss, s.crank_torque) for name, s in found.items())
-    return Table("scenarios", "Scenarios: the whole balance, as judged", columns, rows, covers=("friction.scenarios.",))
+        ("Scenario", ""), ("Conditions", ""), ("journals", "W"), ("meshes", "W"), ("wheels", "W"), ("all losses", "W"), ("T_1", "N·m"),
+        ("delivered", "W"),
+    )  # fmt: skip
+    rows: list[tuple[str | float | None, ...]] = []
+    compared: list[tuple[str, str, ScenarioResult | FrictionResult]] = [(name, s.about, s) for name, s in found.items()]
+    if all(s.total_loss != design.total_loss for s in found.values()):
+        compared.insert(0, ("as designed", "", design))
+    for name, about, s in compared:
+        wheels = s.total_loss - s.mesh_loss - (s.bearing_loss or 0.0)
+        torque = s.crank_torque if s.delivered_power is None else None  # given, where the power is
+        rows.append((name, about, s.bearing_loss, s.mesh_loss, wheels, s.total_loss, torque, s.delivered_power))
+    kept = [i for i in range(len(columns)) if any(row[i] is not None for row in rows)]
+    return Table(
+        "scenarios", "Scenarios: the whole balance, as judged", tuple(columns[i] for i in kept),
+        tuple(tuple(row[i] for i in kept) for row in rows), "wheels: windage, churning, seals and bearings of the wheels, other losses.",
+        covers=("friction.scenarios.",),
+    )  # fmt: skip
+
+
+def as_design(design: Any, name: str) -> dict[str, Any]:
+    """The keys of the design, in the units of the file, that make a scenario of it: teeth and journals share oil and temperature where
+    the design says so."""
+    friction, bearings = design.friction, design.bearings
+    s = next(one for one in friction.scenarios if one.name == name)
+    found: dict[str, Any] = {}
+    shared = bearings is not None
+    if s.oil is not None:
+        found["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
+    if s.oil_temperature is not None:
+        found["bearings.supply_temperature_C" if shared and friction.oil_temperature is None else "friction.oil_temperature_C"] = (
+            s.oil_temperature
+        )
+    if s.load_sharing is not None:
+        found["friction.load_sharing"] = s.load_sharing
+    if s.flank_roughness is not None:
+        found["friction.flank_roughness_um"] = [round(Ra * 1e6, 9) for Ra in s.flank_roughness]
+    if s.power is not None:
+        found["gears.power_kW"] = s.power / 1e3
+    return found
 
 
 def _table(found: Mapping[str, ScenarioResult], key: str, model: str, words: str) -> Table:

@@ -103,7 +103,7 @@ def carried_by(friction: FrictionInputs, wheels: Mapping[str, Any], last: str, k
     """The entries of a table of losses by the wheel that carries them."""
     found: dict[str, list[Any]] = {}
     for entry in getattr(friction, kind):
-        found.setdefault(carrier(entry.name, wheels, last), []).append(entry)
+        found.setdefault(carrier(entry, wheels, last), []).append(entry)
     return found
 
 

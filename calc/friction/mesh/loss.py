@@ -54,9 +54,9 @@ def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     return along(s * q_R * r)
 
 
-@formula("P_RE", "mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added", names={"s": "Δs"})
-def rolling_estimate(s: Metre, q_E: WattPerMetre) -> Watt:
-    return along(s * q_E)
+@formula("P_RE", "mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added", names={"s": "Δs", "r": "[IR]"})
+def rolling_estimate(s: Metre, q_E: WattPerMetre, r: Number) -> Watt:
+    return along(s * q_E * (1 - r))
 
 
 @formula("P_VZ", "sum of sliding and rolling")
@@ -284,8 +284,9 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
-    if not by_regime:
-        estimate = rolling_estimate(s=s, q_E=ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e))
+    if not np.all(np.asarray(f.rigid) == 1):
+        q_E = ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e)
+        estimate = rolling_estimate(s=s, q_E=q_E, r=f.rigid)
     P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
     H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
     p_C = pressure_at_pitch_point(p_H=c.path.at_pitch_point(p_H)) if c.mesh.spur else None

@@ -212,7 +212,7 @@ def test_lines_stand_once_and_can_be_read():
 
 def test_curves_run_along_the_path():
     curves = {c.id: c for c in TRAIN.curves}
-    assert len(curves) == 4 * len(r753())
+    assert len(curves) == 1 + 4 * len(r753())
     for curve in curves.values():
         for series in curve.series:
             assert np.isfinite(series.x).all() and np.isfinite(series.y).all()
@@ -248,7 +248,9 @@ def test_a_chain_that_runs_dry_on_the_way_says_so():
     ],
 )  # fmt: skip
 def test_the_carrier_of_a_loss(loss, wheel):
-    assert carrier(loss, ("crank", "idler", "idler-2", "shaft"), "shaft") == wheel
+    wheels = ("crank", "idler", "idler-2", "shaft")
+    assert carrier(OtherLoss(name=loss, power=1.0), wheels, "shaft") == wheel
+    assert carrier(OtherLoss(name=loss, power=1.0, wheel="idler"), wheels, "shaft") == "idler"
 
 
 def test_a_note_says_which_wheel_carries_a_loss():
