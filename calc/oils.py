@@ -207,7 +207,7 @@ def printed_table(lubricant: Lubricant) -> Table | None:
     return Table("oil_printed", f"Oil {lubricant.oil.name}: viscosities printed elsewhere", columns, rows, note) if rows else None
 
 
-def errata(lubricant: Lubricant, T: Celsius, about: str = "friction.oil_viscosity", source: str = "") -> tuple[Erratum, ...]:
+def errata(lubricant: Lubricant, T: Celsius, about: str, source: str = "") -> tuple[Erratum, ...]:
     """What is printed for an oil at this temperature, where it is rejected; `about`: the value that is judged instead."""
     return tuple(
         Erratum(

@@ -5,6 +5,7 @@ Without a file: the three scenarios of the gear friction thesis.  With -o, the c
 """
 
 import csv
+import sys
 from argparse import Namespace
 from io import StringIO
 from pathlib import Path
@@ -46,8 +47,6 @@ def run(asked: Namespace) -> int:
         if not asked.files:
             print("\ndesigns/friction_source.md tells what of the thesis' statements holds, with these numbers.")
     for path, outcome in unsolved:
-        import sys
-
         print(f"{path}: friction: {outcome.reason or outcome.state}", file=sys.stderr)
     return 3 if unsolved else 0
 

@@ -66,7 +66,7 @@ def loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian
     return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
-@formula("ΔΘ_M", f"AGMA 925-A03, {ISO} (84), {AS_FOUND}: teeth above oil", names={"X_Ca": "X_Ca"})
+@formula("ΔΘ_M", f"{ISO} (84), {AS_FOUND}: teeth above oil", names={"X_Ca": "X_Ca"})
 def bulk_rise(P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number, X_Ca: Number) -> Kelvin:
     return RISE * (P * mu_m * H_v / (KILOWATT_PER_SQUARE_MILLIMETRE * a * b)) ** 0.72 * X_S / (1.2 * X_Ca)
 

@@ -66,7 +66,9 @@ class RollingBearing:
         default="mist",
         help="By Palmgren: mist half of a bath, a jet twice. By SKF: mist starves more.",
     )
-    f_0: float | None = quantity("Factor f_0", optional=True, low=0, high=50, symbol="f_0", help="Of oil and type. Left out: by the type.")
+    f_0: float | None = quantity(
+        "Factor f_0", optional=True, low=0, high=50, symbol="f_0", help="By Palmgren, as it is. Left out: by type and lubrication."
+    )
     f_1: float | None = quantity("Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", help="Of the load. Left out: by the type.")
 
     def problems(self) -> Iterable[tuple[str, str]]:
@@ -144,16 +146,16 @@ class FrictionInputs:
     oil: str | None = text(
         "Oil", optional=True, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
     )
-    oil_temperature: float = quantity(
+    oil_temperature: float | None = quantity(
         "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
     )  # fmt: skip
-    bulk_temperature: float = quantity(
+    bulk_temperature: float | None = quantity(
         "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", help="Of the teeth, measured. Left out: by the next key."
     )
     bulk: str = choice(
         "Bulk temperature without measurement", "oil", "estimated", default="oil",
-        help="oil: that of the oil. estimated: above it by the loss of the mesh itself (AGMA 925-A03).",
+        help="oil: that of the oil. estimated: above it by the loss of the mesh itself (ISO/TR 15144-1).",
     )  # fmt: skip
     tip_relief_factor: float = quantity(
         "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", help="1: no tip relief."
@@ -180,7 +182,9 @@ class FrictionInputs:
         "Density of the oil mist", "kg/m³", default=24.0, low=0.1, high=1000, symbol="rho_m",
         help="Governs the windage: 24 in the tests behind its formula, 1.2 in air alone.",
     )  # fmt: skip
-    specific_fuel_consumption: float = quantity("Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e")
+    specific_fuel_consumption: float | None = quantity(
+        "Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e"
+    )
     co2_per_fuel: float = quantity(
         "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2",
         help="Of what is burnt completely: diesel (CH1.86) and petrol (CH1.85) 3.17.",

@@ -47,7 +47,7 @@ class Journals:
 
     def __init__(self, on: OnShaft, responses: dict[str, Response], speed: RevPerSecond) -> None:
         self.on, self.responses, self.speed = on, responses, speed
-        self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}
+        self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}  # at some point
 
     def only(self, some: Any) -> "Journals":
         """Some of many operating points."""
@@ -65,9 +65,8 @@ class Journals:
         with about("standing part of the load, in the balance"):
             return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive)
 
-    def loss(self, P: Watt | None) -> Watt:
-        front, rear = (found.friction_power for found in self.journals(P).values())
-        return bearing_loss(P_front=front, P_rear=rear)
+    def sum(self, journals: dict[str, JournalResult]) -> Watt:
+        return bearing_loss(P_front=journals["front"].friction_power, P_rear=journals["rear"].friction_power)
 
     def journals(self, P: Watt | None) -> dict[str, JournalResult]:
         stands = self.standing(P)
@@ -77,9 +76,11 @@ class Journals:
             if stands is not None:
                 R_0 = stands.stationary_front if place == "front" else stands.stationary_rear
             P_f = answer.friction_power
-            if R_0 is not None and not self.unsteady[place]:
+            if R_0 is not None and np.any(np.isfinite(answer.slope + answer.curvature)):
                 with about(f"{place} bearing, over a turn"):
                     P_f = answer.power(R_0)
+                if self.unsteady[place]:
+                    P_f = np.where(np.isfinite(P_f), P_f, answer.friction_power)  # type: ignore[assignment]
             found[place] = JournalResult(standing_load=R_0, friction_power=P_f)
         return found
 
@@ -120,7 +121,7 @@ def journals_at(on: OnShaft, ratio: float, T: Celsius, lubricant: Lubricant | No
         for place, one in on.bearings.bearings.items():
             turns = one.seat.inputs.load_speed_ratio == TURNING
             duty = replace(
-                one.duty, load=one.duty.load * (ratio**2 if turns else 1.0 + 0.0 * ratio), speed=one.duty.speed * ratio,
+                one.duty, load=one.duty.load * (ratio**2 if turns else ratio**0), speed=one.duty.speed * ratio,
                 effective_speed=one.duty.effective_speed * ratio, supply_temperature=T,
             )  # fmt: skip
             seat = one.seat if lubricant is None else replace(one.seat, lubricant=lubricant)

@@ -14,8 +14,9 @@ from . import pictures, remarks
 from .balance.closure import Drive
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
-from .mesh.loss import THESIS, loss_factor, solve_mesh
+from .mesh.loss import loss_factor, solve_mesh
 from .mesh.path import array, line_load
+from .mesh.traction import THESIS
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = "rule of this program"
@@ -175,6 +176,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
 def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
     meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
     name, mesh = next(iter(result.meshes.items()))
+    meshes += oils.errata(oil.lubricant, oil.T_m, "friction.oil_viscosity")
     if not mesh.case.mesh.spur:
         return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
     loss_ratio = Erratum(
@@ -185,7 +187,7 @@ def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[
         f"method of the {THESIS}, eq. 1",
         "The printed quotient is the share that is lost, not the efficiency.",
     )
-    return (*meshes, loss_ratio, *oils.errata(oil.lubricant, oil.T_m, source=f"printed in the {THESIS}, table of oils"))
+    return (*meshes, loss_ratio)
 
 
 def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:

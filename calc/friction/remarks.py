@@ -70,7 +70,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
     if any(seal.method == "linke" for seal in friction.seals) and 0.0 in [wheel.seal_loss for wheel in result.wheels.values()]:
         found.append("Linke's rule has no loss for shaft seals in so thin and hot an oil: it is outside its range; take simrit.")
     if friction.rolling_bearings or friction.plain_bearings:
-        found.append("The wheels' bearings run in oil as warm as that of the teeth.")
+        found.append("The wheels' bearings run in oil of friction.oil_temperature_C, or of the bearings' supply.")
     found.append(f"Windage in {short(friction.mist_density)} kg/m³; air alone has 1.2, the mist of the tests behind its formula about 24.")
     last = list(result.meshes.values())[-1].case.mesh.driven.name
     entries: tuple[Any, ...] = (*friction.seals, *friction.rolling_bearings, *friction.plain_bearings, *friction.dips, *friction.jets)

@@ -15,46 +15,6 @@ KilogramPerSecond = Annotated[float, "kg/s"]
 KilogramPerJoule = Annotated[float, "kg/J"]
 
 
-@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ"})
-def and_mesh(P: Watt, P_VZ: Watt) -> Watt:
-    return P + P_VZ
-
-
-@formula("ΣP_W", "sum over the wheels, one after the other", names={"P": "ΣP_W"})
-def and_windage(P: Watt, P_W: Watt) -> Watt:
-    return P + P_W
-
-
-@formula("ΣP_C", "sum over the wheels that dip, one after the other", names={"P": "ΣP_C"})
-def and_churning(P: Watt, P_C: Watt) -> Watt:
-    return P + P_C
-
-
-@formula("ΣP_J", "sum over the wheels onto which oil is thrown, one after the other", names={"P": "ΣP_J"})
-def and_thrown_oil(P: Watt, P_J: Watt) -> Watt:
-    return P + P_J
-
-
-@formula("ΣP_D", "sum over the shafts with seals, one after the other", names={"P": "ΣP_D"})
-def and_seal(P: Watt, P_D: Watt) -> Watt:
-    return P + P_D
-
-
-@formula("ΣP_L", "sum over the wheels with bearings of their own, one after the other", names={"P": "ΣP_L"})
-def and_wheel_bearing(P: Watt, P_L: Watt) -> Watt:
-    return P + P_L
-
-
-@formula("ΣP_X", "sum over the wheels, one after the other", names={"P": "ΣP_X"})
-def and_other_loss(P: Watt, P_X: Watt) -> Watt:
-    return P + P_X
-
-
-@formula("P", "sum of all losses of the train; what it does not have counts 0")
-def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_C: Watt, P_J: Watt, P_D: Watt, P_L: Watt, P_X: Watt) -> Watt:
-    return P_B + P_VZ + P_W + P_C + P_J + P_D + P_L + P_X
-
-
 @formula("T", "definition of torque")
 def torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
     return P / (2 * pi * n)
@@ -72,7 +32,7 @@ def carbon_dioxide(e_CO2: Number, m_B: KilogramPerSecond) -> KilogramPerSecond:
 
 @result
 class MeshResult:
-    """One mesh: what is judged, and beside it the source's model and three regressions, all at the same power."""
+    """One mesh: what is judged, and beside it the source's model and four regressions, all at the same power."""
 
     judged: MeshLoss = group(spread=True)
     power_in: Watt = value("Power that the mesh takes in", "W", "P_in")

@@ -25,7 +25,7 @@ from .beyond import maps, scenarios, sensitivity
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.geometry import MeshGeometry, WheelGeometry
-from .result import FrictionResult
+from .result import FrictionResult, torque
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
 
@@ -47,7 +47,7 @@ def forces_of(gears: GearsInputs, train: TrainResult) -> Forces:
     """The forces of the teeth on the axis of each wheel as the train stands, from powers of the meshes and speeds of the wheels."""
 
     def forces(loads: Mapping[str, Watt], speeds: Mapping[str, RevPerSecond]) -> Mapping[str, Newton]:
-        torques = {key: loads.get(key, 0.0) / (2 * math.pi * speeds[mesh.driver]) for key, mesh in train.meshes.items()}
+        torques = {key: torque(P=loads.get(key, 0.0), n=speeds[mesh.driver]) for key, mesh in train.meshes.items()}
         return axis_forces(gears, train, torques)
 
     return forces

@@ -152,7 +152,7 @@ def test_a_contradicting_print_is_rejected_with_its_reason(name, T, words):
     found = next(v for v in printed_viscosities(lubricant) if v.temperature == T)
     assert found.verdict == "rejected" and abs(found.deviation) > 0.05
     assert all(w in found.reason for w in words), found.reason
-    (erratum,) = errata(lubricant, T)
+    (erratum,) = errata(lubricant, T, "friction.oil_viscosity")
     assert erratum.about == "friction.oil_viscosity" and found.reason in erratum.why
     assert erratum.source_value == printed_at(lubricant.oil, T).viscosity * 1e3
 
@@ -172,7 +172,7 @@ def test_only_a_value_out_of_order_is_called_a_copy():
 
 def test_a_kept_value_and_an_unprinted_temperature_give_no_erratum():
     lubricant = Lubricant(oils()[THESIS + "MIL-L-23699E"])
-    assert errata(lubricant, 50.0) == () and errata(lubricant, 90.0) == ()
+    assert errata(lubricant, 50.0, "x") == () and errata(lubricant, 90.0, "x") == ()
     assert printed_at(lubricant.oil, 90.0) is None and printed_at(oils()["SAE 30"], 40.0) is None
     assert printed_table(Lubricant(oils()["SAE 30"])) is None
 

@@ -22,6 +22,7 @@ from ...sheet.record import record
 from ...sheet.trace import about, untraced
 from ...sheet.units import Celsius, Newton, RevPerSecond, Watt
 from ..inputs import FrictionInputs
+from ..losses import sums
 from ..losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from ..mesh.film import Oil, oil_at
 from ..mesh.geometry import MeshGeometry, column, require
@@ -30,22 +31,7 @@ from ..mesh.motion import driver_speed
 from ..mesh.path import transverse_force
 from ..models import regressions
 from ..models.compared import spread_of
-from ..result import (
-    FrictionResult,
-    JournalResult,
-    MeshResult,
-    and_churning,
-    and_mesh,
-    and_other_loss,
-    and_seal,
-    and_thrown_oil,
-    and_wheel_bearing,
-    and_windage,
-    carbon_dioxide,
-    fuel,
-    torque,
-    total_loss,
-)  # fmt: skip
+from ..result import FrictionResult, JournalResult, MeshResult, carbon_dioxide, fuel, torque
 from .power import and_need, downstream, passed_on, power_in, power_out, upstream, with_bearings, with_mesh
 from .power import delivered as delivered_power
 
@@ -56,22 +42,13 @@ Forces = Callable[[Mapping[str, Watt], Mapping[str, RevPerSecond]], Mapping[str,
 class Shaft(Protocol):
     """The counter-shaft at the end of the train: what its journals lose when its gear takes in P."""
 
-    def loss(self, P: Watt | None) -> Watt: ...
-
     def journals(self, P: Watt | None) -> dict[str, JournalResult]: ...
 
+    def sum(self, journals: dict[str, JournalResult]) -> Watt: ...
 
-class Fixed:
-    """A shaft whose loss is known, whatever its gear does."""
 
-    def __init__(self, P_B: Watt) -> None:
-        self.P_B = P_B
-
-    def loss(self, P: Watt | None) -> Watt:
-        return self.P_B
-
-    def journals(self, P: Watt | None) -> dict[str, JournalResult]:
-        return {}
+def shaft_loss(shaft: Shaft, P: Watt | None) -> Watt:
+    return shaft.sum(shaft.journals(P))
 
 
 @record
@@ -88,7 +65,7 @@ class Drive:
     shaft: Shaft | None
     forces: Forces
     lubrication: str
-    count: str = "loss"  # what of a mesh's loss the balance counts: without rolling, "sliding_loss"
+    rolling: bool = True  # whether the balance counts what the rigid film rolls
 
     @property
     def first(self) -> str:
@@ -106,8 +83,8 @@ class Drive:
         return carrying(self.friction, self.wheels, self.last, self.lubricant, self.T_oil, forces)
 
     def loss(self, name: str, P: Watt) -> Watt:
-        found: Watt = getattr(solve_mesh(self.cases[name], P, self.friction.film == "judged"), self.count)
-        return found
+        found = solve_mesh(self.cases[name], P, self.friction.film == "judged")
+        return found.loss if self.rolling else found.sliding_loss
 
 
 def drive(
@@ -168,7 +145,7 @@ def loads_of(d: Drive, power: Watt | None = None) -> tuple[dict[str, Watt], dict
         for name, wheel in d.wheels.items():
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         if d.shaft is not None:
-            needed[d.last] += require("losses of the counter-shaft's bearings", d.shaft.loss(before), zero=True)
+            needed[d.last] += require("losses of the counter-shaft's bearings", shaft_loss(d.shaft, before), zero=True)
         return dict(needed)
 
     if d.shaft is None:
@@ -200,7 +177,7 @@ def losses_of(d: Drive, power: Watt | None = None) -> Losses:
         wheels = sum(sum(wheel.parts()) for wheel in d.wheels.values()) + sum(P for _, P in bearings.values())
         return Losses(
             mesh=sum(d.loss(name, P) for name, P in loads.items()), wheels=wheels,
-            journals=0.0 if d.shaft is None else d.shaft.loss(needed[d.last]),
+            journals=0.0 if d.shaft is None else shaft_loss(d.shaft, needed[d.last]),
         )  # fmt: skip
 
 
@@ -212,6 +189,7 @@ def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
     """The closed balance of one operating point, with every line that leads to it."""
     with untraced():
         loads, needed = loads_of(d, power)
+    at_gear = needed[d.last]  # what the last mesh passes on, where a counter-shaft is driven
     bearings = d.bearings(loads)
     wheels = {
         name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1]) if name in bearings else wheel
@@ -222,27 +200,23 @@ def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
             needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
     P_B, journals = None, {}
     if d.shaft is not None:
-        before = needed[d.last]
-        with untraced():
-            P_B = d.shaft.loss(before)
-            P_B = d.shaft.loss(before + P_B)
-        journals = d.shaft.journals(before + P_B)
-        P_B = d.shaft.loss(before + P_B)
+        journals = d.shaft.journals(at_gear)
+        P_B = d.shaft.sum(journals)
         with about(f"wheel {d.last}"):
-            needed[d.last] = with_bearings(P=before, P_B=P_B)
+            needed[d.last] = with_bearings(P=needed[d.last], P_B=P_B)
         meshes, P_1, P_2 = *_up(d, needed, loads), None
     else:
         meshes, P_1, P_2 = _down(d, needed, loads)
     with about("train"):
-        P_VZ = _total(and_mesh, [mesh.judged.loss for mesh in meshes.values()])
-        P_W = _total(and_windage, [wheel.windage for wheel in wheels.values()])
-        P_C = _total(and_churning, [wheel.churning for wheel in wheels.values()])
-        P_J = _total(and_thrown_oil, [wheel.thrown_oil for wheel in wheels.values()])
-        P_D = _total(and_seal, [wheel.seal_loss for wheel in wheels.values()])
-        P_L = _total(and_wheel_bearing, [wheel.bearing_loss for wheel in wheels.values()])
-        P_X = _total(and_other_loss, [wheel.other_loss for wheel in wheels.values()])
+        P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()])
+        P_W = _total(sums.windage, [wheel.windage for wheel in wheels.values()])
+        P_C = _total(sums.churning, [wheel.churning for wheel in wheels.values()])
+        P_J = _total(sums.thrown_oil, [wheel.thrown_oil for wheel in wheels.values()])
+        P_D = _total(sums.seals, [wheel.seal_loss for wheel in wheels.values()])
+        P_L = _total(sums.bearings, [wheel.bearing_loss for wheel in wheels.values()])
+        P_X = _total(sums.other_losses, [wheel.other_loss for wheel in wheels.values()])
         parts = dict(P_B=P_B, P_VZ=P_VZ, P_W=P_W, P_C=P_C, P_J=P_J, P_D=P_D, P_L=P_L, P_X=P_X)
-        P = total_loss(**{name: 0.0 if part is None else part for name, part in parts.items()})
+        P = sums.total_loss(**{name: 0.0 if part is None else part for name, part in parts.items()})
         T_1 = torque(P=P_1, n=wheels[d.first].speed)
         b_e = d.friction.specific_fuel_consumption
         m_B = None if b_e is None else fuel(b_e=b_e, P=P)
@@ -254,11 +228,10 @@ def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
     )  # fmt: skip
 
 
-def _total(and_one: Any, parts: list[Watt | None]) -> Any:
+def _total(adding: Any, parts: list[Watt | None]) -> Any:
     """The sum of what is there, line by line; None where nothing is."""
     there = [part for part in parts if part is not None]
-    (name,) = [name for name in and_one.parameters if name != "P"]
-    return reduce(lambda P, part: and_one(**{"P": P, name: part}), there) if there else None
+    return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else None
 
 
 def _up(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tuple[dict[str, MeshResult], Watt]:

@@ -67,16 +67,6 @@ def with_mesh(P: Watt, P_in: Watt) -> Watt:
     return P + P_in
 
 
-@formula("P_X", "no other loss is carried by the wheel", shows="0")
-def no_other_loss() -> Watt:
-    return float("0")
-
-
-@formula("P_X", "the wheel also carries the other loss P")
-def with_other_loss(P_X: Watt, P: Watt) -> Watt:
-    return P_X + P
-
-
 # --- the fixed point ---------------------------------------------------------------------------------------------------------
 class Guess:
     """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two passes."""

@@ -17,7 +17,7 @@ from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table
 from ...sheet.trace import untraced
 from ...sheet.units import Celsius, RevPerSecond, Watt
-from ..balance.closure import Drive, Losses, drive, losses_of
+from ..balance.closure import Drive, Losses, drive, losses_of, shaft_loss
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
 from ..result import carbon_dioxide, fuel
@@ -73,7 +73,7 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
     if on is not None:
         with untraced(), np.errstate(all="ignore"):
             shaft = journals_at(on, ratio, T)
-            good &= np.isfinite(shaft.loss(None))
+            good &= np.isfinite(shaft_loss(shaft, None))
     parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
     missing = "" if good.all() else f"at {int((~good).sum())} of {good.size} points a journal has no film in the range of its table"
     if good.any():
@@ -89,7 +89,7 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
 
 def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
     fineness: Any = SPUR_FINENESS if all(mesh.spur for mesh in d.meshes.values()) else FINENESS
-    own: Any = replace(d.friction, bulk_temperature=None)  # type: ignore[arg-type]  # what was measured once says nothing elsewhere
+    own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
         many = drive(own, d.meshes, d.lubricant, T, d.wheels[d.first].speed * ratio, shaft, d.forces, d.lubrication, **fineness)
         return losses_of(many, None if power is None else power * ratio)

@@ -78,7 +78,7 @@ def solved(
 def _one(
     d: Drive, s: Scenario, oils: Mapping[str, Oil], law: str, power: Watt | None, on: OnShaft | None
 ) -> ScenarioResult:  # fmt: skip
-    measured: Any = d.friction.bulk_temperature if s.oil_temperature is None else None
+    measured = d.friction.bulk_temperature if s.oil_temperature is None else None
     own = replace(
         d.friction, load_sharing=s.load_sharing or d.friction.load_sharing, flank_roughness=s.flank_roughness or d.friction.flank_roughness,
         bulk_temperature=measured,

@@ -56,11 +56,12 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
     Lambda, mu_s, rho_m = d.oil.Lambda, f.solid_friction, f.mist_density
     shown = " and ".join(short(Ra * 1e6) for Ra in f.flank_roughness)
     thin = min(AIR_DENSITY, rho_m)
+    why_Lambda = "as given, ±40 %" if d.lubricant.oil.limiting_shear is not None else "by base stock, ±40 %"
     open_: list[tuple[str, float, tuple[float, float], str, str, tuple[str, str], str]] = [
-        ("Lambda", Lambda, _about(Lambda, 0.4), "limiting shear Λ", "Λ", _both(Lambda, 0.4), "by base stock, ±40 %"),
+        ("Lambda", Lambda, _about(Lambda, 0.4), "limiting shear Λ", "Λ", _both(Lambda, 0.4), why_Lambda),
         ("thickening", 1.0, _about(1.0, 0.2), "pressure-viscosity α", "α", ("−20 %", "+20 %"), "published laws for one oil differ so much"),
         ("rough", 1.0, _about(1.0, 0.3), "flank roughness Ra", "Ra", (f"{shown} µm −30 %", "+30 %"), "new to run-in flanks, own rule"),
-        ("mu_s", mu_s, _about(mu_s, 0.2), "friction of the solids μ_s", "μ_s", _both(mu_s, 0.2), "0.1 to 0.16 in the literature"),
+        ("mu_s", mu_s, _about(mu_s, 0.2), "friction of the solids μ_s", "μ_s", _both(mu_s, 0.2), "±20 %, the spread of the literature"),
         ("mist", rho_m, (thin, 2 * rho_m), "density of the oil mist", "mist", _kgm3(thin, 2 * rho_m), "air alone to twice what is assumed"),
     ]
     T: Any = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
@@ -124,17 +125,17 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
     words = {"judged": "by regime, with rolling", "source": "EHL everywhere, no rolling"}
     other("film", "film", words[f.film], words[film], "the friction source's model, or by Johnson's regimes", film=film)
     if f.film == "judged":
-        P, why = _number(_power(d, f, power, count="sliding_loss")), "the bound supposes a full inlet"
+        P, why = _number(_power(d, f, power, rolling=False)), "the bound supposes a full inlet"
         found.append(Swing("rolling of the rigid film", "rolling", "none: a starved inlet", "full inlet", P, nominal, why))
     return found
 
 
-def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, count: str = "loss") -> Any:
+def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, rolling: bool = True) -> Any:
     """The power of the train's losses under other constants; None where one of them has no solution."""
     first_speed = d.wheels[d.first].speed
     try:
         other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, assumed)
-        return total_losses(replace(other, count=count), power)
+        return total_losses(replace(other, rolling=rolling), power)
     except NoSolution:
         return None
 

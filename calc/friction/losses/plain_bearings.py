@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The bush of an idler on its pin: full film, the load stands, the bush turns; the oil is as warm as that of the teeth.
+"""The bush of an idler on its pin: full film, the load stands, the bush turns; the oil is that of the wheels.
 
 The eccentricity is that of Reynolds' solution; a load too light for its table leaves the pin in the middle (Petroff).
 """

@@ -28,14 +28,11 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )  # fmt: skip
-from ..balance.power import no_other_loss, with_other_loss
 from ..inputs import Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.motion import wheel_speed
-from . import churning, jets, plain_bearings, rolling_bearings, seals
+from . import churning, jets, plain_bearings, rolling_bearings, seals, sums
 from .windage import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
-
-Forces = Callable[[Mapping[str, Watt]], Mapping[str, Newton]]
 
 
 @result
@@ -126,27 +123,27 @@ def unloaded(
     for name, n in speeds.items():
         wheel, beta_b = bodies[name]
         with about(f"wheel {name}"):
-            P_X = no_other_loss()
+            P_X = sums.no_other_loss()
             for other in others.get(name, ()):
                 with about(f"wheel {name}, {other.name}"):
-                    P_X = with_other_loss(P_X=P_X, P=require(f"other loss {other.name}", other.power, zero=True))
+                    P_X = sums.other_losses_on_wheel(P=P_X, P_i=require(f"other loss {other.name}", other.power, zero=True))
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
         found[name] = WheelResult(
             speed=n, windage=P_W, other_loss=P_X,
-            churning=_sum(name, dips.get(name, ()), _churned, wheel, beta_b, n, around),
-            thrown_oil=_sum(name, thrown.get(name, ()), _thrown, wheel, n, around),
-            seal_loss=_sum(name, sealed.get(name, ()), _sealed, n, around),
+            churning=_sum(name, dips.get(name, ()), sums.churning_on_wheel, _churned, wheel, beta_b, n, around),
+            thrown_oil=_sum(name, thrown.get(name, ()), sums.thrown_oil_on_wheel, _thrown, wheel, n, around),
+            seal_loss=_sum(name, sealed.get(name, ()), sums.seals_on_wheel, _sealed, n, around),
         )  # fmt: skip
     return found
 
 
-def _sum(name: str, entries: Sequence[Any], power: Callable[..., Watt], *asked: Any) -> Watt | None:
+def _sum(name: str, entries: Sequence[Any], adding: Any, power: Callable[..., Watt], *asked: Any) -> Watt | None:
     """The losses of several entries of one kind on one wheel; None where there is none."""
     total: Watt | None = None
     for entry in entries:
         with about(f"wheel {name}, {entry.name}"):
             P = power(entry, *asked)
-            total = P if total is None else with_other_loss(P_X=total, P=P)
+            total = P if total is None else adding(P=total, P_i=P)
     return total
 
 
@@ -196,8 +193,9 @@ def carrying(
         here = (*rolling.get(name, ()), *plain.get(name, ()))
         if not here:
             continue
-        F = next((bearing.load for bearing in here if bearing.load is not None), forces.get(name, 0.0))
-        P = _sum(name, here, _borne, forces.get(name, 0.0), wheel.speed, state, lubricant.oil.base)
+        given = [bearing.load for bearing in here]
+        F = forces.get(name, 0.0) if None in given else sum(given)
+        P = _sum(name, here, sums.bearings_on_wheel, _borne, forces.get(name, 0.0), wheel.speed, state, lubricant.oil.base)
         assert P is not None
         found[name] = F, P
     return found

@@ -3,7 +3,7 @@
 """What the wheels lose to the air and oil mist around them, loaded or not.
 
 Anderson and Loewenthal give the loss of a spur wheel in a mist of one part oil in 34.25 parts air; other mists are scaled by the
-same law of turbulent discs, P ~ ρ^0.8·η^0.2.  Churning of a wheel that dips into oil is another matter and not counted.
+same law of turbulent discs, P ~ ρ^0.8·η^0.2.  A wheel that dips into oil churns it besides (`churning.py`).
 """
 
 from ...sheet.formula import formula

@@ -13,7 +13,7 @@ from typing import Any, cast
 import numpy as np
 
 from ...contact.hertz import half_width, hertz_pressure, mean_pressure
-from ...contact.teeth import bulk_rise, bulk_temperature, mean_roughness
+from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature, mean_roughness
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -29,9 +29,8 @@ from .geometry import MeshGeometry, column, flat, require
 from .motion import Motion, motion
 from .path import Path, array, line_load, path, transverse_force
 from .rolling import ehl_rolling_power, rigid_rolling_power
-from .traction import HOTTEST, Surfaces, Traction, body_resistance, combined_roughness, place, skin_temperature, traction
+from .traction import HOTTEST, THESIS, Surfaces, Traction, body_resistance, combined_roughness, place, skin_temperature, traction
 
-THESIS = "gear friction thesis"
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
 PASSES = 100
@@ -168,7 +167,8 @@ def case(
     surfaces = Surfaces(sigma=sigma, mu_s=mu_s, roelands=friction.pressure_law == "roelands", M_1=M_1, M_2=M_2)
     return Case(
         mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2), surfaces=surfaces,
-        warming=warming or Warming(oil.T_m, 1.2, 1.0), estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
+        warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
+        estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
     )  # fmt: skip
 
 
@@ -190,7 +190,8 @@ class Local:
         column, p_H = np.asarray(getattr(self, name)), np.asarray(self.p_H)
         if name not in ("h", "lam", "mu"):
             return column
-        return np.where(p_H >= LOADED**0.5 * np.max(p_H * (1 - 1e-9)), column, np.nan)
+        least = LOADED**0.5 * np.max(p_H) * (1 - 1e-9)  # pressure goes with the root of the load; less the last digits
+        return np.where(p_H >= least, column, np.nan)
 
 
 @result

@@ -5,6 +5,7 @@ Speed, power and oil temperature may be arrays, and so are the results then.  Th
 arrays in the processor's cache and the memory small however many there are.
 """
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,7 @@ def losses(
     """
     T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
+    friction = replace(friction, bulk="oil")  # the teeth have the temperature that is asked for
     parts = []
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         for start in range(0, P_all.size, AT_ONCE):

@@ -12,9 +12,7 @@ from ...sheet.functions import pi
 from ...sheet.record import record
 from ...sheet.units import Metre, MetrePerSecond, Number, Pascal, RadPerSecond, RevPerSecond
 from .geometry import MeshGeometry, column, require
-from .path import Path
-
-AGMA = "AGMA 925-A03, as generally published"
+from .path import AGMA, Path
 
 
 @formula("n_2", "ratio of the teeth", unit="rpm")

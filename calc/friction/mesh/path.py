@@ -9,7 +9,7 @@ E, and the load of a position follows from the total length of all contact lines
 
 Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink at C; behind
 them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is right to 1e-7 (1e-5 with
-smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/test_path.py).  Where the
+smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/mesh/test_path.py).  Where the
 lubrication regime changes on the path (`cells.py`), of both to 3e-4.
 """
 

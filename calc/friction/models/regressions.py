@@ -47,12 +47,12 @@ XU = "Xu and Kahraman 2005, as generally published"
 
 @formula(
     "μ_m",
-    "Schlenk 1994, ISO/TR 14179-2, as generally published; line load no less than 150 N/mm",
+    "Schlenk 1994, ISO/TR 14179-2, as generally published",
     names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
 )
 def schlenk(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number) -> Number:
     return (
-        0.048 * (largest(w_t, LOWEST_LINE_LOAD) / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
+        0.048 * (w_t / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
         * (eta_0 / MILLIPASCAL_SECOND) ** -0.05 * (Ra / MICROMETRE) ** 0.25 * X_L
     )  # fmt: skip
 
@@ -122,7 +122,9 @@ def beside(c: Case, P: Watt, H_V: Number) -> dict[str, Any]:
 # --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------
 def of_schlenk(c: Case, P: Watt, H_V: Number) -> Regression:
     u_C, R_C, w_bt = c.path.at_pitch_point(c.motion.u_e), c.path.at_pitch_point(c.motion.R), _line_load(c, P)
-    mu_m = schlenk(w_t=w_bt, v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c))
+    mu_m = schlenk(
+        w_t=counted_line_load(w_bt=w_bt), v_SumC=sum_of_speeds(v_C=u_C), rho_C=R_C, eta_0=flat(_eta(c)), Ra=flat(c.Ra), X_L=_X_L(c)
+    )
     return Regression(friction_mean=mu_m, loss=loss_of_mean_friction(P=P, mu_m=mu_m, H_V=H_V), outside=_outside_tests(c, w_bt, u_C))
 
 

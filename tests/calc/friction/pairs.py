@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from calc.catalogue import oils
-from calc.friction.balance.closure import Fixed, drive
+from calc.friction.balance.closure import drive
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry
@@ -29,6 +29,19 @@ def reference(name):
 
 def recorded(name):
     return json.loads((RECORDED / name).read_text(encoding="utf-8"))
+
+
+class Fixed:
+    """A counter-shaft whose loss is known, whatever its gear does."""
+
+    def __init__(self, P_B):
+        self.P_B = P_B
+
+    def journals(self, P):
+        return {}
+
+    def sum(self, journals):
+        return self.P_B
 
 
 def friction(**said):

@@ -284,7 +284,7 @@ def test_what_the_given_power_means_is_said():
 def test_errata_are_methods_save_what_is_printed():
     found = closed(shaft_power=None, power=100.0, speed=25.0, T=40.0, meshes=only(spur_pair()), oil="friction thesis 10W40")
     sources = {e.about: e.source for e in found.errata}
-    assert sources.pop("friction.oil_viscosity").startswith("printed in ")
+    assert sources.pop("friction.oil_viscosity").startswith("printed viscosity")
     assert len(sources) == 4 and all(s.startswith("method of the gear friction thesis") for s in sources.values())
 
 

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from calc.friction.balance.closure import Fixed, drive
+from calc.friction.balance.closure import drive
 from calc.friction.inputs import Dip, Jet, PlainBearing, RollingBearing, Seal
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.loss import case, solve_mesh
@@ -18,7 +18,7 @@ from calc.sheet.errors import BadInput, NoSolution
 from calc.solve import solve
 
 from .documents import changed, design, gamma, pair
-from .pairs import closed, friction, lubricant, r753, shown, spur_pair
+from .pairs import Fixed, closed, friction, lubricant, r753, shown, spur_pair
 
 NAN, INF = math.nan, math.inf
 ONLY = {"pinion_gear": spur_pair()}

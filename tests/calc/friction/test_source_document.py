@@ -11,8 +11,7 @@ from calc.design_file import design, read
 from calc.friction.mesh import film as films
 from calc.friction.mesh import traction as t
 from calc.friction.mesh.loss import case, solve_mesh
-from calc.friction.mesh.path import array
-from calc.friction.models.regressions import _load as load_of
+from calc.friction.mesh.path import array, line_load, transverse_force
 from calc.solve import solve
 
 from .pairs import friction, oil, spur_pair
@@ -91,7 +90,7 @@ def test_the_argument_falls_with_the_temperature():
 
 def test_the_regime_at_100_w():
     c, found = light(by_regime=True)
-    w, _ = load_of(c, 100.0)
+    w, _ = line_load(c.mesh, c.path, transverse_force(P=100.0, omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
     w_C, R, u_e = (c.path.at_pitch_point(x) for x in (w, c.motion.R, c.motion.u_e))
     W, U = films.load_parameter(w=w_C, E_r=c.motion.E_r, R=R), films.speed_parameter(eta_0=c.oil.eta_0, u_e=u_e, E_r=c.motion.E_r, R=R)
     G = films.materials_parameter(alpha=c.oil.alpha, E_r=c.motion.E_r)

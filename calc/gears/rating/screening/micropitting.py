@@ -51,7 +51,6 @@ MICROMETRE: Metre = 1e-6
 MILLIMETRE: Metre = 1e-3
 NEWTON_PER_MILLIMETRE: NewtonPerMetre = 1e3
 MILLIPASCAL_SECOND: PascalSecond = 1e-3
-KILOWATT: Watt = 1e3
 ZERO: Celsius = 273.0  # as the standard rounds it
 THIRTY_EIGHT: Celsius = 311.0
 FALL: Celsius = 516.0

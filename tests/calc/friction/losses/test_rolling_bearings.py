@@ -97,7 +97,9 @@ def rollers(R_1, S_2):
 def test_a_6205_by_skf(F, rpm, nu):
     one = bearing(method="skf", series="62", count=1, lubrication="bath")
     assert power(one, F, rpm, nu) == pytest.approx(by_skf(F, rpm, nu, *balls(3.9e-7, 3.23e-3), 3.1, 0.05), rel=1e-9)
-    assert power(bearing(method="skf", series="62", count=2, lubrication="bath"), 2 * F, rpm, nu) == pytest.approx(2 * power(one, F, rpm, nu))
+    assert power(bearing(method="skf", series="62", count=2, lubrication="bath"), 2 * F, rpm, nu) == pytest.approx(
+        2 * power(one, F, rpm, nu)
+    )
 
 
 def test_a_6205_lies_between_the_rules_of_thumb():

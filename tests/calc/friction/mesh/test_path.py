@@ -14,7 +14,7 @@ from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force
 from calc.sheet.errors import NoSolution
 
-from .pairs import friction, fzg, oil, r753, reference, spur_pair
+from ..pairs import friction, fzg, oil, r753, reference, spur_pair
 
 VECTORS = reference("friction_vectors.toml")
 OIL = "10W-40 Q8 T905"

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The sums over losses of one kind, one after the other: of the entries on a wheel, and of all wheels and meshes."""
+
+from ...sheet.formula import formula
+from ...sheet.units import Watt
+
+ON = "sum over what a wheel carries of it, one after the other"
+OVER = "sum over the wheels, one after the other"
+
+
+@formula("P_C", ON, names={"P": "P_C"})
+def churning_on_wheel(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_J", ON, names={"P": "P_J"})
+def thrown_oil_on_wheel(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_D", ON, names={"P": "P_D"})
+def seals_on_wheel(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_L", ON, names={"P": "P_L"})
+def bearings_on_wheel(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P_X", "no other loss is carried by the wheel", shows="0")
+def no_other_loss() -> Watt:
+    return float("0")
+
+
+@formula("P_X", ON, names={"P": "P_X"})
+def other_losses_on_wheel(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ", "P_i": "P_VZ"})
+def meshes(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_W", OVER, names={"P": "ΣP_W", "P_i": "P_W"})
+def windage(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_C", OVER, names={"P": "ΣP_C", "P_i": "P_C"})
+def churning(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_J", OVER, names={"P": "ΣP_J", "P_i": "P_J"})
+def thrown_oil(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_D", OVER, names={"P": "ΣP_D", "P_i": "P_D"})
+def seals(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_L", OVER, names={"P": "ΣP_L", "P_i": "P_L"})
+def bearings(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("ΣP_X", OVER, names={"P": "ΣP_X", "P_i": "P_X"})
+def other_losses(P: Watt, P_i: Watt) -> Watt:
+    return P + P_i
+
+
+@formula("P", "sum of all losses of the train; what it does not have counts 0")
+def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_C: Watt, P_J: Watt, P_D: Watt, P_L: Watt, P_X: Watt) -> Watt:
+    return P_B + P_VZ + P_W + P_C + P_J + P_D + P_L + P_X
