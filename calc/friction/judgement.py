@@ -17,13 +17,13 @@ from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .mesh.loss import loss_factor, solve_mesh
 from .mesh.path import array, line_load
 from .mesh.traction import THESIS
+from .models.compared import MODELS
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = "rule of this program"
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 HOT_TEETH = 150.0  # °C
-NAMES = {"schlenk": "Schlenk", "niemann": "Niemann and Winter", "xu_kahraman": "Xu and Kahraman", "benedict_kelley": "Benedict and Kelley"}
 
 
 def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
@@ -59,16 +59,16 @@ def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...
 def _models(result: FrictionResult) -> Check:
     """How many of the published regressions hold for every mesh."""
     meshes = result.meshes.values()
-    outside = [name for name in NAMES if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))]
+    outside = [name for name in MODELS if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))]
     return check(
         "friction.train.models",
         "Published regressions inside their range at every mesh",
-        float(len(NAMES) - len(outside)),
+        float(len(MODELS) - len(outside)),
         ">=",
-        float(len(NAMES)),
+        float(len(MODELS)),
         "",
         "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
-        f"Outside: {', '.join(NAMES[name] for name in outside) or 'none'}; the tables of the models say by what. Their losses are "
+        f"Outside: {', '.join(MODELS[name].authors for name in outside) or 'none'}; the tables of the models say by what. Their losses are "
         "extrapolations; nothing is judged by them.",
         kind="advice",
     )

@@ -9,6 +9,7 @@ from ..sheet.quantity import group, result, value
 from ..sheet.units import Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
 from .mesh.loss import Case, MeshLoss
+from .models.compared import MODELS
 from .models.regressions import Regression
 
 KilogramPerSecond = Annotated[float, "kg/s"]
@@ -50,7 +51,7 @@ class MeshResult:
 
     @property
     def published_models(self) -> dict[str, Regression | None]:
-        return {name: getattr(self, name) for name in ("schlenk", "niemann", "xu_kahraman", "benedict_kelley")}
+        return {name: getattr(self, name) for name in MODELS}
 
 
 def by_regime(mesh: MeshResult) -> MeshLoss:

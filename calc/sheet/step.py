@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 from .check import Check, worst
+from .errors import NoSolution
 from .quantity import Published, published
 from .record import record
 from .trace import Line
@@ -135,7 +136,10 @@ class Outcome:
         """The same outcome with what takes longer, made once."""
         if self.further is None or self.state != "solved":
             return self
-        more = self.further()
+        try:
+            more = self.further()
+        except (NoSolution, ArithmeticError, ValueError) as error:
+            more = Further(notes=(f"Not everything can be shown: {error}.",))
         return replace(
             self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
         )  # fmt: skip

@@ -20,14 +20,13 @@ from ...sheet.units import Celsius, RevPerSecond, Watt
 from ..balance.closure import Drive, Losses, drive, losses_of, shaft_loss
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
+from ..mesh.many import HELICAL_POINTS, SPUR_POINTS, STRIPS
 from ..result import carbon_dioxide, fuel
 
 SPEEDS = 7
 SLOWEST = 0.4  # of the speed of the design
 COOLER, STEPS, WARMER = 40.0, 4, 10.0  # K: the temperatures around that of the design
 COLDEST, HOTTEST = -20.0, 160.0
-FINENESS = {"points": 2, "strips": 5}  # of a helical path: 1 % of the loss of a mesh
-SPUR_FINENESS = {"points": 12}
 GRAM_PER_HOUR = 1e-3 / 3600
 BOUND = (
     "Clearances as made; rolling as an upper bound, which in cold oil lies far above what a real inlet rolls; other losses that are given "
@@ -88,10 +87,12 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
 
 
 def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
-    fineness: Any = SPUR_FINENESS if all(mesh.spur for mesh in d.meshes.values()) else FINENESS
+    spur = all(mesh.spur for mesh in d.meshes.values())
     own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
-        many = drive(own, d.meshes, d.lubricant, T, d.wheels[d.first].speed * ratio, shaft, d.forces, d.lubrication, **fineness)
+        speeds = d.wheels[d.first].speed * ratio
+        points = SPUR_POINTS if spur else HELICAL_POINTS
+        many = drive(own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS)
         return losses_of(many, None if power is None else power * ratio)
 
 

@@ -236,33 +236,44 @@ def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
-def _sound(c: Case, T: Any, what: str, advice: str) -> Any:
-    """The temperature, if the laws of the oil still hold there."""
-    if np.all(np.asarray(T) < HOTTEST):
-        return T
-    raise NoSolution(f"mesh {c.mesh.title}: temperature of the {what}", f"above {HOTTEST:g} °C, where the laws of the oil end", advice)
+def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Callable[[Any, str], NoSolution]) -> None:
+    """Secant steps until the temperature that follows from T is T; `gap_at` is called last with that one.
+
+    `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and its reason.
+    """
+    before: Any = None
+    for _ in range(PASSES):
+        gap = gap_at(T)
+        if np.max(np.abs(gap)) <= SKIN:
+            return
+        slope: Any = 0.0
+        if before is not None:
+            step = T - before[0]
+            slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, flattest)
+        before = T, gap
+        T = T + gap / (1 - slope)
+        if not np.all(np.asarray(T) < HOTTEST):
+            raise fail(gap, f"above {HOTTEST:g} °C, where the laws of the oil end")
+        T = T if np.ndim(T) else float(T)
+    raise fail(gap, f"off by {float(np.max(np.abs(gap))):.3g} K after {PASSES} passes")
 
 
 def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
-    """The loss with teeth as warm as it makes them: secant steps on their temperature, as a column where there are many points."""
-    T: Any = flat(c.warming.T_oil) + 0.0 * P
-    before = gap_before = None
-    for _ in range(PASSES):
+    """The loss with teeth as warm as it makes them, and their temperature, as a column where there are many points."""
+    T_oil = flat(c.warming.T_oil)
+    last: list[Any] = []
+
+    def gap_at(T: Any) -> Any:
         found = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
-        gap = flat(c.warming.T_oil) + warming_of(c, P, found.friction_mean, found.loss_factor) - T
-        if np.max(np.abs(gap)) <= SKIN:
-            return found, column(T)
-        slope: Any = 0.0
-        if before is not None:
-            step = T - before
-            slope = np.clip(1 + (gap - gap_before) / np.where(step == 0, 1.0, step), -1.0, 0.9)
-        before, gap_before = T, gap
-        T = T + gap / (1 - slope)
-        T = _sound(c, T if np.ndim(T) else float(T), "teeth", HOTTER_TEETH)
-    hot = float(np.max(np.abs(gap)))
-    point = f"operating point {int(np.argmax(np.abs(gap)))}, " if np.ndim(gap) else ""
-    tried = f"{point}off by {hot:.3g} K after {PASSES} passes"
-    raise NoSolution(f"mesh {c.mesh.title}: temperature of the teeth", tried, HOTTER_TEETH)
+        last[:] = found, column(T)
+        return T_oil + warming_of(c, P, found.friction_mean, found.loss_factor) - T
+
+    def fail(gap: Any, reason: str) -> NoSolution:
+        point = f"operating point {int(np.argmax(np.abs(gap)))}: " if np.ndim(gap) else ""
+        return NoSolution(f"mesh {c.mesh.title}: temperature of the teeth", point + reason, HOTTER_TEETH)
+
+    _steadied(gap_at, T_oil + 0.0 * P, 0.9, fail)
+    return last[0], last[1]
 
 
 def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
@@ -308,25 +319,21 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
     s, m = c.surfaces, c.motion
     if not (np.any(s.M_1) or np.any(s.M_2)):
         return c.oil
-    T_b, oil = c.oil.T_m, c.oil
-    T: Any = T_b
-    before: Any = None
+    T_b = c.oil.T_m
+    last: list[Any] = []
+
+    def gap_at(T: Any) -> Any:
+        oil = c.oil if T is T_b else c.oil.at(T)
+        _, t = rubbing(oil)
+        last[:] = oil, t
+        return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
+
+    def fail(gap: Any, reason: str) -> NoSolution:
+        where = f"{place(c.path.x, gap, int(np.argmax(np.abs(gap))))}: {reason}"
+        return NoSolution(f"mesh {c.mesh.title}: temperature of the skins", where, "less friction.body_resistance_K_W, power or speed")
+
     with untraced():
-        for _ in range(PASSES):
-            _, t = rubbing(oil)
-            gap: Any = skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
-            left = float(np.max(np.abs(gap)))
-            if left <= SKIN:
-                break
-            slope = 0.0
-            if before is not None:
-                step = T - before[0]
-                slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, 0.5)
-            before = T, gap
-            T = _sound(c, T + gap / (1 - slope), "skins", "less friction.body_resistance_K_W, less power or speed")
-            oil = c.oil.at(T)
-        else:
-            tried = f"{place(c.path.x, gap, int(np.argmax(np.abs(gap))))}: off by {left:.3g} K after {PASSES} passes"
-            raise NoSolution(f"mesh {c.mesh.title}: temperature of the skins", tried, "less friction.body_resistance_K_W")
+        _steadied(gap_at, T_b, 0.5, fail)
+    oil, t = last
     skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
     return oil

@@ -2,21 +2,32 @@
 """The loss of a mesh by all models side by side, each with its range; how far they spread."""
 
 from ...sheet.formula import formula
+from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.units import Number, Watt
 from ..mesh.loss import MeshLoss
 from .regressions import FASTEST, LOWEST_LINE_LOAD, RUNS, SMOOTH, Regression
 
 TESTS = f"line load from {LOWEST_LINE_LOAD / 1e3:g} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {FASTEST:g} m/s"
-RANGES = {
-    "schlenk": TESTS,
-    "niemann": TESTS,
-    "xu_kahraman": f"{RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g} MPa, roughness to {SMOOTH * 1e6:g} µm (from memory); one gear oil, 75W-90",
-    "benedict_kelley": "μ from 0.01 to 0.2 (held there)",
-}
-TITLES = {
-    "schlenk": "Schlenk × Ohlendorf", "niemann": "Niemann and Winter, Michaelis × Ohlendorf", "xu_kahraman": "Xu and Kahraman, integrated",
-    "benedict_kelley": "Benedict and Kelley, integrated",
+
+
+@record
+class Model:
+    """A published model: who made it, how its loss is found here, and where it holds."""
+
+    authors: str
+    how: str
+    range: str
+
+
+MODELS = {
+    "schlenk": Model("Schlenk", "× Ohlendorf", TESTS),
+    "niemann": Model("Niemann and Winter, Michaelis", "× Ohlendorf", TESTS),
+    "xu_kahraman": Model(
+        "Xu and Kahraman", "integrated",
+        f"{RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g} MPa, roughness to {SMOOTH * 1e6:g} µm (from memory); one gear oil, 75W-90",
+    ),
+    "benedict_kelley": Model("Benedict and Kelley", "integrated", "μ from 0.01 to 0.2 (held there)"),
 }  # fmt: skip
 
 
@@ -40,12 +51,13 @@ def table(
         ("EHL film, integrated (source)", source.loss, source.friction_mean, source.loss_factor, "EHL film thicker than a rigid one",
          "outside: a rigid isoviscous film governs" if rigid else ""),
     ]  # fmt: skip
-    for name, one in published.items():
+    for name, model in MODELS.items():
+        one, title = published[name], f"{model.authors} {model.how}"
         if one is None:
-            rows.append((TITLES[name], None, None, None, RANGES[name], "runs away: not shown"))
+            rows.append((title, None, None, None, model.range, "runs away: not shown"))
             continue
-        H = H_V if name in ("schlenk", "niemann") else by_regime.loss_factor
-        rows.append((TITLES[name], one.loss, one.friction_mean, H, RANGES[name], f"outside: {one.outside}" if one.outside else ""))
+        H = H_V if model.how == "× Ohlendorf" else by_regime.loss_factor
+        rows.append((title, one.loss, one.friction_mean, H, model.range, f"outside: {one.outside}" if one.outside else ""))
     columns = (("Model", ""), ("P_VZ", "W"), ("μ_m", ""), ("H", ""), ("Range", ""), ("Here", ""))
     note = "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film."
     return Table(

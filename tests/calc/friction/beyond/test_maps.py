@@ -47,7 +47,7 @@ def test_another_point_is_the_design_solved_there():
 def test_a_coarse_path_is_good_to_one_percent_of_the_meshes():
     said = friction()
     fine = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, None)
-    coarse = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, None, **maps.FINENESS)
+    coarse = drive(said, r753(), lubricant(), 120.0, CRANK_SPEED, None, points=maps.HELICAL_POINTS, strips=maps.STRIPS)
     a, b = total_losses(fine, 300.0), total_losses(coarse, 300.0)
     assert abs(a - b) < 0.01 * a
 

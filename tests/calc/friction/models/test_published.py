@@ -197,7 +197,7 @@ def test_the_regressions_are_told_by_their_ranges():
 def test_the_table_names_what_does_not_run():
     found = closed(flank_roughness=(3e-6,))
     table = next(t for t in found.tables if t.id == "models_idler_shaft")
-    row = next(row for row in table.rows if row[0] == compared.TITLES["xu_kahraman"])
+    row = next(row for row in table.rows if row[0].startswith("Xu and Kahraman"))
     assert row[1] is None and row[-1] == "runs away: not shown"
     assert len(table.rows) == 6
 
