@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 
 ISO_PATH = "ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014, as generally published"
 POINTS = 21  # samples of each of the three parts of the path
+LIGHTEST = 1e-9  # share of the load
 BESIDE = 1e-12  # how far beside B and D, of their place, the samples of the shared load stand
 FINEST: Number = 7.0  # the finest accuracy grade of which the load sharing still takes notice
 BUTTRESS: Number = 0.2  # of sin β_b, in radii of curvature at the pitch point
@@ -58,7 +59,7 @@ def load_share(rho_1: Metre, rho_A: Metre, rho_B: Metre, rho_D: Metre, rho_E: Me
     if isinstance(rho_1, float):
         return min(before if rho_1 < rho_B else after if rho_1 > rho_D else 1.0, 1.0)
     share: Any = np.where(rho_1 < rho_B, before, np.where(rho_1 > rho_D, after, 1.0))
-    return np.clip(share, 0.0, 1.0)  # the last digits of a contact ratio of 1 would make it less than nothing
+    return np.clip(share, LIGHTEST, 1.0)  # the last digits of a contact ratio of 1 would make it nothing, or less
 
 
 @formula(
