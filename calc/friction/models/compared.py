@@ -52,12 +52,12 @@ def table(
          "outside: a rigid isoviscous film governs" if rigid else ""),
     ]  # fmt: skip
     for name, model in MODELS.items():
-        one, title = published[name], f"{model.authors} {model.how}"
+        one, named = published[name], f"{model.authors} {model.how}"
         if one is None:
-            rows.append((title, None, None, None, model.range, "runs away: not shown"))
+            rows.append((named, None, None, None, model.range, "runs away: not shown"))
             continue
         H = H_V if model.how == "× Ohlendorf" else by_regime.loss_factor
-        rows.append((title, one.loss, one.friction_mean, H, model.range, f"outside: {one.outside}" if one.outside else ""))
+        rows.append((named, one.loss, one.friction_mean, H, model.range, f"outside: {one.outside}" if one.outside else ""))
     columns = (("Model", ""), ("P_VZ", "W"), ("μ_m", ""), ("H", ""), ("Range", ""), ("Here", ""))
     note = "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film."
     return Table(

@@ -242,3 +242,8 @@ def test_the_base_stock_lowers_the_friction(base, factor):
             case(friction(), r753()["idler_shaft"], oil_at(Lubricant(replace(lubricant().oil, base="mineral")), 80.0), 40.0), 5000.0, 0.13
         )
         assert mean(of) == pytest.approx(factor * mineral.friction_mean)
+
+
+def test_the_tables_are_named_by_their_meshes():
+    titles = [t.title for t in closed().tables if t.id.startswith("models_")]
+    assert [title.split(":")[0] for title in titles] == ["Mesh crank–central", "Mesh central–idler", "Mesh idler–shaft"]
