@@ -17,7 +17,7 @@ import numpy as np
 
 from bench.film import best
 from calc.catalogue import Oil, oils
-from calc.contact.teeth import loss_factor
+from calc.contact.teeth import ohlendorf_loss_factor
 from calc.design_file import design, read
 from calc.friction.balance.closure import balance
 from calc.friction.beyond.maps import over_speed_and_temperature
@@ -124,7 +124,7 @@ def beside(folder: Path) -> None:
 
     them, us = their_loss(), ours()
     c = of(fzg_c40(), Lubricant(oil, "d341"), 80.0, speed / 60, 49, flanks)
-    H_V = loss_factor(eps_1=c.path.epsilon_1, eps_2=c.path.epsilon_2, eps_alpha=c.path.epsilon_alpha, z_1=16, z_2=24, beta_b=0.0)
+    H_V = ohlendorf_loss_factor(eps_1=c.path.epsilon_1, eps_2=c.path.epsilon_2, eps_alpha=c.path.epsilon_alpha, z_1=16, z_2=24, beta_b=0.0)
     schlenk = of_schlenk(c, P, H_V)
     print(f"\nFZG C40{'GEARpie':>20s}{'here':>20s}")
     p_C = float(np.interp(c.path.C_C, us.local.x, us.local.p_H))

@@ -57,12 +57,12 @@ def mean_friction(
 
 
 @formula("H_v", f"Ohlendorf 1958, {ISO} (91), {AS_FOUND}: loss factor, ε_α below 2; exact where two pairs share the load half and half")
-def loss_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
+def ohlendorf_loss_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
     return (eps_1**2 + eps_2**2 + 1 - eps_alpha) * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
 @formula("H_v", f"{ISO} (92), {AS_FOUND}: loss factor, ε_α of 2 and more")
-def loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
+def ohlendorf_loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
     return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 

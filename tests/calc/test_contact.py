@@ -117,8 +117,8 @@ def test_the_rating_has_no_formula_of_its_own():
     for shared in (
         "bulk_rise",
         "bulk_temperature",
-        "loss_factor",
-        "loss_factor_high",
+        "ohlendorf_loss_factor",
+        "ohlendorf_loss_factor_high",
         "mean_friction",
         "roughness_factor",
         "sum_of_speeds",
@@ -130,14 +130,14 @@ def test_the_rating_has_no_formula_of_its_own():
 def test_the_loss_factor_of_high_teeth_is_that_of_two_pairs_where_both_hold():
     """ε_1 = ε_2 = 1: (1 + 1 + 1 − 2) against half of 2."""
     said = dict(eps_alpha=2.0, z_1=24, z_2=36, beta_b=0.3)
-    assert teeth.loss_factor(eps_1=1.0, eps_2=1.0, **said) == pytest.approx(teeth.loss_factor_high(**said))
+    assert teeth.ohlendorf_loss_factor(eps_1=1.0, eps_2=1.0, **said) == pytest.approx(teeth.ohlendorf_loss_factor_high(**said))
 
 
 def test_the_loss_factor_is_the_other_form_of_ohlendorf():
     """π·(u + 1)/(z_1·u·cos β_b)·(1 − ε_α + ε_1² + ε_2²)."""
     u, z_1, e = 1.5, 24, (0.8, 0.7)
     other = math.pi * (u + 1) / (z_1 * u * math.cos(0.25)) * (1 - sum(e) + e[0] ** 2 + e[1] ** 2)
-    assert teeth.loss_factor(eps_1=e[0], eps_2=e[1], eps_alpha=sum(e), z_1=z_1, z_2=z_1 * u, beta_b=0.25) == pytest.approx(other)
+    assert teeth.ohlendorf_loss_factor(eps_1=e[0], eps_2=e[1], eps_alpha=sum(e), z_1=z_1, z_2=z_1 * u, beta_b=0.25) == pytest.approx(other)
 
 
 def test_the_warming_by_hand():

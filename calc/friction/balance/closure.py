@@ -14,7 +14,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from ...contact.teeth import LUBRICATION_FACTOR, loss_factor, loss_factor_high
+from ...contact.teeth import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ...lubricant import Lubricant
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
@@ -275,11 +275,11 @@ def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
     rise = warming_of(c, P, judged.friction_mean, judged.loss_factor)
     z_1, z_2, way = mesh.driver.teeth, mesh.driven.teeth, c.path
     if way.epsilon_alpha < 2:
-        H_V = loss_factor(
+        H_V = ohlendorf_loss_factor(
             eps_1=way.epsilon_1, eps_2=way.epsilon_2, eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle
         )  # fmt: skip
     else:
-        H_V = loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
+        H_V = ohlendorf_loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
     with about(f"mesh {mesh.title}, {'source model' if regimes else 'by regime'}"):
         beside = solve_mesh(c, P, not regimes)
     with about(f"mesh {mesh.title}, regressions"):

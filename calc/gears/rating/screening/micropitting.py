@@ -14,9 +14,9 @@ import numpy as np
 from ....contact.teeth import (
     bulk_rise,
     bulk_temperature,
-    loss_factor,
-    loss_factor_high,
     mean_friction,
+    ohlendorf_loss_factor,
+    ohlendorf_loss_factor_high,
     roughness_factor,
     sum_of_speeds,
 )
@@ -177,9 +177,9 @@ def _teeth(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z
         w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=sum_of_speeds(v_C=path.v_C), rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
     )  # fmt: skip
     if path.eps_alpha < 2:
-        H_v = loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+        H_v = ohlendorf_loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
     else:
-        H_v = loss_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+        H_v = ohlendorf_loss_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
     P = power(F_t=load.F_t, d=d, n=path.n_1)
     T_M = bulk_temperature(T_oil=oil.T_oil, Delta_T=bulk_rise(P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S, X_Ca=UNRELIEVED))
     alpha_M = pressure_viscosity_at(alpha_38=oil.alpha_38, T=T_M)

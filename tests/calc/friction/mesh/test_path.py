@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from calc.contact.hertz import hertz_pressure
-from calc.contact.teeth import loss_factor as ohlendorf_loss_factor
+from calc.contact.teeth import ohlendorf_loss_factor
 from calc.friction.mesh.loss import case, loss_factor, solve_mesh
 from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import _legendre, line_load, linear_load_sharing, path, smooth_load_sharing, transverse_force

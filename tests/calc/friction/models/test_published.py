@@ -9,7 +9,7 @@ import pytest
 
 from calc.contact.hertz import half_width, hertz_pressure
 from calc.contact.line import relative_radius
-from calc.contact.teeth import loss_factor as ohlendorf
+from calc.contact.teeth import ohlendorf_loss_factor as ohlendorf
 from calc.contact.teeth import sum_of_speeds
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
