@@ -34,7 +34,8 @@ class Taken(ItemList):
         for id in TAKEN.get(self.step, ()):
             owner = id.partition(".")[0]
             if (known := values.get(id)) is not None:
-                label, text, unit = known.label, short(known.shown), known.unit
+                _, *part, _ = id.split(".")  # front or rear
+                label, text, unit = ", ".join((known.label, *part)), short(known.shown), known.unit
             else:
                 try:
                     about = quantity_of(self.session.data, id)
