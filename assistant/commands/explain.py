@@ -33,7 +33,7 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     for key, value in changes.items():
         document = document.with_value(key, value)
     if not asked.json:
-        told = ", ".join(f"{key} = {value}" for key, value in changes.items())
+        told = ", ".join(f"{key} left out" if value is None else f"{key} = {value}" for key, value in changes.items())
         print(f"scenario {name}: the design with {told or 'nothing changed'}\n")
     return _explain(Namespace(**{**vars(asked), "value": f"friction.{rest}"}), document, design_of(document))
 

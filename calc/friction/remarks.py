@@ -31,8 +31,8 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         if left_out is not None and left_out > NOTEWORTHY * mesh.judged.loss:
             found.append(
                 f"Mesh {mesh.case.mesh.title}: where its film is EHL, rolling is not counted; Goksem and Hargreaves estimate it at "
-                f"{short(left_out)} W beside the {short(mesh.judged.loss)} W that are. So the loss can fall where more load or colder oil "
-                "ends the rigid film."
+                f"{short(left_out)} W beside the {short(mesh.judged.loss)} W that are. So the loss can fall where more load ends "
+                "the rigid film."
             )
     for mesh in result.meshes.values():
         if abs(mesh.power_in - mesh.judged.load) > JUMP * mesh.power_in:
@@ -79,6 +79,11 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[s
         found.append(
             f"Carried by wheel {last}, the last, for their names begin with that of no wheel: {', '.join(strange)}; wheel = tells it."
         )
+    dry = [
+        d.name for d in friction.dips if (w := _body(result, carrier(d, result.wheels, last))).tip_radius - w.reference_radius >= d.depth
+    ]
+    if dry:
+        found.append(f"Only teeth dip, not the reference circle, from which churning is counted: no loss is found for {', '.join(dry)}.")
     deep = [dip.name for dip in friction.dips if dip.depth > 2 * _body(result, carrier(dip, result.wheels, last)).tip_radius]
     if deep:
         found.append(f"Under oil altogether, which the correlation of churning was not made for: {', '.join(deep)}.")

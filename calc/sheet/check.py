@@ -66,7 +66,10 @@ class Check:
         if math.isnan(self.margin):
             return "no number"
         if self.nearest[1] == 0:
-            return f"{self.margin:+.3g} {self.unit}".rstrip().replace("-", "−")
+            text = f"{self.margin:+.3g}".replace("-", "−")
+            if "e" in text:
+                text = ("+" if self.margin > 0 else "") + short(self.margin, 3)
+            return f"{text} {self.unit}".rstrip()
         percent = self.margin * 100
         if abs(percent) > 99999:  # of a limit that is all but zero
             return "beyond −99999 %" if percent < 0 else "beyond +99999 %"

@@ -30,8 +30,9 @@ COLDEST, HOTTEST = -20.0, 160.0
 GRAM_PER_HOUR = 1e-3 / 3600
 BOUND = (
     "Clearances as made; rolling as an upper bound, which in cold oil lies far above what a real inlet rolls; other losses that are given "
-    "stay. With fewer positions than the balance: within some 0.1 % of it."
+    "stay. With fewer positions than the balance: within some 0.1 % of it, 2 % where a film changes its regime."
 )
+AS_OIL = " Teeth as warm as the oil: the measured bulk temperature is that of one point."
 
 
 @record
@@ -116,7 +117,8 @@ def pictures(found: Map, d: Drive) -> tuple[tuple[Curve, ...], tuple[Table, ...]
         Curve("over_speed_parts", f"What loses it, oil at {labels[at]}", "n of the first driver, rpm", "P, W", parts),
     ]
     columns = (("n", "rpm"), *((label, "W") for label in labels))
-    tables = [Table("map", "Power lost over speed and oil temperature", columns, _rows(rpm, total), BOUND)]
+    note = BOUND + (AS_OIL if d.friction.bulk_temperature is not None else "")
+    tables = [Table("map", "Power lost over speed and oil temperature", columns, _rows(rpm, total), note)]
     b_e = d.friction.specific_fuel_consumption
     if b_e is not None:
         with untraced():

@@ -19,7 +19,7 @@ from ...sheet.quantity import group, result, value
 from ...sheet.step import Curve, Series, Table
 from ...sheet.trace import untraced
 from ...sheet.units import Celsius, NewtonMetre, Number, PascalSecond, Watt
-from ..balance.closure import Drive, balance, drive
+from ..balance.closure import Drive, balance, drive, shaft_loss
 from ..inputs import FrictionInputs, Scenario
 from ..journals import OnShaft, journals_at
 from ..mesh.loss import MeshLoss
@@ -91,6 +91,9 @@ def _one(
     if on is not None and any(shared):
         supply = T if shared[0] else next(iter(on.bearings.bearings.values())).duty.supply_temperature
         shaft = journals_at(on, 1.0, supply, lubricant if shared[1] else None)
+        if not np.isfinite(shaft_loss(shaft, None)):
+            tried = f"with {name} supplied at {supply:g} °C a journal has no film in the range of its table"
+            raise NoSolution("friction of the counter-shaft's journals", tried, "another oil or temperature for this scenario")
     other = drive(own, d.meshes, lubricant, T, d.wheels[d.first].speed, shaft, d.forces, d.lubrication)
     r = balance(other, None if d.shaft is not None else s.power or power)
     meshes = {key: ScenarioMesh(judged=mesh.by_regime or mesh.judged, source=mesh.source) for key, mesh in r.meshes.items()}
@@ -159,6 +162,8 @@ def as_design(design: Any, name: str) -> dict[str, Any]:
     if s.oil is not None:
         found["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
     if s.oil_temperature is not None:
+        if friction.bulk_temperature is not None:
+            found["friction.bulk_temperature_C"] = None  # it was measured at another temperature
         found["bearings.supply_temperature_C" if shared and friction.oil_temperature is None else "friction.oil_temperature_C"] = (
             s.oil_temperature
         )

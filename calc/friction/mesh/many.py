@@ -20,6 +20,7 @@ from .geometry import MeshGeometry, column
 from .loss import Local, MeshLoss, case, solve_mesh
 
 AT_ONCE = 500
+COLDEST, HOTTEST = -60.0, 400.0  # °C
 SPUR_POINTS, HELICAL_POINTS, STRIPS = 12, 2, 5  # some 50 positions of a spur path, 125 of a helical one
 
 
@@ -30,12 +31,15 @@ def losses(
     """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
 
     One number each or arrays of one length.  `by_regime`: False takes the EHL film everywhere.  `points`: of each piece of the path,
-    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, both to 2e-3 where the regime
-    changes on the path.  NoSolution names the operating point and the place on the path where the temperature of the film does not
+    4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, and where the regime changes on the
+    path to 4e-3 and 2e-2.  NoSolution names the operating point and the place on the path where the temperature of the film does not
     settle, or the quantity that has no meaning.
     """
     T_all, n_all, P_all = np.broadcast_arrays(*(np.atleast_1d(np.asarray(x, dtype=np.float64)) for x in (T, n_1, P)))
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
+    if not np.all((T_all > COLDEST) & (T_all < HOTTEST)):  # NaN is not
+        wrong = float(T_all[~((T_all > COLDEST) & (T_all < HOTTEST))][0])
+        raise NoSolution(f"mesh {mesh.title}: temperature of the teeth", f"is {wrong:g} °C", "a temperature of a liquid oil is needed")
     friction = replace(friction, bulk="oil")  # the teeth have the temperature that is asked for
     parts = []
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):

@@ -9,8 +9,9 @@ E, and the load of a position follows from the total length of all contact lines
 
 Positions are Gauss-Legendre points of the pieces between which the load jumps or has a kink, and the sliding its kink at C; behind
 them stand A … E themselves with no weight.  Against paths many times finer the power of a spur pair is right to 1e-7 (1e-5 with
-smooth load sharing, whose floor makes one more kink), of a helical one to 2e-4 (tests/calc/friction/mesh/test_path.py).  Where the
-lubrication regime changes on the path (`cells.py`), of both to 3e-4.
+smooth load sharing, whose floor makes one more kink), of a helical one to 1e-4 (tests/calc/friction/mesh/test_path.py).  Where the
+lubrication regime changes on the path (`cells.py`), to 1e-3 and 5e-3.  The least film and the highest pressure and temperature of a helical
+path are those of its positions, right to 1 %.
 """
 
 import math
@@ -31,7 +32,7 @@ from .geometry import MeshGeometry, require, sound
 
 POINTS = 40  # Gauss-Legendre points of each piece of a spur path
 HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
-STRIPS = 11  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
+STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
 FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
 
 AGMA = "AGMA 925-A03, as generally published"

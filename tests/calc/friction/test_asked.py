@@ -140,6 +140,17 @@ def test_a_list_that_may_be_one_number_is_swept(capsys):
     assert smooth < rough
 
 
+def test_a_scenario_leaves_a_measured_temperature_as_its_design_does():
+    from calc.friction.beyond.scenarios import as_design
+
+    asked = changed(gamma(), friction={"bulk_temperature_C": 130.0, "scenarios": [{"name": "cold", "oil_temperature_C": 60.0}]})
+    scenario = friction_of(asked).result.scenarios["cold"]
+    document = asked
+    for key, value in as_design(design(asked), "cold").items():
+        document = document.with_value(key, value)
+    assert friction_of(document).result.total_loss == pytest.approx(scenario.total_loss, rel=1e-8)
+
+
 def test_scenarios_stand_beside_the_design():
     outcome = friction_of(changed(gamma(), friction={"scenarios": [{"name": "rough", "flank_roughness_um": 1.6}]})).whole
     table = next(t for t in outcome.tables if t.id == "scenarios")
