@@ -13,12 +13,12 @@ from typing import Any
 
 from assistant.plain import table_json, table_lines
 from assistant.saving import write_asked
-from calc.design_file import design, read
+from calc.design_file import Document, design, read
 from calc.friction.beyond.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome, Table
 from calc.shipped import SCENARIOS
-from calc.solve import solve
+from calc.solve import Results, solve
 from calc.version import VERSION
 
 HOW = "give [[friction.scenarios]]: name, and oil, oil_temperature_C, load_sharing, flank_roughness_um or power_kW"
@@ -28,9 +28,9 @@ def run(asked: Namespace) -> int:
     """Exit code 3 where a design has no solution; nothing is judged."""
     files = [Path(name) for name in asked.files] or list(SCENARIOS)
     solved = [(path, *_solved(path)) for path in files]
-    unsolved = [(path, outcome) for path, _, outcome in solved if outcome.result is None]
-    found = [(path, name, outcome) for path, name, outcome in solved if outcome.result is not None]
-    shown = [(path, name, (*tables(outcome.result), *_models(outcome))) for path, name, outcome in found]
+    unsolved = [(path, outcome) for path, _, results in solved if (outcome := results.outcomes["friction"]).result is None]
+    found = [(path, document, results) for path, document, results in solved if results.outcomes["friction"].result is not None]
+    shown = [(path, results.design.name, _tables(results.outcomes["friction"])) for path, _, results in found]
     written = _write(Path(asked.output), found) if asked.output else []
     if asked.json:
         import json
@@ -51,20 +51,20 @@ def run(asked: Namespace) -> int:
     return 3 if unsolved else 0
 
 
-def _solved(path: Path) -> tuple[str, Outcome]:
+def _solved(path: Path) -> tuple[Document, Results]:
     document = read(path)
     made = design(document)
     if made.friction is None or not made.friction.scenarios:
         raise BadInput(str(path), [InputError(0, "friction.scenarios", "", f"there are none; {HOW}")])
-    return made.name, solve(made).outcomes["friction"]
+    return document, solve(made)
 
 
-def _models(outcome: Outcome) -> list[Table]:
-    """What other models say at the design's own conditions."""
-    return [table for table in outcome.tables if table.id.startswith("models_")]
+def _tables(outcome: Outcome) -> tuple[Table, ...]:
+    """The scenarios, then what other models say at the design's own conditions."""
+    return *tables(outcome.result), *(table for table in outcome.tables if table.id.startswith("models_"))
 
 
-def _write(folder: Path, found: list[tuple[Path, str, Outcome]]) -> list[Path]:
+def _write(folder: Path, found: list[tuple[Path, Document, Results]]) -> list[Path]:
     """The files that were written."""
     from reports.report import write
 
@@ -73,11 +73,10 @@ def _write(folder: Path, found: list[tuple[Path, str, Outcome]]) -> list[Path]:
     except OSError as error:
         raise BadInput(str(folder), [InputError(0, "-o", "", f"is no folder to write to: {error.strerror or error}")]) from None
     written = []
-    for path, _, outcome in found:
+    for path, document, results in found:
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
-        write_asked(curves, curves_text(outcome.result.scenarios))
-        document = read(path)
-        write(document, solve(design(document)), path.read_bytes(), report)
+        write_asked(curves, curves_text(results.outcomes["friction"].result.scenarios))
+        write(document, results, path.read_bytes(), report)
         written += [curves, report]
     return written
 

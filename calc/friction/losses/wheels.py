@@ -8,10 +8,11 @@ carried by the wheel that its name begins with, else by the last, through all me
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
+from ...bearings.formulas import angular_speed
 from ...lubricant import Lubricant, State
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import acos, atan, cos, pi, tan
+from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.trace import about
@@ -23,7 +24,6 @@ from ...sheet.units import (
     Number,
     PascalSecond,
     Radian,
-    RadPerSecond,
     RevPerSecond,
     SquareMetrePerSecond,
     Watt,
@@ -67,11 +67,6 @@ def helix_angle(beta_b: Radian, alpha_t: Radian) -> Radian:
 @formula("m_n", "definition of the normal module", unit="mm")
 def normal_module(r: Metre, beta: Radian, z: Number) -> Metre:
     return 2 * r * cos(beta) / z
-
-
-@formula("ω", "definition of angular speed")
-def angular_speed(n: RevPerSecond) -> RadPerSecond:
-    return 2 * pi * n
 
 
 @record
