@@ -101,7 +101,7 @@ class Doing:
     async def to_value(self, id: str) -> None:
         """The field of an input, or the step of a result."""
         me = self._me
-        step = next(s for s in STEPS if s.key == id.partition(".")[0])
+        step = next((s for s in STEPS if s.key == id.partition(".")[0]), self._me.step)
         try:
             place: Place | None = self.session.place(id)
         except BadInput:
@@ -339,6 +339,48 @@ class Doing:
             me.app.call_from_thread(me.app.tell, f"The report can not be written: {reason}", "error")
         else:
             me.app.call_from_thread(me.app.tell, f"PDF report: {path}")
+
+    # --- explaining
+    def action_explain(self) -> None:
+        """Where the number comes from that the cursor is on; then, if one was chosen, to the field of an input."""
+        me = self._me
+        asked = self._asked()
+        if not asked:
+            me.app.tell("There is nothing to explain here: go to a check, a line of the calculation or a value.")
+            return
+        from .explain import Explain
+
+        me.app.push_screen(Explain(self.session, **asked), self._explained)
+
+    async def _explained(self, key: str | None) -> None:
+        if key is not None:
+            await self.to_value(key)
+
+    def _asked(self) -> dict[str, Any]:
+        """What is to be explained: the check, the line or the value under the cursor."""
+        me, results = self._me, self.session.results
+        focused = me.focused
+        if results is None or not isinstance(focused, ItemList):
+            return {}
+        if isinstance(focused, Checks):
+            check = next((c for c in results.checks() if c.id == focused.key), None)
+            if check is None:
+                return {}
+            index = me.query_one(Calculation).sheet.line_of.get(check.id)
+            return {"check": check} | ({"line": results.outcomes[me.step.key].lines[index]} if index is not None else {})
+        if isinstance(focused, Calculation) and "." in focused.key:
+            return {"line": results.outcomes[me.step.key].lines[int(focused.key.partition(".")[2]) - 1]}
+        if focused.key in self.session.values():
+            return {"value": focused.key}
+        return {}
+
+    def action_line(self) -> None:
+        """From a check to the line of the calculation that gives its value."""
+        me = self._me
+        if isinstance(me.focused, Checks) and me.focused.key:
+            self.to_line(me.focused.key)
+        else:
+            me.app.tell("Go to a check first (F7, or F6 to the checks).")
 
     # --- help, palette, copy, end
     def action_help(self) -> None:

@@ -31,7 +31,7 @@ SCREEN = (
     "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), and a list with semicolons (-167.5; 167.5).",
     "(auto) stands where the program chooses because a field is empty.",
     "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input.",
-    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn. Enter on a check leads to its line.",
+    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn. Enter on a check, a line or a value walks back through its formulas to the inputs.",
     "Letters act as keys while no field is being edited: Esc leaves a field.",
     "Edits are kept aside as you work and come back after a crash; nothing is in the file before you save.",
     "The same numbers on the command line: contralbero check, explain, report, set, replay.",

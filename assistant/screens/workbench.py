@@ -322,14 +322,17 @@ class Workbench(Doing, Live):
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 
     async def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
-        """A step is opened; a check leads to its line; a value that was taken over leads to its owner."""
+        """A step is opened; a check and a line are explained, and a click on a check goes to its line; a value that was taken over leads to
+        its owner."""
         event.stop()
         source = event.source
         if isinstance(source, Steps):
             self.at_pane("inputs")
             await self.open_step(next(s for s in STEPS if s.key == event.key))
-        elif isinstance(source, Checks):
+        elif isinstance(source, Checks) and event.clicked:
             self.to_line(event.key)
+        elif isinstance(source, Checks) or (isinstance(source, Calculation) and not event.clicked):
+            self.action_explain()
         elif isinstance(source, Taken):
             await self.to_value(event.key)
 

@@ -57,7 +57,7 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
             await settled(pilot)
             seen.append((work(pilot).number, work(pilot).query_one(Checks).key))
         assert set(seen) == set(failing)
-        await strike(pilot, "enter")
+        await strike(pilot, "g")
         await settled(pilot)
         calculation = work(pilot).query_one(Calculation)
         assert calculation.has_focus and calculation.item is not None
