@@ -47,10 +47,10 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
 
         for check in results.checks():
             if check.id == asked.value:
-                if (value := behind(check, values)) is not None:
+                if (judged := behind(check, values)) is not None:
                     if not asked.json:
                         print(f"{check.id}: {check.name}, {short(check.value)} {check.unit}, needs {check.limit_text()}. Its value:\n")
-                    return _explain(Namespace(**{**vars(asked), "value": value}), document, design)
+                    return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
                 said = f"{check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()}. Source: {check.source}"
                 raise BadInput(document.place, [InputError(0, asked.value, "", f"is a check, not a value ({said})")])
         step = results.outcomes.get(asked.value.partition(".")[0])

@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 
+HINT = "Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes"
+
+
 class Explain(ModalScreen[str | None]):
     """Gives the key of an input that is to be gone to, None where there is none."""
 
@@ -54,7 +57,7 @@ class Explain(ModalScreen[str | None]):
         with Vertical(classes="dialog -tall"):
             yield Static(id="explain-title")
             yield ChainList(self.session)
-            yield Static(Content.styled("Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes", "dim"))
+            yield Static(Content.styled(HINT, "dim"))
 
     def on_mount(self) -> None:
         chain = self.query_one(ChainList)

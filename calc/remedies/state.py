@@ -115,5 +115,3 @@ def mended(before: State, after: State, step: str, ids: Iterable[str]) -> bool:
         return False
     failing = {c.id for c in after.failing(step)}
     return not failing if before.unsolved(step) else not failing & set(ids)
-
-
