@@ -42,6 +42,7 @@ class ContralberoApp(App[int]):
         super().__init__()
         self.session = session
         self.warned_of: Path | None = None  # the file of which was said that another program has changed it
+        self.guiding = True  # each form begins with what is to be decided in its step
         self.solves = 0  # results that were shown; for whoever waits for them
 
     def on_mount(self) -> None:

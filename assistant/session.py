@@ -6,7 +6,7 @@ field while the last valid design and its results stay as they were.
 """
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -18,6 +18,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
+from .changes import applied
 from .history import History, State
 from .places import Place, content_at, described, error_place, optional_table, without_empty
 from .recovery import Edits, Memory
@@ -248,6 +249,13 @@ class Session:
         texts = {k: v for k, v in self._state.texts.items() if k[: len(where)] != where}
         self.seal()
         self._step(State(changed(self._state.data, where, {} if there else None), texts), where)
+        self.seal()
+
+    def apply(self, changes: Iterable[str]) -> None:
+        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none."""
+        data = applied(self.document, changes).data
+        self.seal()
+        self._step(State(data, {}), None)
         self.seal()
 
     def ask(self, step: str) -> None:

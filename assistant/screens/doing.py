@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the keys of the main screen do, one method for each action of the table."""
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -10,6 +11,8 @@ from calc.design import STEPS
 from calc.sheet.errors import BadInput
 
 from ..actions import BY_ID
+from ..changes import told
+from ..offers.offer import CHOICES
 from ..places import Place
 from ..saving import SaveError
 from ..session import Session
@@ -21,6 +24,7 @@ from ..widgets.choice import Choice
 from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
+from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
@@ -339,6 +343,59 @@ class Doing:
             me.app.call_from_thread(me.app.tell, f"The report can not be written: {reason}", "error")
         else:
             me.app.call_from_thread(me.app.tell, f"PDF report: {path}")
+
+    # --- mending and choosing
+    def action_mend(self) -> None:
+        """Apply the remedy of the step that fails."""
+        me = self._me
+        if self.session.reasons() or not self.session.current:
+            me.app.tell("First the input has to be valid and solved." if self.session.reasons() else "It is still being solved.")
+            return
+        step, remedy = me.trouble, me.remedy
+        if not step:
+            me.app.tell("No limit fails.")
+        elif remedy is None:
+            me.app.tell("A remedy is still being looked for …")
+            me.seek_remedy()
+        elif not remedy.changes:
+            me.app.tell("No remedy was found: " + "; ".join(f"{one.name}: {one.why}" for one in remedy.left), "warning")
+        else:
+            self._apply(remedy.changes, f"{remedy.words}: {remedy.said}. Undo takes it back.")
+
+    def _apply(self, changes: Iterable[str], said: str) -> None:
+        """Make changes as one step of the undo, and say so."""
+        me = self._me
+        self.session.apply(changes)
+        if (field := me.form.field) is not None:
+            field.rewrite()
+        me.edited()
+        me.form.rebuild(me.form.here())
+        me.app.tell(said)
+
+    def action_choose(self) -> None:
+        """The ranked table of what can be chosen for this step."""
+        me = self._me
+        if me.step.key not in CHOICES:
+            there = ", ".join(s.title for s in STEPS if s.key in CHOICES)
+            me.app.tell(f"There is nothing to choose in this step; there is in {there}.")
+            return
+        if not self.session.valid:
+            me.app.tell("First the input has to be valid.", "warning")
+            return
+        from .choosing import Choosing
+
+        me.app.push_screen(Choosing(self.session, me.step.key), self._chosen)
+
+    def _chosen(self, changes: tuple[str, ...] | None) -> None:
+        if changes is not None:
+            self._apply(changes, "; ".join(told(self.session.document, changes)) or "The design is as it was.")
+
+    def action_guide(self) -> None:
+        """Show what is to be decided in each step, or leave it out."""
+        me = self._me
+        me.app.guiding = not me.app.guiding
+        for form in me.query(Form):
+            form.refresh_taken()
 
     # --- explaining
     def action_explain(self) -> None:

@@ -14,6 +14,7 @@ from calc.design import STEPS
 from calc.sheet.number import short
 
 from ..actions import ACTIONS, key_names
+from ..guide import GUIDES
 from ..places import Place
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import Checks
@@ -93,6 +94,10 @@ class HelpScreen(ModalScreen[None]):
             lines += [Content(f"· {text}") for text in said]
             if outcome is not None and outcome.reason:
                 lines.append(Content(outcome.reason))
+        guide = GUIDES[work.step.key]
+        lines += [Content(""), Content.styled(f"In step {work.number}, {work.step.title}", "bold")]
+        for word, text in (("Decide", guide.decide), ("Good", guide.good), ("Try", guide.trying)):
+            lines += [Content(row) for row in wrap(f"{word}: {text}", self.room, 2)]
         return [*lines, Content("")]
 
     def about_field(self, place: Place) -> list[Content]:
