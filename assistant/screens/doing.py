@@ -127,7 +127,9 @@ class Doing:
     def _move(self, by: int) -> None:
         me = self._me
         focused = me.focused
-        if isinstance(focused, ItemList):
+        if isinstance(focused, CurvePane):
+            focused.read_line(by)
+        elif isinstance(focused, ItemList):
             before = focused.cursor
             focused.move(by)
             if focused.cursor == before and me.pane == "inputs" and by < 0:
@@ -162,10 +164,12 @@ class Doing:
             me.query_one(f"#{name}", Pane).target.focus()
 
     def action_leave(self) -> None:
-        """Out of the field; out of a large pane; back to the form."""
+        """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
         me = self._me
         if isinstance(me.focused, (Entry, Choice)):
             me.form.focus(scroll_visible=False)
+        elif me.pane == "curve" and me.query_one(CurvePane).put_away():
+            pass
         elif me.large:
             me.large = False
             me.set_out()
@@ -188,11 +192,45 @@ class Doing:
             me.form.go(1)
 
     def action_curve(self) -> None:
+        self._turn_curve(1)
+
+    def action_curve_back(self) -> None:
+        self._turn_curve(-1)
+
+    def _turn_curve(self, by: int) -> None:
         me = self._me
         pane = me.query_one(CurvePane)
         if len(pane.leaves) < 2:
             me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
-        pane.action_turn(1)
+        pane.action_turn(by)
+
+    @work
+    async def action_curves(self) -> None:
+        """The list of all curves and tables of the step."""
+        from .curve_list import CurveList
+
+        me = self._me
+        pane = me.query_one(CurvePane)
+        if not pane.leaves or pane.leaf is None:
+            me.app.tell("This step has no curve.")
+            return
+        id = await me.app.push_screen_wait(CurveList(f"{me.number} {me.step.title}", pane.leaves, pane.leaf.id))
+        if id is not None:
+            pane.choose(id)
+            self.action_to_view("curve")
+
+    def action_read(self, by: int, fine: bool = False) -> None:
+        """Move the cursor of a curve, or the columns of a table."""
+        pane = self._me.query_one(CurvePane)
+        if self._me.focused is pane:
+            pane.read(by, fine)
+        elif self._me.focused is pane.list:
+            pane.list.action_columns(by)
+
+    def action_read_end(self, last: bool) -> None:
+        pane = self._me.query_one(CurvePane)
+        if self._me.focused is pane:
+            pane.read_end(last)
 
     def action_variant(self) -> None:
         me = self._me
@@ -363,7 +401,8 @@ class Doing:
         if isinstance(focused, ItemList) and focused.item is not None:
             text = getattr(focused.item, what) or focused.item.line
         elif me.pane == "curve" and (leaf := me.query_one(CurvePane).leaf) is not None:
-            text = leaf.title
+            reading = me.query_one(CurvePane).reading
+            text = leaf.title if reading is None else reading.value if what == "value" else f"{leaf.title}: {reading.line}"
         else:
             place = me.form.here() or me.form.last
             if place is not None and (place[-1] is not None) and me.session.text(place):

@@ -34,7 +34,8 @@ def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positio
 
 def _over_a_turn(order: int, word: str, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
     """What is left of the shaft's order, as the path over a turn, before and after the shaft."""
-    theta = np.radians(np.arange(0, 361, 3.0))
+    degrees = np.arange(0, 361, 3.0)
+    theta = np.radians(degrees)
     same, other = np.exp(-1j * theta), np.exp(1j * theta)
     alone = against * other + like * same
     after = against * other + (like + supplied) * same
@@ -42,6 +43,7 @@ def _over_a_turn(order: int, word: str, unit: str, like: complex, against: compl
         "residual" if word == "couple" else "residual_force", f"{WORDS[order]}-order {word} before and after the counter-shaft",
         f"horizontal, {unit}", f"vertical, {unit}",
         (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
+        along=("crank angle, °", degrees / order),
     )  # fmt: skip
 
 
