@@ -225,7 +225,7 @@ class Doing:
         if self._me.focused is pane:
             pane.read(by, fine)
         elif self._me.focused is pane.list:
-            pane.list.action_columns(by)
+            pane.list.leaf(by)
 
     def action_read_end(self, last: bool) -> None:
         pane = self._me.query_one(CurvePane)

@@ -34,12 +34,13 @@ class Legend:
                 parts = [parts[0], [*self._names(), self._how_to_read()]]
             return self._fitted(parts, axes, width, most)
         state = [*self._state(keys=False), Content.styled(self.reading.at, "bold")]
-        for parts in (
-            [state, [*self._reads(), *self._chains(), *self._limits()]], [state, [*self._reads()]], [state, [*self._reads(1)]],
-            [state, [*self._reads(1, brief=True)]], [state, [*self._reads(0)]], [state, [*self._reads(0, brief=True)]],
+        for parts, least in (
+            ([state, [*self._reads(), *self._chains(), *self._limits()]], 1),  # the limits have their names on their lines
+            ([state, [*self._reads()]], 0), ([state, [*self._reads(1)]], 0), ([state, [*self._reads(1, brief=True)]], 0),
+            ([state, [*self._reads(0)]], 0), ([state, [*self._reads(0, brief=True)]], 0),
         ):  # fmt: skip
             whole = all(part.cell_length <= width for group in parts for part in group)
-            if whole and len(_flow(parts, width)) <= most:
+            if whole and len(_flow(parts, width)) <= most - least:
                 break
         return self._fitted(parts, axes, width, most)
 

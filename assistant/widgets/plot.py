@@ -152,12 +152,12 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         if x_low == x_high:
             x_low, x_high = x_low - (abs(x_low) or 1.0) / 2, x_high + (abs(x_high) or 1.0) / 2
         height = max(2, self.size.height - self.margin_bottom - 2)
-        y_ticks = ticks(y_low, y_high, max(2, round(height * 0.8)))
+        y_ticks = ticks(y_low, y_high, max(2, height // 2))
         self.margin_left = 2 + max(map(len, self._y_formatter.get_labels_for_ticks(y_ticks)), default=4)
         width = max(4, self.size.width - self.margin_left - 2)
         if curve.equal:
             x_low, x_high, y_low, y_high = _round(x_low, x_high, y_low, y_high, width, height)
-            y_ticks = ticks(y_low, y_high, max(2, round(height * 0.8)))
+            y_ticks = ticks(y_low, y_high, max(2, height // 2))
         places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
         round_ = axis(curve.x_label)[1] == "°" and not curve.equal
         self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_))

@@ -197,16 +197,12 @@ class Reader:
     @cached_property
     def _digits(self) -> tuple[Digits, ...]:
         """Of each series; places in true scale all have the same."""
-        every = self.curve.series
-        if self.curve.equal:
-            ends = [(largest_of(s.x), largest_of(s.y)) for s in every]
-            own = [ends] if axis(self.curve.y_label)[1] == PLACES else [(largest_of(s.x), largest_of(s.y)) for s in self.sight.series]
-        else:
-            ends = [largest_of(s.y) for s in every]
-            own = [largest_of(s.y) for s in self.sight.series]
-        dust = DUST * largest_of(ends)
-        made = [Digits(one, dust) for one in own]
-        return tuple(made * len(self.sight.series) if len(made) == 1 else made)
+        axes = ("x", "y") if self.curve.equal else ("y",)
+        dust = DUST * max(largest_of(getattr(s, name)) for s in self.curve.series for name in axes)
+        own = [max(largest_of(getattr(s, name)) for name in axes) for s in self.sight.series]
+        if self.curve.equal and axis(self.curve.y_label)[1] == PLACES:
+            own = [max(own)] * len(own)
+        return tuple(Digits(one, dust) for one in own)
 
     def read(self, cursor: Cursor) -> Reading:
         cursor = self.kept(cursor)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a gear train: every mesh with its tip circles and its path of contact, one tooth of each wheel of one mesh, specific sliding."""
+"""The figures of a gear train: every mesh with tip circles and path of contact, one tooth of each wheel of one mesh, sliding."""
 
 import numpy as np
 
