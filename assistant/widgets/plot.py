@@ -152,12 +152,12 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         if x_low == x_high:
             x_low, x_high = x_low - (abs(x_low) or 1.0) / 2, x_high + (abs(x_high) or 1.0) / 2
         height = max(2, self.size.height - self.margin_bottom - 2)
-        y_ticks = ticks(y_low, y_high, max(2, height // 2))
+        y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
         self.margin_left = 2 + max(map(len, self._y_formatter.get_labels_for_ticks(y_ticks)), default=4)
         width = max(4, self.size.width - self.margin_left - 2)
         if curve.equal:
             x_low, x_high, y_low, y_high = _round(x_low, x_high, y_low, y_high, width, height)
-            y_ticks = ticks(y_low, y_high, max(2, height // 2))
+            y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
         places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
         round_ = axis(curve.x_label)[1] == "°" and not curve.equal
         self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_))
@@ -212,20 +212,20 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 free = left + len(label) + 1
 
     def _name_limits(self, canvas: Canvas) -> None:
-        """The name of each limit on its line, where it covers nothing else; as far to the right as may be."""
+        """The name of each limit on its line, or beside it, where it covers nothing else; as far to the right as may be."""
         if self._shown is None:
             return
         (sight, signs), room = self._shown, self._scale_rectangle
         for name, limit in finite_limits(sight.curve):
             said = f" {name} "
-            _, row = self.get_pixel_from_coordinate(self._x_min, limit)
-            for left in range(room.right - len(said) - 1, room.x, -1):
-                cells = [(column, row) for column in range(left, left + len(said))]
-                if row in range(room.y, room.bottom) and not any(cell in self._taken for cell in cells):
-                    for cell, char in zip(cells, said):
-                        canvas.set_pixel(*cell, char, signs.limit().colour)
-                    self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells})
-                    break
+            _, at = self.get_pixel_from_coordinate(self._x_min, limit)
+            lefts = range(room.right - len(said) - 1, room.x, -1)
+            places = ((row, left) for row in (at, at - 1, at + 1) if room.y <= row < room.bottom for left in lefts)
+            found = ([(column, row) for column in range(left, left + len(said))] for row, left in places)
+            cells = next((cells for cells in found if not any(cell in self._taken for cell in cells)), [])
+            for cell, char in zip(cells, said):
+                canvas.set_pixel(*cell, char, signs.limit().colour)
+            self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells})
 
     def _render_cursor(self, canvas: Canvas, reading: "Reading", style: str) -> None:
         """A line behind the curves where they are functions of x, and a mark on each of them."""

@@ -42,9 +42,9 @@ def test_the_path_of_contact_is_as_long_as_the_contact_ratio_says(whole, drawn):
 
 
 def test_the_tip_circles_stand_about_their_wheels_and_end_the_path_of_contact(whole, drawn):
-    """Contact begins on the driven wheel's tip circle and ends on the driver's; each tip stays clear of the mate's root."""
+    """Contact begins on the driven wheel's tip circle and ends on the driver's."""
     for key, m in whole.meshes.items():
-        below, above, *tips, path = drawn[f"profile_{key}"].series
+        below, _, *tips, path = drawn[f"profile_{key}"].series
         centres = -1j * m.working_diameter_driver / 2, 1j * m.working_diameter_driven / 2
         for name, circle, centre, touched in zip((m.driver, m.driven), tips, centres, (-1, 0)):
             assert circle.label == f"tip circle of {name}"
