@@ -2,7 +2,8 @@
 """Every action of the user, once: its keys, its word in the footer, its title and what it does.
 
 Bindings, footer, help screen and palette read this table, so they can not disagree.  `keys` act anywhere; `letters` act only
-while no field is being edited, because a field takes them as text.  The first key is the one that is shown.
+while no field is being edited, because a field takes them as text, or moves in its text with them.  The first key is the one that is
+shown.
 """
 
 from dataclasses import dataclass

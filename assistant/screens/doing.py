@@ -2,7 +2,7 @@
 """What the keys of the main screen do, one method for each action of the table."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from textual import work
 
@@ -24,22 +24,16 @@ from ..widgets.field import Field
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
-
-if TYPE_CHECKING:
-    from .workbench import Workbench
+from .doing_curves import DoingCurves
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
 FIRST, LAST = "This is the first step.", "This is the last step."
 
 
-class Doing:
+class Doing(DoingCurves):
     """The actions.  Mixed into the main screen, which has the parts."""
 
     session: Session
-
-    @property
-    def _me(self) -> "Workbench":
-        return self  # type: ignore[return-value]
 
     # --- steps
     async def action_step(self, n: int) -> None:
@@ -190,61 +184,6 @@ class Doing:
             me.focused.action_add()
         elif me.pane == "inputs":
             me.form.go(1)
-
-    def action_curve(self) -> None:
-        self._turn_curve(1)
-
-    def action_curve_back(self) -> None:
-        self._turn_curve(-1)
-
-    def _turn_curve(self, by: int) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        if len(pane.leaves) < 2:
-            me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
-        pane.action_turn(by)
-
-    @work
-    async def action_curves(self) -> None:
-        """The list of all curves and tables of the step."""
-        from .curve_list import CurveList
-
-        me = self._me
-        pane = me.query_one(CurvePane)
-        if not pane.leaves or pane.leaf is None:
-            me.app.tell("This step has no curve.")
-            return
-        id = await me.app.push_screen_wait(CurveList(f"{me.number} {me.step.title}", pane.leaves, pane.leaf.id))
-        if id is not None:
-            pane.choose(id)
-            self.action_to_view("curve")
-
-    def action_read(self, by: int, fine: bool = False) -> None:
-        """Move the cursor of a curve, or the columns of a table."""
-        pane = self._me.query_one(CurvePane)
-        if self._me.focused is pane:
-            pane.read(by, fine)
-        elif self._me.focused is pane.list:
-            pane.list.leaf(by)
-
-    def action_read_end(self, last: bool) -> None:
-        pane = self._me.query_one(CurvePane)
-        if self._me.focused is pane:
-            pane.read_end(last)
-
-    def action_variant(self) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        shown = pane.next_variant()
-        if not shown:
-            me.app.tell("This curve has one variant only.")
-        elif not pane.display:
-            me.app.tell(f"The curve is shown {shown}.")
-
-    def action_crank(self, by: int) -> None:
-        me = self._me
-        if not me.query_one(CurvePane).turn_crank(by):
-            me.app.tell("This curve has no vectors that turn with the crank.")
 
     # --- editing
     def action_nudge(self, by: int) -> None:

@@ -125,7 +125,7 @@ class TableList(ItemList):
         self.head, self.part = set_.head(), set_.part
         return set_.items()
 
-    def leaf(self, by: int) -> None:
+    def columns(self, by: int) -> None:
         """Leaf through the columns of a table that is too wide."""
         self._column = max(1, self._column + by)
         self.rebuild()
