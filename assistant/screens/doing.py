@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from textual import work
 
@@ -28,22 +28,16 @@ from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
-
-if TYPE_CHECKING:
-    from .workbench import Workbench
+from .doing_curves import DoingCurves
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
 FIRST, LAST = "This is the first step.", "This is the last step."
 
 
-class Doing:
+class Doing(DoingCurves):
     """The actions.  Mixed into the main screen, which has the parts."""
 
     session: Session
-
-    @property
-    def _me(self) -> "Workbench":
-        return self  # type: ignore[return-value]
 
     # --- steps
     async def action_step(self, n: int) -> None:
@@ -131,7 +125,9 @@ class Doing:
     def _move(self, by: int) -> None:
         me = self._me
         focused = me.focused
-        if isinstance(focused, ItemList):
+        if isinstance(focused, CurvePane):
+            focused.read_line(by)
+        elif isinstance(focused, ItemList):
             before = focused.cursor
             focused.move(by)
             if focused.cursor == before and me.pane == "inputs" and by < 0:
@@ -166,10 +162,12 @@ class Doing:
             me.query_one(f"#{name}", Pane).target.focus()
 
     def action_leave(self) -> None:
-        """Out of the field; out of a large pane; back to the form."""
+        """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
         me = self._me
         if isinstance(me.focused, (Entry, Choice)):
             me.form.focus(scroll_visible=False)
+        elif me.pane == "curve" and me.query_one(CurvePane).put_away():
+            pass
         elif me.large:
             me.large = False
             me.set_out()
@@ -190,27 +188,6 @@ class Doing:
             me.focused.action_add()
         elif me.pane == "inputs":
             me.form.go(1)
-
-    def action_curve(self) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        if len(pane.leaves) < 2:
-            me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
-        pane.action_turn(1)
-
-    def action_variant(self) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        shown = pane.next_variant()
-        if not shown:
-            me.app.tell("This curve has one variant only.")
-        elif not pane.display:
-            me.app.tell(f"The curve is shown {shown}.")
-
-    def action_crank(self, by: int) -> None:
-        me = self._me
-        if not me.query_one(CurvePane).turn_crank(by):
-            me.app.tell("This curve has no vectors that turn with the crank.")
 
     # --- editing
     def action_nudge(self, by: int) -> None:
@@ -462,7 +439,8 @@ class Doing:
         if isinstance(focused, ItemList) and focused.item is not None:
             text = getattr(focused.item, what) or focused.item.line
         elif me.pane == "curve" and (leaf := me.query_one(CurvePane).leaf) is not None:
-            text = leaf.title
+            reading = me.query_one(CurvePane).reading
+            text = leaf.title if reading is None else reading.value if what == "value" else f"{leaf.title}: {reading.line}"
         else:
             place = me.form.here() or me.form.last
             if place is not None and (place[-1] is not None) and me.session.text(place):

@@ -35,6 +35,7 @@ SCREEN = (
     "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn.",
     "Enter on a check, a line or a value walks back through its formulas to the inputs.",
     "Letters act as keys while no field is being edited: Esc leaves a field.",
+    "← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it.",
     "Edits are kept aside as you work and come back after a crash; nothing is in the file before you save.",
     "The same numbers on the command line: contralbero check, explain, report, set, replay.",
 )
@@ -156,12 +157,10 @@ class HelpScreen(ModalScreen[None]):
             self.described(
                 "← →",
                 "",
-                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out. "
-                "On the curve: the next one.",
+                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out.",
             )
         )
         lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
-        lines.append(self.described("Shift+← Shift+→", "", "On a table of results that is too wide: further columns."))
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:
