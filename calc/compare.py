@@ -272,7 +272,10 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
                 there = (one.shown if one else None, other.shown if other else None)
                 differ.append(ValueDifference(id, either.label, either.unit, *there, math.inf))
                 continue
-            size = _turned(one, other, mine, theirs, floors) if _is_phase(id, one.unit) else relative(one.shown, other.shown, floors[one.unit])
+            if _is_phase(id, one.unit):
+                size = _turned(one, other, mine, theirs, floors)
+            else:
+                size = relative(one.shown, other.shown, floors[one.unit])
             if size > same or one.unit != other.unit:
                 differ.append(ValueDifference(id, other.label, other.unit, one.shown, other.shown, size))
         found += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))

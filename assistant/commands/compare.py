@@ -83,9 +83,11 @@ def _summary(found: Comparison) -> Iterator[str]:
     yield "1 step changes its verdict." if n == 1 else f"{n} steps change their verdict."
     n = len(moved)
     if n == 1:
-        yield "1 check changes its verdict, to the worse from A to B." if worse else "1 check changes its verdict, to the better from A to B."
+        yield "1 check changes its verdict, to the worse." if worse else "1 check changes its verdict, to the better."
+    elif n:
+        yield f"{n} checks change their verdict: {worse} to the worse from A to B, {n - worse} to the better."
     else:
-        yield f"{n} checks change their verdict: {worse} to the worse from A to B, {n - worse} to the better." if n else "No check changes its verdict."
+        yield "No check changes its verdict."
     yield f"{both} values differ by more than {short(SAME)} of the larger one."
     if lone := len(found.values) - both:
         yield f"{lone} values stand in one design only."
@@ -156,10 +158,18 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
             {"id": d.id, "name": d.name, "moved": d.moved, "in": _where(d), "a": _check(d.a), "b": _check(d.b)} for d in found.checks
         ],
         "values": [
-            {"id": d.id, "label": d.label, "unit": d.unit, "in": _where(d), "a": finite(d.a), "b": finite(d.b), "relative": finite(d.relative)}
+            {
+                "id": d.id,
+                "label": d.label,
+                "unit": d.unit,
+                "in": _where(d),
+                "relative": finite(d.relative),
+                "a": finite(d.a),
+                "b": finite(d.b),
+            }
             for d in found.values
         ],
-    }  # fmt: skip
+    }
 
 
 def _where(d: CheckDifference | ValueDifference) -> str:
