@@ -34,13 +34,17 @@ class Chosen:
     design: Design = field(repr=False)
 
 
-def states(session: Session) -> Iterator[Other]:
-    """The states of this design: as saved, as opened, and before each edit that can be taken back, the last first."""
+def kept(session: Session) -> Iterator[Other]:
+    """The design as its file has it; and as it was opened, where it has been saved since."""
     yield Other("saved", f"{session.name} as it is saved", session.saved)
     if session.opened != session.saved:
         yield Other("opened", f"{session.name} as it was opened", session.opened)
+
+
+def past(session: Session) -> Iterator[Other]:
+    """The states before each edit that can be taken back, the last first."""
     for n, (before, after) in enumerate(session.history.past(), 1):
-        yield Other(f"{n} edit ago" if n == 1 else f"{n} edits ago", edit_text(before, after), before)
+        yield Other("1 edit ago" if n == 1 else f"{n} edits ago", f"before {edit_text(before, after)}", before)
 
 
 def edit_text(before: Table, after: Table) -> str:
@@ -50,7 +54,7 @@ def edit_text(before: Table, after: Table) -> str:
         return f"{len(found)} inputs"
     old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(found[0]))
     unit = f" {found[0].unit}" if found[0].unit else ""
-    return f"{named(found[0].key, found[0].label)}: {old} → {new}{unit}"
+    return f"{named(found[0].key, found[0].label, step=True)}: {old} → {new}{unit}"
 
 
 def of_session(session: Session, other: Other) -> Chosen:

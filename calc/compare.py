@@ -198,7 +198,7 @@ def _elements(about: Quantity, a: list[Any], b: list[Any], here: str) -> Iterato
         if one is not None and other is not None:
             yield from _keys(about.table, one, other, f"{here}.{name}.")
         else:
-            yield InputDifference(f"{here}.{name}", about.label, "", one, other)
+            yield InputDifference(f"{here}.{name}", f"{about.label}: {name}", "", one, other)
 
 
 def _named(items: list[Any]) -> dict[str, Any]:

@@ -26,7 +26,7 @@ def input_table(found: Sequence[InputDifference], names: Names, *, ids: bool = T
     if ids:
         by_key = tuple((d.key, *input_texts(d, full=full)) for d in found)
         return Table("inputs", "Inputs that differ", _columns(("Key", ""), names), by_key)
-    rows = tuple((named(d.key, d.label), *input_texts(d, full=full), d.unit) for d in found)
+    rows = tuple((named(d.key, d.label, step=True), *input_texts(d, full=full), d.unit) for d in found)
     return Table("inputs", "Inputs that differ", _columns(("Input", ""), names, ("Unit", "")), rows)
 
 
@@ -52,9 +52,9 @@ def _content(content: Any, missing: str, full: bool) -> str:
     return content if isinstance(content, str) else short(content, MOST_DIGITS)
 
 
-def named(id: str, label: str) -> str:
-    """A label with the part of the design that it belongs to: Length (front)."""
-    where = " ".join(id.split(".")[1:-1])
+def named(id: str, label: str, *, step: bool = False) -> str:
+    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings front)."""
+    where = " ".join(id.split(".")[0 if step else 1 : -1])
     return f"{label} ({where})" if where else label
 
 

@@ -80,6 +80,7 @@ class CompareScreen(Screen[str | None]):
         self.counts: dict[str, int] = {}
 
     def compose(self) -> ComposeResult:
+        self.set_class(self.app.ascii, "-ascii")
         yield Static(id="compare-title")
         yield Static(id="compare-sections")
         yield ComparisonList()
@@ -125,7 +126,7 @@ class CompareScreen(Screen[str | None]):
     # --- showing
     def show_title(self) -> None:
         width = self.app.size.width
-        title = f" {self.other.name}: {self.other.title}   beside   {NOW}: the design as it stands in the fields"
+        title = f" {self.other.name}: {self.other.title}   beside the design as it is {NOW}"
         self.query_one("#compare-title", Static).update(Content.styled(fit(title, width), "bold"))
 
     def show_place(self) -> None:

@@ -15,7 +15,7 @@ from textual.widgets.option_list import Option
 from calc.sheet.errors import BadInput
 from calc.shipped import DESIGNS
 
-from ..others import Chosen, Other, of_file, of_session, states
+from ..others import Chosen, Other, kept, of_file, of_session, past
 from ..session import Session
 from .path_dialog import PathDialog
 
@@ -41,11 +41,9 @@ class CompareWith(ModalScreen[Chosen | None]):
         self.others: list[Other | None] = []  # None: another file
 
     def compose(self) -> ComposeResult:
-        found = list(states(self.session))
-        fixed = [other for other in found if other.data is self.session.saved or other.data is self.session.opened]
-        whole, past = found[: len(fixed)], found[len(fixed) :]
-        self.others = [*whole, None, *past]
-        texts = [other.title for other in whole] + ["another design file …"] + [f"before  {other.title}" for other in past]
+        self.set_class(self.app.ascii, "-ascii")
+        self.others = [*kept(self.session), None, *past(self.session)]
+        texts = [other.title if other is not None else "another design file …" for other in self.others]
         with Vertical(classes="dialog"):
             yield Static(Content.styled("Compare the design, as it is now, with", "bold"))
             yield OptionList(*[Option(Content(text)) for text in texts], id="others", compact=True)

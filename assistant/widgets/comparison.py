@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from textual.content import Content
 
-from calc.compare import Comparison
+from calc.compare import CheckDifference, Comparison
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.sheet.step import Table
@@ -39,6 +39,7 @@ class ComparisonList(ItemList):
         self.names: Names = ("A", "B")
         self.waiting = ""  # what is said as long as there is nothing to show
         self._heads: dict[str, int] = {}  # section → its first item
+        self._at = ""  # the section that was gone to by its key
 
     def say(self, text: str) -> None:
         """Something instead of a comparison."""
@@ -64,12 +65,13 @@ class ComparisonList(ItemList):
                 continue
             set_ = Setter(part.table, width)
             items.append(Item("", [*gap, Content.styled(part.title, "bold underline"), *set_.head()]))
-            items += [self._item(part.section, id, item) for id, item in zip(part.ids, set_.items())]
+            items += [self._item(part.section, id, str(row[2]), item) for id, row, item in zip(part.ids, part.table.rows, set_.items())]
         return items
 
-    def _item(self, section: str, id: str, item: Item) -> Item:
+    def _item(self, section: str, id: str, now: str, item: Item) -> Item:
+        """`now`: what the second design has, which is what is copied."""
         rows = [self._coloured(row) for row in item.rows] if section in ("Verdicts", "Checks") else item.rows
-        return Item(f"{section} {id}", rows, item.value, f"{id}: {item.line}")
+        return Item(f"{section} {id}", rows, now, f"{id}: {item.line}")
 
     def _sign(self, verdict: str) -> str:
         return f"{self.app.signs.mark(verdict)} {WORDS[verdict]}"
@@ -97,13 +99,13 @@ class ComparisonList(ItemList):
         parts.append(self._checks(title, moved, roomy) if moved else Part("Checks", title, None))
         lone = [d for d in found.checks if not d.both and d.worse]
         if lone:
-            parts.append(self._checks(f"{len(lone)} stand in one design only, and do not pass", lone, roomy))
+            parts.append(self._checks(f"{len(lone)} checks stand in one design only, and do not pass", lone, roomy))
         rest = [d for d in found.checks if d.both and not d.moved]
         if rest:
-            parts.append(self._checks(f"{len(rest)} keep their verdict at another value or limit", rest, roomy))
+            parts.append(self._checks(f"{len(rest)} checks keep their verdict at another value or limit", rest, roomy))
         lone = [d for d in found.checks if not d.both and not d.worse]
         if lone:
-            parts.append(self._checks(f"{len(lone)} stand in one design only, and pass", lone, roomy))
+            parts.append(self._checks(f"{len(lone)} checks stand in one design only, and pass", lone, roomy))
         for step in STEPS:
             values = [d for d in found.values if d.step == step.key]
             if values:
@@ -114,30 +116,35 @@ class ComparisonList(ItemList):
             parts.append(Part("Values", "No value differs.", None))
         return parts
 
-    def _checks(self, title: str, found: Sequence[object], roomy: bool) -> Part:
-        checks = tuple(found)
-        table = check_table(checks, self.names, self._sign, ids=False, margins=roomy)  # type: ignore[arg-type]
-        return Part("Checks", title, table, tuple(d.id for d in checks))  # type: ignore[attr-defined]
+    def _checks(self, title: str, found: Sequence[CheckDifference], roomy: bool) -> Part:
+        table = check_table(found, self.names, self._sign, ids=False, margins=roomy)
+        return Part("Checks", title, table, tuple(d.id for d in found))
 
     # --- sections
     @property
     def section(self) -> str:
-        """The section of the item under the cursor, else of the top row."""
-        return self.key.partition(" ")[0] or SECTIONS[0]
+        """The section that was gone to, else that of the item under the cursor."""
+        return self._at or self.key.partition(" ")[0] or SECTIONS[0]
 
     @property
     def id_here(self) -> str:
         return self.key.partition(" ")[2]
 
+    def _move(self, index: int, *, top: bool = False) -> None:
+        self._at = ""
+        super()._move(index, top=top)
+
     def to_section(self, name: str) -> None:
-        """To the head of a section, with the cursor on its first item."""
+        """To the head of a section, with the cursor on its first item; one may have none."""
         head = self._heads.get(name)
         if head is None:
             return
-        index = next((i for i in range(head, len(self.items)) if self.items[i].key), None)
-        if index is not None:
+        index = next((i for i in range(head, len(self.items)) if self.items[i].key), -1)
+        if index >= 0 and self.items[index].key.startswith(name):
             self._move(index)
+        self._at = name
         self.scroll_to(y=self._first[head], animate=False)
+        self.post_message(self.Moved(self))
 
     def turn_section(self, by: int) -> None:
         """To the next section, or the one before."""
