@@ -76,6 +76,8 @@ ACTIONS: tuple[Action, ...] = (
            "Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder."),
     Action("save_as", "f12", "W", "", "Save as …", "Saves the design under another name and goes on with that file."),
     Action("open", "ctrl+o", "o", "", "Open …", "Opens another design."),
+    Action("compare", "shift+f7", "equals_sign", "", "Compare with …",
+           "Sets the design beside its saved file, an earlier state or another design, what differs first."),
     Action("palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters."),
     Action("down", "down", "j", "", "Next field or line", "Moves down: to the next field, check or line."),
     Action("up", "up", "k", "", "Previous field or line", "Moves up: to the field, check or line before."),
@@ -98,7 +100,7 @@ ACTIONS: tuple[Action, ...] = (
 BY_ID = {action.id: action for action in ACTIONS}
 
 KEY_NAMES = {
-    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":",
+    "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "equals_sign": "=",
     "greater_than_sign": ">", "less_than_sign": "<", "escape": "Esc", "enter": "Enter", "pageup": "PgUp", "pagedown": "PgDn",
     "up": "↑", "down": "↓", "left": "←", "right": "→", "backspace": "Backspace", "home": "Home", "end": "End",
 }  # fmt: skip

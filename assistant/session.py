@@ -53,8 +53,8 @@ class Session:
         self.autosave_failure = ""
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
-        self._history = History(State(self.document.data, {}))
-        self._saved: Table = self.document.data
+        self.history = History(State(self.document.data, {}))
+        self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self._kept: Table | None = None
 
@@ -92,7 +92,7 @@ class Session:
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
         kept = self.memory.kept(self.home)
-        if kept is None or kept.data == self._saved:
+        if kept is None or kept.data == self.saved:
             return
         when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
@@ -118,7 +118,7 @@ class Session:
     # --- what is shown
     @property
     def _state(self) -> State:
-        return self._history.state
+        return self.history.state
 
     @property
     def home(self) -> Path:
@@ -144,7 +144,7 @@ class Session:
 
     @property
     def dirty(self) -> bool:
-        return bool(self._state.texts) or self._state.data != self._saved
+        return bool(self._state.texts) or self._state.data != self.saved
 
     @property
     def read_only(self) -> bool:
@@ -219,7 +219,7 @@ class Session:
 
     def seal(self) -> None:
         """The next edit is a step of its own."""
-        self._history.seal()
+        self.history.seal()
 
     def add(self, key: str | Place) -> int:
         """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
@@ -269,20 +269,20 @@ class Session:
 
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
-        before = self._state
-        where = self._history.undo()
-        self._entered(before)
-        return where
+        return self._travelled(self.history.undo)
 
     def redo(self) -> Place | None:
+        return self._travelled(self.history.redo)
+
+    def _travelled(self, travel: Callable[[], Place | None]) -> Place | None:
         before = self._state
-        where = self._history.redo()
+        where = travel()
         self._entered(before)
         return where
 
     def _step(self, state: State, where: Place | None) -> None:
         before = self._state
-        if self._history.go(state, where):
+        if self.history.go(state, where):
             self._entered(before)
 
     def _entered(self, before: State) -> None:
@@ -324,7 +324,7 @@ class Session:
     # --- keeping
     def bytes(self) -> bytes:
         """The design file as it would be saved now."""
-        changes = differences(self._saved, self._state.data)
+        changes = differences(self.saved, self._state.data)
         if not changes:
             return self._raw
         try:
@@ -372,8 +372,8 @@ class Session:
         self.memory.drop(path)
         self.path, self._raw, self._kept = path, raw, None
         self.document = parse(raw, str(path))
-        self._saved = self._valid = self.document.data
-        self._history.state = State(self.document.data, {})
+        self.saved = self._valid = self.document.data
+        self.history.state = State(self.document.data, {})
         self.autosaved = None
         self.autosave_failure = ""
         self.seal()
@@ -383,7 +383,7 @@ class Session:
     def autosave(self) -> None:
         """Keep the last valid state aside, so that neither a crash nor a closed window loses it; a failure is remembered."""
         data, path = self._valid, self.home
-        if data == self._saved:
+        if data == self.saved:
             if self._kept is not None:
                 self.memory.drop(path)
                 self._kept, self.autosaved = None, None

@@ -281,6 +281,12 @@ class Doing(DoingCurves):
         else:
             me.app.tell("No unsaved edits are kept for this design.")
 
+    @work
+    async def action_compare(self) -> None:
+        from .compare import compare
+
+        await compare(self._me)
+
     # --- report
     def action_report(self) -> None:
         me = self._me
