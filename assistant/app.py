@@ -4,6 +4,7 @@
 import os
 import sys
 from collections.abc import Iterable
+from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -13,6 +14,7 @@ from textual.app import App, SystemCommand
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
+from calc.languages import LANGUAGES, language
 from calc.sheet.errors import BadInput
 
 from .actions import BY_ID, key_name
@@ -35,9 +37,10 @@ class ContralberoApp(App[int]):
     COMMANDS = App.COMMANDS | {_palette}
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
 
-    def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None) -> None:
+    def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, lang: str = "en") -> None:
         self.ascii = ascii
-        self.signs = Signs(ascii)
+        self.say = language(lang)
+        self.signs = Signs(ascii, say=self.say)
         self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
         super().__init__()
         self.session = session
@@ -48,7 +51,7 @@ class ContralberoApp(App[int]):
     def on_mount(self) -> None:
         if self.key_map:
             self.set_keymap(self.key_map)
-        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color)
+        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
 
     def get_default_screen(self) -> Screen[None]:
@@ -56,9 +59,16 @@ class ContralberoApp(App[int]):
         return Workbench(self.session)
 
     def _theme_changed(self, theme: Any) -> None:
-        self.signs = Signs(self.ascii, theme.dark, not self.no_color)
+        self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
+
+    async def speak(self, code: str) -> None:
+        """Go on in another language."""
+        self.say = language(code)
+        self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
+        if isinstance(self.screen, Workbench):
+            await self.screen.speak()
 
     async def enter(self, session: Session) -> None:
         """Go on with another design; unsaved edits of this one are kept aside."""
@@ -73,16 +83,24 @@ class ContralberoApp(App[int]):
 
     def forget(self, *texts: str) -> None:
         """Take back what was said, if it still stands there."""
-        for notification in [n for n in self._notifications if n.message in texts]:
+        said = {*texts, *map(self.say, texts)}
+        for notification in [n for n in self._notifications if n.message in said]:
             self._unnotify(notification)
 
     def tell(self, text: str, severity: Any = "information") -> None:
         """Say something for a moment; the text is never read as markup."""
+        text = self.say(text)
         self.forget(text)  # the same thing is not said twice at a time
         self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
-        yield SystemCommand("Theme", "Other colours; ansi-dark and ansi-light take those of the terminal", self.action_change_theme)
+        say = self.say
+        yield SystemCommand(
+            say("Theme"), say("Other colours; ansi-dark and ansi-light take those of the terminal"), self.action_change_theme
+        )
+        for code, name in LANGUAGES.items():
+            if code != say.code:
+                yield SystemCommand(f"{say('Language')}: {name}", say("The session in this language"), partial(self.speak, code))
 
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails is there something to ask."""
@@ -94,14 +112,19 @@ class ContralberoApp(App[int]):
 
         why = self.session.autosave_failure or "an entry is not valid, and what is not valid is not kept"
         if not isinstance(self.screen, Ask):
-            self.push_screen(Ask(f"The edits are not saved: {why}.\nEnd all the same?", "end", "go back"), self._quit_anyway)
+            self.push_screen(
+                Ask(
+                    f"{self.say(f'The edits are not saved: {why}.')}\n{self.say('End all the same?')}", self.say("end"), self.say("go back")
+                ),
+                self._quit_anyway,
+            )
 
     def _quit_anyway(self, yes: bool | None) -> None:
         if yes:
             self.exit(0)
 
 
-def run(path: Path | None, ascii: bool = False) -> int:
+def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     """Open a design, or the last one, or the example; gives the exit code."""
     import gc
 
@@ -115,7 +138,7 @@ def run(path: Path | None, ascii: bool = False) -> int:
         print(bad, file=sys.stderr)
         return 2
     encoding = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "")
-    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys())
+    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), lang=lang or "en")
     result = app.run()
     return app.return_code or result or 0
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from calc.design_file import Document, parse_assignment, quantity_of, value_at
+from calc.languages import Language
 from calc.sheet.errors import BadInput
 
 
@@ -15,7 +16,7 @@ def applied(document: Document, changes: Iterable[str]) -> Document:
     return document
 
 
-def told(document: Document, changes: Iterable[str]) -> list[str]:
+def told(document: Document, changes: Iterable[str], say: Language) -> list[str]:
     """What each change does: "Length bearings.front.length_mm 27.5 → 34 mm"; those that change nothing are left out."""
     found = []
     for key, value in map(parse_assignment, changes):
@@ -25,7 +26,7 @@ def told(document: Document, changes: Iterable[str]) -> list[str]:
             found.append(f"{key} {_text(value)}")
             continue
         if before != value:
-            found.append(f"{about.label} ({key}) {_text(before)} → {_text(value)} {about.unit}".rstrip())
+            found.append(f"{say(about.label)} ({key}) {_text(before)} → {_text(value)} {about.unit}".rstrip())
     return found
 
 

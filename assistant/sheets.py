@@ -8,6 +8,7 @@ import math
 from dataclasses import dataclass, field
 from typing import Any
 
+from calc.languages import Language
 from calc.sheet.check import Check
 from calc.sheet.step import Erratum, Outcome
 from calc.sheet.units import UNITS
@@ -43,8 +44,8 @@ class Sheet:
     line_of: dict[str, int] = field(default_factory=dict)
 
 
-def sheet(outcome: Outcome, step: int) -> Sheet:
-    """The calculation of an outcome; `step` is the number of the step."""
+def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
+    """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step."""
     from calc.sheet.expression import line_text
 
     values = {v.id: v for v in outcome.values()}
@@ -62,7 +63,7 @@ def sheet(outcome: Outcome, step: int) -> Sheet:
         formula, numbers, source = line_text(line)
         entries.append(
             Entry(
-                f"{step}.{i + 1}", line.about, formula, numbers, source,
+                f"{step}.{i + 1}", line.about, formula, numbers, say(source),
                 tuple(c for c in outcome.checks if line_of.get(c.id) == i), tuple(e for e in outcome.errata if line_of.get(e.about) == i),
             )
         )  # fmt: skip

@@ -16,4 +16,4 @@ def run(asked: Namespace) -> int:
         return 2
     from assistant.app import run as open_session
 
-    return int(open_session(Path(asked.file) if asked.file else None, ascii=asked.ascii))
+    return int(open_session(Path(asked.file) if asked.file else None, ascii=asked.ascii, lang=asked.lang))

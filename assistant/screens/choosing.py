@@ -27,7 +27,6 @@ from ..session import Session
 from ..solving import Answer, Job, run
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
-from ..widgets.signs import WORDS
 from ..widgets.wrap import wrap
 
 if TYPE_CHECKING:
@@ -88,15 +87,15 @@ class Choosing(ModalScreen[tuple[str, ...] | None]):
     def compose(self) -> ComposeResult:
         title = next(s.title for s in STEPS if s.key == self.step)
         with Vertical(classes="dialog -tall -whole"):
-            yield Static(Content.styled(title, "bold"), id="choosing-title")
+            yield Static(Content.styled(self.app.say(title), "bold"), id="choosing-title")
             yield Static(id="choosing-state")
             yield OfferList()
             yield Static(id="choosing-preview")
-            yield Static(Content.styled(HINT, "dim"))
+            yield Static(Content.styled(self.app.say(HINT), "dim"))
 
     def on_mount(self) -> None:
         self.query_one(OfferList).focus()
-        self.say("searching …")
+        self.say(self.app.say("searching …"))
         self._search()
 
     def say(self, text: str) -> None:
@@ -135,12 +134,14 @@ class Choosing(ModalScreen[tuple[str, ...] | None]):
         if self.offer is None:
             full, empty = ("#", ".") if self.app.ascii else ("█", "░")
             done = round(event.share * BAR)
-            self.say(f"searching  {full * done}{empty * (BAR - done)} {event.share:4.0%}  {event.what}   Esc stops")
+            say = self.app.say
+            bar = f"{full * done}{empty * (BAR - done)} {event.share:4.0%}"
+            self.say(f"{say('searching …')}  {bar}  {say(event.what)}   {say('Esc stops')}")
 
     def on_choosing_found(self, event: Found) -> None:
         event.stop()
         if event.offer is None:
-            self.say(f"Nothing to choose: {event.why}")
+            self.say(f"{self.app.say('Nothing to choose')}: {self.app.say(event.why)}")
             return
         self.offer = event.offer
         self.say("")
@@ -196,11 +197,12 @@ class Choosing(ModalScreen[tuple[str, ...] | None]):
     def _show(self, preview: Preview) -> None:
         """What the row changes, and the verdicts of all six steps with it."""
         rows: list[Content] = []
+        say = self.app.say
         if preview.results is None:
-            rows = [Content(row) for row in wrap(f"Row {preview.number} can not be taken: {preview.why}", self.room)]
+            rows = [Content(row) for row in wrap(say(f"Row {preview.number} can not be taken: {preview.why}"), self.room)]
         else:
-            changed = "; ".join(told(self.session.document, preview.changes)) or "the design as it is"
-            rows = [Content(row) for row in wrap(f"Row {preview.number}: {changed}", self.room, 2)[:3]]
+            changed = "; ".join(told(self.session.document, preview.changes, say)) or say("the design as it is")
+            rows = [Content(row) for row in wrap(f"{say(f'Row {preview.number}')}: {changed}", self.room, 2)[:3]]
             rows += self._verdicts(preview.results)
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
 
@@ -211,10 +213,14 @@ class Choosing(ModalScreen[tuple[str, ...] | None]):
             verdict = results.outcomes[step.key].verdict
             was = before.outcomes[step.key].verdict if before is not None else verdict
             arrow = f"{signs.mark(was)} → " if was != verdict else ""
-            parts.append(Content.assemble(f"{step.title} {arrow}", (f"{signs.mark(verdict)} {WORDS[verdict]}", signs.style(verdict))))
+            parts.append(
+                Content.assemble(
+                    f"{self.app.say(step.title)} {arrow}", (f"{signs.mark(verdict)} {signs.word(verdict)}", signs.style(verdict))
+                )
+            )
         counted = Counter(c.verdict for c in results.checks())
         were = Counter(c.verdict for c in before.checks()) if before is not None else counted
-        counts = ", ".join(f"{counted[v]} {WORDS[v]} (now {were[v]})" for v in ("fail", "warn", "pass"))
+        counts = ", ".join(f"{counted[v]} {signs.word(v)} ({self.app.say(f'now {were[v]}')})" for v in ("fail", "warn", "pass"))
         lines, line = [], Content("")
         for part in parts:
             if line.cell_length + part.cell_length + 3 > self.room:

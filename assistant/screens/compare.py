@@ -85,7 +85,7 @@ class CompareScreen(Screen[str | None]):
         yield Static(id="compare-sections")
         yield ComparisonList()
         yield Static(id="compare-here")
-        keys = [Content.assemble((key, "bold $footer-key-foreground"), " ", word) for key, word in KEYS]
+        keys = [Content.assemble((key, "bold $footer-key-foreground"), " ", self.app.say(word)) for key, word in KEYS]
         yield Static(Content(" ") + Content("  ").join(keys), id="compare-keys")
 
     def on_mount(self) -> None:
@@ -120,13 +120,13 @@ class CompareScreen(Screen[str | None]):
         found = event.found
         counts = (len(found.inputs), len(found.steps_moved), len(found.checks), len(found.values))
         self.counts = dict(zip(SECTIONS, counts))
-        shown.show(found, (self.other.name, NOW))
+        shown.show(found, (self.app.say(self.other.name), self.app.say(NOW)))
         self.show_place()
 
     # --- showing
     def show_title(self) -> None:
-        width = self.app.size.width
-        title = f" {self.other.name}: {self.other.title}   beside the design as it is {NOW}"
+        width, say = self.app.size.width, self.app.say
+        title = f" {say(self.other.name)}: {say(self.other.title)}   {say(f'beside the design as it is {NOW}')}"
         self.query_one("#compare-title", Static).update(Content.styled(fit(title, width), "bold"))
 
     def show_place(self) -> None:
@@ -136,7 +136,7 @@ class CompareScreen(Screen[str | None]):
         parts = []
         for n, name in enumerate(SECTIONS, 1):
             here = name == shown.section and name in self.counts
-            text = f"{mark if here else ' '}{n} {name} {self.counts.get(name, '')}"
+            text = f"{mark if here else ' '}{n} {self.app.say(name)} {self.counts.get(name, '')}"
             part = Content.styled(text.rstrip(), "bold" if here else "not bold dim")
             parts.append(part.stylize(Style.from_meta({"@click": f"screen.to_section('{name}')"})))
         self.query_one("#compare-sections", Static).update(Content("  ").join(parts), layout=False)

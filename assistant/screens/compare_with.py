@@ -43,12 +43,13 @@ class CompareWith(ModalScreen[Chosen | None]):
     def compose(self) -> ComposeResult:
         self.set_class(self.app.ascii, "-ascii")
         self.others = [*kept(self.session), None, *past(self.session)]
-        texts = [other.title if other is not None else "another design file …" for other in self.others]
+        say = self.app.say
+        texts = [say(other.title if other is not None else "another design file …") for other in self.others]
         with Vertical(classes="dialog"):
-            yield Static(Content.styled("Compare the design, as it is now, with", "bold"))
+            yield Static(Content.styled(say("Compare the design, as it is now, with"), "bold"))
             yield OptionList(*[Option(Content(text)) for text in texts], id="others", compact=True)
             yield Static("", id="wrong", classes="wrong")
-            yield Static(Content.styled("Enter compares, Esc goes back", "dim"))
+            yield Static(Content.styled(say("Enter compares, Esc goes back"), "dim"))
 
     def on_mount(self) -> None:
         options = self.query_one(OptionList)
@@ -64,7 +65,9 @@ class CompareWith(ModalScreen[Chosen | None]):
         try:
             self.dismiss(of_session(self.session, other))
         except BadInput as bad:
-            self.query_one("#wrong", Static).update(Content(f"This state was not valid:\n{errors_text(bad, 'the design')}"))
+            self.query_one("#wrong", Static).update(
+                Content(self.app.say("This state was not valid:") + f"\n{errors_text(bad, 'the design')}")
+            )
 
     def _found(self, chosen: Chosen | None) -> None:
         if chosen is not None:

@@ -48,12 +48,13 @@ class CurveList(ModalScreen[str | None]):
 
     def compose(self) -> ComposeResult:
         self.set_class(self.app.ascii, "-ascii")
+        say = self.app.say
         curves = sum(isinstance(leaf, Curve) for leaf in self.leaves)
         with Vertical(classes="dialog"):
-            yield Static(Content.styled(f"{self.step}: {curves} curves, {len(self.leaves) - curves} tables", "bold"))
-            yield Input(placeholder="words of the title", compact=True, id="words")
+            yield Static(Content.styled(f"{say(self.step)}: {say(f'{curves} curves, {len(self.leaves) - curves} tables')}", "bold"))
+            yield Input(placeholder=say("words of the title"), compact=True, id="words")
             yield OptionList(id="leaves", compact=True)
-            yield Static(Content.styled("Enter shows it, ↑ ↓ choose, Esc goes back", "dim"))
+            yield Static(Content.styled(say("Enter shows it, ↑ ↓ choose, Esc goes back"), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#words", Input).focus()
@@ -75,9 +76,9 @@ class CurveList(ModalScreen[str | None]):
         made: list[Option] = []
         for group, kind in GROUPS:
             if own := [leaf for leaf in left if isinstance(leaf, kind)]:
-                made.append(Option(Content.styled(group, "bold"), disabled=True))
+                made.append(Option(Content.styled(self.app.say(group), "bold"), disabled=True))
                 made += [self._option(leaf, width) for leaf in own]
-        options.add_options(made or [Option(Content.styled("Nothing has these words in its title.", "dim"), disabled=True)])
+        options.add_options(made or [Option(Content.styled(self.app.say("Nothing has these words in its title."), "dim"), disabled=True)])
         ids = [option.id for option in made]
         known = [id for id in ids if id is not None]
         options.highlighted = ids.index(self.current if self.current in known else known[0]) if known else None

@@ -370,8 +370,9 @@ class Doing(DoingCurves):
         me.app.push_screen(Choosing(self.session, me.step.key), self._chosen)
 
     def _chosen(self, changes: tuple[str, ...] | None) -> None:
+        me = self._me
         if changes is not None:
-            self._apply(changes, "; ".join(told(self.session.document, changes)) or "The design is as it was.")
+            self._apply(changes, "; ".join(told(self.session.document, changes, me.app.say)) or "The design is as it was.")
 
     def action_guide(self) -> None:
         """Show what is to be decided in each step, or leave it out."""

@@ -18,7 +18,6 @@ from calc.sheet.trace import Line
 from ..session import Session
 from ..widgets.chain_list import INPUT, ChainList
 from ..widgets.item_list import ItemList
-from ..widgets.signs import WORDS
 from ..widgets.wrap import wrap
 
 if TYPE_CHECKING:
@@ -57,7 +56,7 @@ class Explain(ModalScreen[str | None]):
         with Vertical(classes="dialog -tall"):
             yield Static(id="explain-title")
             yield ChainList(self.session)
-            yield Static(Content.styled(HINT, "dim"))
+            yield Static(Content.styled(self.app.say(HINT), "dim"))
 
     def on_mount(self) -> None:
         chain = self.query_one(ChainList)
@@ -70,22 +69,22 @@ class Explain(ModalScreen[str | None]):
         return max(30, min(110, self.app.size.width * 9 // 10) - 8)
 
     def show(self) -> None:
-        links = self.way[-1]
+        links, say = self.way[-1], self.app.say
         rows: list[Content] = []
         if len(self.way) > 1:
             shown = links[-1].line
-            title = f"{len(self.way) - 1} back: {shown.about or 'a line of the calculation'}"
+            title = say(f"{len(self.way) - 1} back: {say(shown.about or 'a line of the calculation')}")
             rows = [Content.styled(title, "bold")]
         else:
             rows = self._title()
         count = len(links)
         if count:
             inputs = len(dict.fromkeys(key for link in links for key in link.inputs))
-            rows.append(Content.styled(f"{count} formulas, {inputs} inputs; each line stands before those that it is made of", "dim"))
+            rows.append(Content.styled(say(f"{count} formulas, {inputs} inputs; each line stands before those that it is made of"), "dim"))
         elif self.value and (taken := origin(self.chains.results, self.value)):
-            rows.append(Content(f"Taken from the inputs: {taken}"))
+            rows.append(Content(f"{say('Taken from the inputs')}: {taken}"))
         else:
-            rows.append(Content("No single line of the calculation gives this number."))
+            rows.append(Content(say("No single line of the calculation gives this number.")))
         self.query_one("#explain-title", Static).update(Content("\n").join(rows))
         chain = self.query_one(ChainList)
         chain.show(links)
@@ -93,16 +92,17 @@ class Explain(ModalScreen[str | None]):
 
     def _title(self) -> list[Content]:
         found: list[Content] = []
+        say = self.app.say
         if (known := self.chains.values.get(self.value)) is not None:
             number = f"{short(known.shown, 6)} {known.unit}".rstrip()
-            found.append(Content.assemble((f"{known.label}: {number}", "bold"), (f"   {known.id}", "dim")))
+            found.append(Content.assemble((f"{say(known.label)}: {number}", "bold"), (f"   {known.id}", "dim")))
         if (check := self.check) is not None:
             signs = self.app.signs
-            judged = f"{short(check.value)} {check.unit}".rstrip() + f", {check.limit_text()}, margin {check.margin_text()}"
-            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name}: {judged}"
+            judged = say(f"{short(check.value)} {check.unit}".rstrip() + f", {check.limit_text()}, margin {check.margin_text()}")
+            text = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {say(check.name)}: {judged}"
             found += [Content.styled(row, signs.style(check.verdict)) for row in wrap(text, self.room, 2)]
-            found += [Content(row) for row in wrap(check.advice, self.room)] if check.advice else []
-            found.append(Content.styled(f"{check.source}", "dim"))
+            found += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
+            found.append(Content.styled(say(check.source), "dim"))
         return found
 
     # --- walking

@@ -54,9 +54,9 @@ class HelpScreen(ModalScreen[None]):
         with Vertical(classes="dialog -tall"):
             with VerticalScroll(id="help-text"):
                 yield Static(Content("\n").join(self.about_here()), id="help-here")
-                yield Static(Content("\n").join([Content.styled("This screen", "bold"), *self.paragraphs(SCREEN)]))
+                yield Static(Content("\n").join([Content.styled(self.app.say("This screen"), "bold"), *self.paragraphs(SCREEN)]))
                 yield Static(self.keys())
-            yield Static(Content.styled("↑ ↓ scroll, Esc goes back", "dim"))
+            yield Static(Content.styled(self.app.say("↑ ↓ scroll, Esc goes back"), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#help-text").focus()
@@ -68,17 +68,17 @@ class HelpScreen(ModalScreen[None]):
         return max(30, min(110, self.app.size.width * 9 // 10) - 8)
 
     def paragraphs(self, texts: tuple[str, ...]) -> list[Content]:
-        return [Content(row) for text in texts for row in wrap(f"· {text}", self.room, 2)]
+        return [Content(row) for text in texts for row in wrap(f"· {self.app.say(text)}", self.room, 2)]
 
     def described(self, keys: str, letters: str, text: str) -> Content:
         """One row of the table of keys, with the text hanging beside them."""
-        rows = wrap(" " * INDENT + text, self.room, INDENT)
+        rows = wrap(" " * INDENT + self.app.say(text), self.room, INDENT)
         start = f"{keys:<16}{letters:<{INDENT - 16}}"
         return Content("\n").join([Content.assemble((start, "bold"), rows[0][INDENT:]), *map(Content, rows[1:])])
 
     def about_here(self) -> list[Content]:
         """About what has the focus."""
-        work = self.work
+        work, say = self.work, self.app.say
         field = work.form.field
         lines: list[Content] = []
         if field is not None:
@@ -90,44 +90,49 @@ class HelpScreen(ModalScreen[None]):
         if not lines:
             step = work.step
             outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
-            lines = [Content.styled(f"Step {STEPS.index(step) + 1} of {len(STEPS)}: {step.title}", "bold")]
+            lines = [Content.styled(f"{say(f'Step {STEPS.index(step) + 1} of {len(STEPS)}')}: {say(step.title)}", "bold")]
             said = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
-            lines += [Content(f"· {text}") for text in said]
+            lines += [Content(f"· {say(text)}") for text in said]
             if outcome is not None and outcome.reason:
-                lines.append(Content(outcome.reason))
+                lines.append(Content(say(outcome.reason)))
         guide = GUIDES[work.step.key]
-        lines += [Content(""), Content.styled(f"In step {work.number}, {work.step.title}", "bold")]
+        lines += [Content(""), Content.styled(say(f"In step {work.number}, {say(work.step.title)}"), "bold")]
         for word, text in (("Decide", guide.decide), ("Good", guide.good), ("Try", guide.trying)):
-            lines += [Content(row) for row in wrap(f"{word}: {text}", self.room, 2)]
+            lines += [Content(row) for row in wrap(f"{say(word)}: {say(text)}", self.room, 2)]
         return [*lines, Content("")]
 
     def about_field(self, place: Place) -> list[Content]:
-        session = self.work.session
+        session, say = self.work.session, self.app.say
         about = session.about(place)
         key = ".".join(map(str, place))
-        unit = f", in {about.unit}" if about.unit else ""
+        unit = f", {say(f'in {about.unit}')}" if about.unit else ""
         from calc.sheet.expression import plain, symbol
 
         sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
-        lines = [Content.assemble((about.label, "bold"), sign, (f"   {key}{unit}", "dim")), Content(meaning(about))]
+        lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(meaning(about, say))]
         if about.kind in ("choice", "text"):
-            lines.append(Content(f"Allowed: {about.allowed()}."))
+            lines.append(Content(f"{say('Allowed')}: {say(about.allowed())}."))
         if about.optional:
-            lines.append(Content("May be left empty: the program then chooses, and says so."))
+            lines.append(Content(say("May be left empty: the program then chooses, and says so.")))
         if reason := session.reason(place):
-            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {reason}", self.app.signs.style("invalid")))
+            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid")))
         return lines
 
     def about_heading(self, heading: ArrayHeading | TableHeading) -> list[Content]:
         about, key = heading.row.about, ".".join(map(str, heading.row.place))
-        lines = [Content.assemble((about.label, "bold"), (f"   {key}", "dim")), *([Content(about.help)] if about.help else [])]
-        lines.append(Content(heading.HELP))
+        lines = [
+            Content.assemble((self.app.say(about.label), "bold"), (f"   {key}", "dim")),
+            *([Content(self.app.say(about.help))] if about.help else []),
+        ]
+        lines.append(Content(self.app.say(heading.HELP)))
         if heading.reason:
-            lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {heading.reason}", self.app.signs.style("invalid")))
+            lines.append(
+                Content.styled(f"{self.app.signs.mark('invalid')} {self.app.say(heading.reason)}", self.app.signs.style("invalid"))
+            )
         return lines
 
     def about_check(self, id: str) -> list[Content]:
-        results = self.work.session.results
+        results, say = self.work.session.results, self.app.say
         check = next((c for c in results.checks() if c.id == id), None) if results is not None else None
         if check is None:
             return []
@@ -138,20 +143,25 @@ class HelpScreen(ModalScreen[None]):
         )
         value = f"{short(check.value)} {check.unit}".rstrip()
         return [
-            Content.assemble((check.name, "bold"), (f"   {check.id}", "dim")),
-            Content(f"{value}, {check.limit_text()}, margin {check.margin_text()}: {check.verdict}"),
-            *([Content(check.advice)] if check.advice else []),
-            Content(kind),
-            Content.styled(f"Source: {check.source}", "dim"),
+            Content.assemble((say(check.name), "bold"), (f"   {check.id}", "dim")),
+            Content(say(f"{value}, {check.limit_text()}, margin {check.margin_text()}") + f": {self.app.signs.word(check.verdict)}"),
+            *([Content(say(check.advice))] if check.advice else []),
+            Content(say(kind)),
+            Content.styled(f"{say('Source')}: {say(check.source)}", "dim"),
         ]
 
     def keys(self) -> Content:
         """Every key, from the table of actions and the user's key map."""
-        lines = [Content(""), Content.styled("Keys", "bold"), Content.styled("anywhere        no field   does", "dim")]
+        say = self.app.say
+        lines = [
+            Content(""),
+            Content.styled(self.app.say("Keys"), "bold"),
+            Content.styled(f"{say('anywhere'):<16}{say('no field'):<{INDENT - 16}}{say('does')}", "dim"),
+        ]
         for action in ACTIONS:
             mapped = self.app.key_map.get(action.id)
             keys, letters = (key_names(mapped), "") if mapped else (key_names(action.keys), key_names(action.letters))
-            lines.append(self.described(keys, letters, f"{action.title}. {action.help}"))
+            lines.append(self.described(keys, letters, f"{say(action.title)}. {say(action.help)}"))
         lines.append(self.described("Tab Shift+Tab", "", "Next, previous field or pane."))
         lines.append(
             self.described(

@@ -12,8 +12,10 @@ from textual.timer import Timer
 from textual.worker import get_current_worker
 
 from calc.design import STEPS
+from calc.languages import Language
+from calc.languages.outcome import said
 from calc.sheet.errors import Cancelled
-from calc.sheet.step import Step
+from calc.sheet.step import Outcome, Step
 
 from ..session import Session
 from ..sheets import Sheet
@@ -61,6 +63,8 @@ class Live(Screen[None]):
         super().__init__()
         self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it mends
         self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
+        self._said: dict[str, tuple[Outcome, Outcome]] = {}  # step → its outcome, and the same in the user's language
+        self._say: Language | None = None
         self._solving = False
         self._debounce: Timer | None = None
         self._slow: Timer | None = None
@@ -113,15 +117,25 @@ class Live(Screen[None]):
         finally:
             self.post_message(self.Solved(answer, session))
 
+    def said(self, results: "Results", step: Step) -> Outcome:
+        """The whole outcome of a step in the user's language; made once."""
+        outcome, say = results.outcomes[step.key].whole, self.app.say
+        known, made = self._said.get(step.key, (None, outcome))
+        if known is not outcome or say is not self._say:
+            made = said(outcome, say)
+            self._said[step.key] = (outcome, made)
+            self._say = say
+        return made
+
     def prepare(self, results: "Results", step: Step) -> Sheet:
         """The calculation of a step, written out and broken into rows; kept as long as its outcome is the same.  Runs in any thread."""
         from ..sheets import sheet
 
-        outcome = results.outcomes[step.key].whole
+        outcome = self.said(results, step)
         known, made = self.sheets.get(step.key, (None, Sheet()))
         if known is not outcome:
             try:
-                made = sheet(outcome, STEPS.index(step) + 1)
+                made = sheet(outcome, STEPS.index(step) + 1, self.app.say)
             except Exception as error:  # a line that can not be written must not stop the session
                 made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
             self.sheets[step.key] = (outcome, made)

@@ -24,11 +24,13 @@ class Palette(Provider):
         work = self.screen
         if not isinstance(work, Workbench):
             return
+        say = work.app.say
         for action in ACTIONS:
             if action.id not in HIDDEN:
                 keys = key_names(action.binding)
-                yield f"{action.title}  ({keys})" if keys else action.title, action.help, partial(work.run_action, action.does)
-        yield "Put back unsaved edits", "Edits that were kept aside for another version of this file.", work.action_restore
+                title = say(action.title)
+                yield f"{title}  ({keys})" if keys else title, say(action.help), partial(work.run_action, action.does)
+        yield say("Put back unsaved edits"), say("Edits that were kept aside for another version of this file."), work.action_restore
 
     async def discover(self) -> Hits:
         for title, help, does in self._found():
@@ -41,12 +43,13 @@ class Palette(Provider):
                 yield Hit(score, matcher.highlight(title), does, help=help)
         work = self.screen
         if isinstance(work, Workbench):
+            say = work.app.say
             for key, about in quantities(work.session.data):
-                title = f"Field: {about.label}  {key}"
+                title = f"{say('Field')}: {say(about.label)}  {key}"
                 if (score := matcher.match(title)) > 0:
                     yield Hit(
                         score * 0.9,
                         matcher.highlight(title),
                         partial(work.to_field, work.session.place(key)),
-                        help=about.help or about.allowed(),
+                        help=say(about.help or about.allowed()),
                     )

@@ -39,11 +39,11 @@ class PathDialog(ModalScreen[Found]):
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog"):
-            yield Static(Content.styled(self.TITLE_TEXT, "bold"))
+            yield Static(Content.styled(self.app.say(self.TITLE_TEXT), "bold"))
             yield Input(self.start, compact=True, select_on_focus=False, id="path")
             yield OptionList(id="names", compact=True)
             yield Static("", id="wrong", classes="wrong")
-            yield Static(Content.styled(self.HINT, "dim"))
+            yield Static(Content.styled(self.app.say(self.HINT), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#path", Input).cursor_position = len(self.start)
@@ -98,7 +98,7 @@ class PathDialog(ModalScreen[Found]):
 
     def say(self, text: str) -> None:
         """What is wrong with the path."""
-        self.query_one("#wrong", Static).update(Content(text))
+        self.query_one("#wrong", Static).update(Content(self.app.say(text)))
 
     def action_list(self, by: int) -> None:
         options = self.query_one("#names", OptionList)

@@ -99,6 +99,16 @@ class Workbench(Doing, Live):
         await self.recompose()
         self.on_mount()
 
+    async def speak(self) -> None:
+        """Show everything in the language that the program speaks now."""
+        step, pane = self.step, self.pane
+        await self.recompose()
+        self.set_out()
+        self.show_step()
+        self.at_pane(pane)
+        await self.open_step(step)
+        self.form.focus_place(None)
+
     def on_mount(self) -> None:
         self.set_out()
         self.form.focus_place(None)
@@ -117,7 +127,7 @@ class Workbench(Doing, Live):
         return STEPS.index(self.step) + 1
 
     def _form_title(self) -> str:
-        return f"{self.number} {self.step.title}"
+        return f"{self.number} {self.app.say(self.step.title)}"
 
     # --- editing
     def on_field_edited(self, event: Field.Edited) -> None:
@@ -203,7 +213,7 @@ class Workbench(Doing, Live):
     def show_results(self) -> None:
         """The results of the current step."""
         results = self.session.results
-        outcome = results.outcomes[self.step.key].whole if results is not None else None
+        outcome = self.said(results, self.step) if results is not None else None
         self.query_one(Checks).show(outcome)
         if results is not None:
             self.query_one(Calculation).show(self.prepare(results, self.step))
@@ -212,8 +222,8 @@ class Workbench(Doing, Live):
         if outcome is not None:
             bad = sum(c.verdict != "pass" for c in outcome.checks)
             count = len(outcome.checks)
-            word = "check passes" if count == 1 else "checks pass"
-            self.query_one("#checks", Pane).set_title(right=f"{count - bad} of {count} {word}" if count else "")
+            passing = f"{count - bad} of {count} {'check passes' if count == 1 else 'checks pass'}"
+            self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
         self.show_keys()
 
     def show_keys(self) -> None:
@@ -304,7 +314,7 @@ class Workbench(Doing, Live):
     def _views(self, shown: str) -> Content:
         """The names of the views, for a narrow screen."""
         parts = [
-            Content.styled(word, "bold" if name == shown else "not bold dim").stylize(
+            Content.styled(self.app.say(word), "bold" if name == shown else "not bold dim").stylize(
                 Style.from_meta({"@click": f"screen.to_view('{name}')"})
             )
             for name, word in VIEWS.items()
@@ -313,18 +323,20 @@ class Workbench(Doing, Live):
 
     def _show_help(self) -> None:
         """The foot of the form: about the field that has the focus."""
-        shown = self.query_one(FieldHelp)
+        shown, say = self.query_one(FieldHelp), self.app.say
         field = self.form.field
         if field is not None:
-            shown.show(field.about.label, meaning(field.about))
+            shown.show(field.about.label, meaning(field.about, say))
         elif isinstance(self.focused, (ArrayHeading, TableHeading)):
             heading = self.focused
-            text = f"{heading.row.about.help} {heading.HELP}".strip()
-            shown.show(heading.row.about.label, f"{self.app.signs.mark('invalid')} {heading.reason}. {text}" if heading.reason else text)
+            text = f"{heading.row.about.help} {say(heading.HELP)}".strip()
+            shown.show(
+                heading.row.about.label, f"{self.app.signs.mark('invalid')} {say(heading.reason)}. {text}" if heading.reason else text
+            )
         elif isinstance(self.focused, Taken):
-            shown.show("From earlier steps", "Enter, or typing a number, goes to the step that owns the value.")
+            shown.show(say("From earlier steps"), say("Enter, or typing a number, goes to the step that owns the value."))
         elif self.focused is not None and self.pane == "inputs":
-            shown.show("No field is being edited", "letters act as keys; Tab or ↓ goes back to the fields.")
+            shown.show(say("No field is being edited"), say("letters act as keys; Tab or ↓ goes back to the fields."))
         else:
             shown.show("", "")
 

@@ -81,14 +81,16 @@ class ArrayHeading(Widget, can_focus=True):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
             name = f" {names[shown]}" if names[shown] != str(shown + 1) else ""
-            text = f" {shown + 1} of {len(names)}{name} "
+            text = f" {self.app.say(f'{shown + 1} of {len(names)}')}{name} "
             middle = [
                 "  ",
                 self._link(before, "leaf(-1)"),
                 fit(text, max(8, self.size.width - len(title) - 16)),
                 self._link(after, "leaf(1)"),
             ]
-        buttons: list[Content | str] = [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link("+ add", "add")]
+        buttons: list[Content | str] = (
+            [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link(f"+ {self.app.say('add')}", "add")]
+        )
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
         return Content.assemble(left, " " * gap, *buttons)

@@ -8,7 +8,7 @@ from calc.sheet.step import Erratum
 
 from ..sheets import Entry, Sheet
 from .item_list import Item, ItemList
-from .signs import WORDS, Signs
+from .signs import Signs
 from .wrap import wrap
 
 BOUND = "\u00a0"  # a space at which no row is broken
@@ -30,11 +30,11 @@ class Typesetter:
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")]))
             items.append(self.entry(entry))
         if sheet.errata:
-            items.append(Item("", [Content(""), Content.styled("Errors of the sources", "bold")]))
+            items.append(Item("", [Content(""), Content.styled(self.signs.say("Errors of the sources"), "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
         for title, kind, texts in (("Proposed", "proposal", sheet.proposals), ("Assumed", "note", sheet.notes)):
             if texts:
-                items.append(Item("", [Content(""), Content.styled(title, "bold")]))
+                items.append(Item("", [Content(""), Content.styled(self.signs.say(title), "bold")]))
                 items += [
                     Item(f"{kind} {n}", [Content(row) for row in wrap(f"· {text}", self.width, 2)], line=text)
                     for n, text in enumerate(texts)
@@ -53,7 +53,7 @@ class Typesetter:
         signs = self.signs
         for check in entry.checks:
             limit = check.limit_text().replace(" ", BOUND)
-            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name} {limit}"
+            text = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {check.name} {limit}"
             rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
         for erratum in entry.errata:
             rows += self._erratum(erratum, indent + 2)
@@ -63,7 +63,7 @@ class Typesetter:
     def _erratum(self, erratum: Erratum, indent: int) -> list[Content]:
         signs, width = self.signs, self.width
         theirs = f"{short(erratum.source_value)} {erratum.unit}".rstrip()
-        text = f"{signs.mark('warn')} the source has {theirs} for {erratum.label}: {erratum.why} ({erratum.source})"
+        text = f"{signs.mark('warn')} {signs.say(f'the source has {theirs} for {erratum.label}')}: {erratum.why} ({erratum.source})"
         return [Content.styled(row, signs.style("warn")) for row in wrap(" " * indent + text, width, indent + 2)]
 
 
@@ -73,7 +73,7 @@ class Calculation(ItemList):
     def __init__(self) -> None:
         super().__init__(id="calculation-list")
         self.sheet = Sheet()
-        self._set: list[tuple[Sheet, int, bool, list[Item]]] = []  # the calculations set last, with the width and the background
+        self._set: list[tuple[Sheet, int, Signs, list[Item]]] = []  # the calculations set last, with the width and the signs
 
     def show(self, sheet: Sheet) -> None:
         if sheet is not self.sheet:
@@ -90,27 +90,28 @@ class Calculation(ItemList):
 
     def _items(self, sheet: Sheet, width: int) -> list[Item]:
         signs = self.app.signs
-        for known, for_width, dark, items in self._set:
-            if known is sheet and for_width == width and dark == signs.dark:
+        for known, for_width, for_signs, items in self._set:
+            if known is sheet and for_width == width and for_signs is signs:
                 return items
         items = Typesetter(signs, width).items(sheet)
-        self._set = [*self._set[-7:], (sheet, width, signs.dark, items)]
+        self._set = [*self._set[-7:], (sheet, width, signs, items)]
         return items
 
     # --- what the title says
     def position(self) -> str:
         """Which lines are in view, of how many; and what stands at the end."""
+        say = self.app.say
         entries = [i for i, item in enumerate(self.items) if "." in item.key]
         parts = []
         if entries and self._first:
             top, bottom = round(self.scroll_y), round(self.scroll_y) + self.size.height
             seen = [n for n, i in enumerate(entries, 1) if self._first[i] < bottom and self._first[i] + len(self.items[i].rows) > top]
-            parts.append(f"{seen[0]}–{seen[-1]} of {len(entries)}" if seen else f"{len(entries)} lines")
+            parts.append(say(f"{seen[0]}–{seen[-1]} of {len(entries)}") if seen else say(f"{len(entries)} lines"))
         errata = len(self.sheet.errata) + sum(len(e.errata) for e in self.sheet.entries)
         if errata:
-            parts.append(f"{errata} erratum" if errata == 1 else f"{errata} errata")
+            parts.append(say(f"{errata} erratum") if errata == 1 else say(f"{errata} errata"))
         if self.sheet.proposals:
-            parts.append(f"{len(self.sheet.proposals)} proposed")
+            parts.append(say(f"{len(self.sheet.proposals)} proposed"))
         if self.sheet.notes:
-            parts.append(f"{len(self.sheet.notes)} assumed")
+            parts.append(say(f"{len(self.sheet.notes)} assumed"))
         return " · ".join(parts)

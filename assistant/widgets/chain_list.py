@@ -37,15 +37,16 @@ class ChainList(ItemList):
     def build(self, width: int) -> list[Item]:
         items: list[Item] = []
         setter = Typesetter(self.app.signs, width)
-        about = ""
+        about, say = "", self.app.say
         for number in reversed(range(len(self.links))):
             link = self.links[number]
             if link.line.about != about:
                 about = link.line.about
-                title = about[:1].upper() + about[1:]
+                shown = say(about)
+                title = shown[:1].upper() + shown[1:]
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")]))
             formula, numbers, source = line_text(link.line)
-            entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
+            entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, say(source))
             made = setter.entry(entry)
             items.append(Item(str(number), made.rows, made.value, made.line))
             items += [self._input(key, number, width) for key in dict.fromkeys(link.inputs)]
@@ -58,7 +59,7 @@ class ChainList(ItemList):
         except (BadInput, KeyError):  # a column of an array, or what a name brings in
             label, value = key, ""
         else:
-            label, value = f"{about.label}  {key}", f"{text} {about.unit}".strip()
+            label, value = f"{self.app.say(about.label)}  {key}", f"{text} {about.unit}".strip()
         line = f"{label}  {value}".rstrip()
         rows = wrap(f"      {self.app.signs.mark('from')} {line}", width, 8)
         return Item(f"{INPUT}{key} {number}", [Content.styled(row, "italic") for row in rows], value or key, line)

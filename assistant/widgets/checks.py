@@ -8,7 +8,6 @@ from calc.sheet.number import short
 from calc.sheet.step import Outcome
 
 from .item_list import Item, ItemList
-from .signs import WORDS
 from .wrap import pad, wrap
 
 ORDER = {"fail": 0, "warn": 1, "pass": 2}
@@ -34,36 +33,36 @@ class Checks(ItemList):
             self.rebuild()
 
     def build(self, width: int) -> list[Item]:
-        outcome = self.outcome
+        outcome, say = self.outcome, self.app.say
         width = max(width, 30)  # what is too narrow is cut off
         if outcome is None:
             return []
         if not outcome.checks:
             texts = {"not_asked": "This design does not ask for this step.", "solved": "This step has no limits of its own."}
-            text = texts.get(outcome.state, outcome.reason)
+            text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, width)])]
         checks = sorted_checks(outcome.checks)
-        value_width = max(len("Value"), *(len(short(c.value)) for c in checks))
-        limit_width = max(len("Limit"), *(len(c.limit_text()) for c in checks))
+        value_width = max(len(say("Value")), *(len(short(c.value)) for c in checks))
+        limit_width = max(len(say("Limit")), *(len(c.limit_text()) for c in checks))
         name_width = width - VERDICT - value_width - limit_width - MARGIN - 2 * GAP
         roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
         if roomy:
-            start = " " * VERDICT + "Check".ljust(name_width)
-            head = f"{start}{'':{GAP}}{'Value':>{value_width}}{'':{GAP}}{'Limit':<{limit_width}}{'Margin':>{MARGIN}}"
+            start = " " * VERDICT + say("Check").ljust(name_width)
+            head = f"{start}{'':{GAP}}{say('Value'):>{value_width}}{'':{GAP}}{say('Limit'):<{limit_width}}{say('Margin'):>{MARGIN}}"
         else:
-            head = f"{'':<{VERDICT}}{'Check, value and limit':<{width - VERDICT - MARGIN}}{'Margin':>{MARGIN}}"
+            head = f"{'':<{VERDICT}}{say('Check, value and limit'):<{width - VERDICT - MARGIN}}{say('Margin'):>{MARGIN}}"
         items = [Item("", [Content.styled(head, "dim")])]
         for check in checks:
             rows = self._wide(check, name_width, value_width, limit_width) if roomy else self._two(check, width)
             value = f"{short(check.value)} {check.unit}".rstrip()
-            judged = f"limit {check.limit_text()}, margin {check.margin_text()}"
-            line = f"{WORDS[check.verdict]}: {check.name} {value}, {judged} [{check.source}]"
+            judged = say(f"limit {check.limit_text()}, margin {check.margin_text()}")
+            line = f"{self.app.signs.word(check.verdict)}: {check.name} {value}, {judged} [{check.source}]"
             items.append(Item(check.id, rows, value, line))
         return items
 
     def _start(self, check: Check) -> tuple[str, str]:
         signs = self.app.signs
-        return pad(f"{signs.mark(check.verdict)} {WORDS[check.verdict]}", VERDICT), signs.style(check.verdict)
+        return pad(f"{signs.mark(check.verdict)} {signs.word(check.verdict)}", VERDICT), signs.style(check.verdict)
 
     def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int) -> list[Content]:
         """One row, where the names fit beside the numbers."""

@@ -9,6 +9,7 @@ from textual.content import Content
 from calc.compare import CheckDifference, Comparison
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
+from calc.languages.outcome import said_table
 from calc.sheet.step import Table
 
 from .item_list import Item, ItemList
@@ -52,8 +53,9 @@ class ComparisonList(ItemList):
 
     # --- content
     def build(self, width: int) -> list[Item]:
+        say = self.app.say
         if self.found is None or self.found.equal:
-            text = self.waiting if self.found is None else "The two designs are equal: no input, verdict, check or value differs."
+            text = say(self.waiting if self.found is None else "The two designs are equal: no input, verdict, check or value differs.")
             return [Item("", [Content(row) for row in wrap(text, width)])]
         items: list[Item] = []
         self._heads = {}
@@ -61,10 +63,10 @@ class ComparisonList(ItemList):
             self._heads.setdefault(part.section, len(items))
             gap = [Content("")] if items else []
             if part.table is None:
-                items.append(Item("", [*gap, Content.styled(part.title, "bold")]))
+                items.append(Item("", [*gap, Content.styled(say(part.title), "bold")]))
                 continue
-            set_ = Setter(part.table, width)
-            items.append(Item("", [*gap, Content.styled(part.title, "bold underline"), *set_.head()]))
+            set_ = Setter(said_table(part.table, say), width)
+            items.append(Item("", [*gap, Content.styled(say(part.title), "bold underline"), *set_.head()]))
             items += [self._item(part.section, id, str(row[2]), item) for id, row, item in zip(part.ids, part.table.rows, set_.items())]
         return items
 
@@ -74,7 +76,7 @@ class ComparisonList(ItemList):
         return Item(f"{section} {id}", rows, now, f"{id}: {item.line}")
 
     def _sign(self, verdict: str) -> str:
-        return f"{self.app.signs.mark(verdict)} {WORDS[verdict]}"
+        return f"{self.app.signs.mark(verdict)} {self.app.signs.word(verdict)}"
 
     def _coloured(self, row: Content) -> Content:
         """Signs in their colours, which only help."""

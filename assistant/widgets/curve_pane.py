@@ -187,17 +187,17 @@ class CurvePane(Pane, can_focus=True):
             return
         self._drawn = drawn
         self._arrange(isinstance(leaf, Table))
-        key = self.app.shown_key
-        count = f"{self._number(leaf) + 1} of {len(self.leaves)}" if leaf is not None and len(self.leaves) > 1 else ""
+        key, say, lists = self.app.shown_key, self.app.say, self.app.shown_key("curves")
+        count = say(f"{self._number(leaf) + 1} of {len(self.leaves)}") if leaf is not None and len(self.leaves) > 1 else ""
         if isinstance(leaf, Table):
-            self.set_title(leaf.title, f"{count} · {key('curves')} lists all" if count else "")
+            self.set_title(leaf.title, f"{count} · {say(f'{lists} lists all')}" if count else "")
             self.list.show(leaf)
             self._head()
         elif leaf is None:
-            self.set_title("Curve", "none in this step")
+            self.set_title("Curve", say("none in this step"))
             self._write(Content(""))
         else:
-            hints = (count, f"{key('read_back')} {key('read')} reads it", f"{key('curves')} lists all" if count else "")
+            hints = (count, say(f"{key('read_back')} {key('read')} reads it"), say(f"{lists} lists all") if count else "")
             self.set_title(leaf.title, " · ".join(filter(None, hints)))
             self._legend(Sight(leaf, self.variant, self.degrees))
             if self._plot is None:
@@ -237,7 +237,7 @@ class CurvePane(Pane, can_focus=True):
     def _head(self) -> None:
         rows = self.list.head
         if self.list.part:
-            rows = [Content.styled(f"{self.list.part}, ← → for the others", "dim"), *rows]
+            rows = [Content.styled(f"{self.app.say(self.list.part)}, {self.app.say('← → for the others')}", "dim"), *rows]
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:

@@ -71,13 +71,16 @@ class Field(Widget):
         text, optional = self.session.text(self.place), self.about.optional
         if self.words:
             return Choice(
-                self.words, text, optional=optional, prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else "choose"
+                self.words,
+                text,
+                optional=optional,
+                prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else self.app.say("choose"),
             )
         return Entry(text, self._prompt())
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
-        return self.default or ("(auto)" if self.about.optional else "" if self.row.required else "left out")
+        return self.default or ("(auto)" if self.about.optional else "" if self.row.required else self.app.say("left out"))
 
     def compose(self) -> ComposeResult:
         yield self._box
@@ -129,7 +132,7 @@ class Field(Widget):
         text = self.session.text(self.place)
         content = self.session.value(self.place)
         if self.reason or content is None:
-            return ("(auto)", "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
+            return (self.app.say("(auto)"), "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
         typed = self.box.value if isinstance(self.box, Entry) else text
         if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
             return f"= {text}", "muted"
@@ -143,7 +146,7 @@ class Field(Widget):
     def _rows(self, width: int) -> tuple[list[str], list[str]]:
         label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)  # a blank before it and one behind
         mark = self.app.signs.mark("invalid")
-        return label, wrap(f"{mark} {key_at(self.place)}: {self.reason}", width - 3, 2) if self.reason else []
+        return label, wrap(f"{mark} {key_at(self.place)}: {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 
     def get_content_height(self, container: Any, viewport: Any, width: int) -> int:
         label, error = self._rows(width)

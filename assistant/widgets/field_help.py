@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 from textual.content import Content
 from textual.widget import Widget
 
+from calc.languages import Language
 from calc.sheet.number import short
 from calc.sheet.quantity import Quantity
 
@@ -15,12 +16,12 @@ if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 
-def meaning(about: Quantity) -> str:
+def meaning(about: Quantity, say: Language) -> str:
     """What is said about a quantity, in one paragraph."""
-    usual = f"Usual {short(about.usual[0])} to {short(about.usual[1])} {about.unit}".rstrip() + "." if about.usual else ""
-    allowed = "" if about.kind in ("text", "choice") else about.allowed()
+    usual = say(f"Usual {short(about.usual[0])} to {short(about.usual[1])}") + f" {about.unit}".rstrip() + "." if about.usual else ""
+    allowed = "" if about.kind in ("text", "choice") else say(about.allowed())
     allowed = f"{allowed[:1].upper()}{allowed[1:]}." if allowed else ""
-    return " ".join(part for part in (about.help, usual, allowed) if part)
+    return " ".join(part for part in (say(about.help), usual, allowed) if part)
 
 
 class FieldHelp(Widget):
@@ -39,7 +40,7 @@ class FieldHelp(Widget):
         width, height = max(10, self.size.width - 2), self.size.height
         if not self.title:
             return Content("")
-        more = "  F1 more"
+        more = f"  {self.app.say('F1 more')}"
         rows = wrap(f"{self.title}: {self.text}" if self.text else self.title, width)
         if len(rows) > height:
             rows = rows[:height]

@@ -47,5 +47,5 @@ class FooterLine(Widget):
         return Content.assemble(start, left, " " * gap, end) if end else Content.assemble(start, left)
 
     def _part(self, action: Action) -> Content:
-        made = Content.assemble((self.app.shown_key(action.id), "bold $footer-key-foreground"), " ", action.footer)
+        made = Content.assemble((self.app.shown_key(action.id), "bold $footer-key-foreground"), " ", self.app.say(action.footer))
         return made.stylize(Style.from_meta({"@click": f"screen.{action.does}"}))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The inputs of one step, generated from their descriptions."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from textual import events
@@ -12,6 +12,7 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
+from calc.languages.outcome import said_quantity
 from calc.sheet.step import Step
 
 from ..places import Place, content_at, key_at
@@ -62,8 +63,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def _widgets(self) -> list[Widget]:
         if self.step.key not in self.session.data:
             self._shape = []
-            text = f" This design has no step {self.step.title}.\n\n Enter adds it, with the values of the example; undo takes it out."
-            return [Static(Content(text))]
+            texts = (f"This design has no step {self.step.title}.", "Enter adds it, with the values of the example; undo takes it out.")
+            return [Static(Content("\n\n".join(f" {self.app.say(text)}" for text in texts)))]
         found = self._rows()
         self._shape = _shape(found)
         made: list[Widget] = [GuideText(self.session, self.step.key)]
@@ -86,7 +87,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def _rows(self) -> list[Row]:
         editing = [self.field.place] if self.is_mounted and self.field is not None else []
-        return rows(self.step, self.session.data, self.chosen, [*editing, *self.session.reasons()])
+        found = rows(self.step, self.session.data, self.chosen, [*editing, *self.session.reasons()])
+        say = self.app.say
+        return found if say.code == "en" else [replace(row, about=said_quantity(row.about, say)) for row in found]
 
     def _heading(self, row: Row) -> Content:
         last = row.place[-1]

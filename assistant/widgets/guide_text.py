@@ -25,10 +25,11 @@ class GuideText(Static):
         self.redraw()
 
     def redraw(self) -> None:
+        say = self.app.say
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = ("Try", guide.trying) if fails else ("Good", guide.good)
         self.display = self.app.guiding
         if word != self._shown:
             self._shown = word
-            self.update(Content.assemble(("Decide: ", "bold"), f"{guide.decide}\n", (f"{word}: ", "bold"), text))
+            self.update(Content.assemble((f"{say('Decide')}: ", "bold"), f"{say(guide.decide)}\n", (f"{say(word)}: ", "bold"), say(text)))

@@ -33,7 +33,7 @@ class Legend:
             if self.sight.curve.names and len(_flow(parts, width)) > most:
                 parts = [parts[0], [*self._names(), self._how_to_read()]]
             return self._fitted(parts, axes, width, most)
-        state = [*self._state(keys=False), Content.styled(self.reading.at, "bold")]
+        state = [*self._state(keys=False), Content.styled(self.app.say(self.reading.at), "bold")]
         for parts, least in (
             ([state, [*self._reads(), *self._chains(), *self._limits()]], 1),  # the limits have their names on their lines
             ([state, [*self._reads()]], 0), ([state, [*self._reads(1)]], 0), ([state, [*self._reads(1, brief=True)]], 0),
@@ -65,16 +65,16 @@ class Legend:
         curve = self.sight.curve
         name, comma, unit = curve.y_label.rpartition(", ")
         up = f"{plain(name)}, {unit}" if comma else plain(curve.y_label)
-        return up if curve.names else f"{up} over {curve.x_label}"
+        return up if curve.names else self.app.say(f"{up} over {curve.x_label}")
 
     def _state(self, keys: bool = True) -> Iterator[Content]:
         """The variant and the crank angle, with the keys that change them."""
-        sight, key = self.sight, self.app.shown_key
+        sight, key, say = self.sight, self.app.shown_key, self.app.say
         if sight.variant:
             yield Content.assemble((key("variant") + " ", "dim"), (sight.variant, "bold"))
         if sight.turns:
-            how = f" {key('crank_back')} {key('crank_on')} after {key('leave')}" if keys else ""
-            yield Content.assemble((f"crank at {sight.degrees}°", "bold"), (how, "dim"))
+            how = " " + say(f"{key('crank_back')} {key('crank_on')} after {key('leave')}") if keys else ""
+            yield Content.assemble((say(f"crank at {sight.degrees}°"), "bold"), (how, "dim"))
 
     def _names(self) -> Iterator[Content]:
         series = self.sight.series
@@ -91,7 +91,7 @@ class Legend:
 
     def _how_to_read(self) -> Content:
         key = self.app.shown_key
-        return Content.styled(f"{key('read_back')} {key('read')} name the bars", "dim")
+        return Content.styled(self.app.say(f"{key('read_back')} {key('read')} name the bars"), "dim")
 
     def _mark(self, n: int) -> str:
         look = self.app.signs.look(n)
@@ -106,7 +106,7 @@ class Legend:
                     yield Content.styled(f"{signs.look(n).line_mark} {name}", signs.look(n).colour)
                 n += 1
         if sight.turns:
-            yield Content(f"{'@' if signs.ascii else '●'} their sum")
+            yield Content(f"{'@' if signs.ascii else '●'} {self.app.say('their sum')}")
 
     def _limits(self) -> Iterator[Content]:
         from .reading import axis, finite_limits, with_unit
@@ -122,7 +122,7 @@ class Legend:
         for read in self.reading.reads:
             name = f"{self._mark(read.number)} {read.label}".rstrip()
             chosen = read.number == self.reading.chosen
-            said = ", ".join((read.brief if brief else read.value, *read.distances[:distances]))
+            said = ", ".join((read.brief if brief else read.value, *map(self.app.say, read.distances[:distances])))
             yield Content.assemble((name, signs.look(read.number).colour), " ", (said, "bold" if chosen else ""))
 
 

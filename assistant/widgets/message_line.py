@@ -35,25 +35,26 @@ class MessageLine(Widget):
 
     def message(self) -> tuple[str, str]:
         """The state and the text."""
-        session = self.session
+        session, say = self.session, self.app.say
         reasons = session.reasons()
         if reasons:
             here = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
             place, reason = next(iter((here or reasons).items()))
             step = "" if here else self._title(str(place[0]) if place else "")
-            more = f"  ({len(reasons)} in all)" if len(reasons) > 1 else ""
-            return "invalid", f"{step}{key_at(place) or 'the design'}: {reason}{more}. The results are those of the last valid input."
+            more = "  " + say(f"({len(reasons)} in all)") if len(reasons) > 1 else ""
+            what = key_at(place) or say("the design")
+            return "invalid", f"{step}{what}: {say(reason)}{more}. {say('The results are those of the last valid input.')}"
         if session.failure:
             return "fail", session.failure
         if session.results is None:
-            return "solving", "solving …"
+            return "solving", say("solving …")
         outcome = session.results.outcomes[self.step]
         if outcome.state in ("blocked", "no_solution"):
-            return outcome.state, outcome.reason
+            return outcome.state, say(outcome.reason)
         checks = sorted_checks(outcome.checks)
         if checks and checks[0].verdict != "pass":
             bad = sum(c.verdict != "pass" for c in checks)
-            return checks[0].verdict, self._check(checks[0]) + (f"  ({bad} of {len(checks)} checks here)" if bad > 1 else "")
+            return checks[0].verdict, self._check(checks[0]) + ("  " + say(f"({bad} of {len(checks)} checks here)") if bad > 1 else "")
         outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
         worst = [(key, found[0]) for key, other in outcomes if (found := sorted_checks(other.checks))]
         for key, check in worst:
@@ -61,36 +62,34 @@ class MessageLine(Widget):
                 return "fail", self._title(key) + self._check(check)
         for key, other in outcomes:
             if other.state in ("blocked", "no_solution"):
-                return other.state, self._title(key) + other.reason
+                return other.state, self._title(key) + say(other.reason)
         for key, check in worst:
             if check.verdict == "warn":
                 return "warn", self._title(key) + self._check(check)
-        return "pass", "every check passes"
+        return "pass", say("every check passes")
 
     def _title(self, key: str) -> str:
-        return next((f"{n} {step.title}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
+        return next((f"{n} {self.app.say(step.title)}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
 
     def _check(self, check: Check) -> str:
         value = f"{short(check.value)} {check.unit}".rstrip()
-        advice = (
-            f": {check.advice[:1].lower()}{check.advice[1:]}"
-            if check.advice[1:2].islower()
-            else f": {check.advice}"
-            if check.advice
-            else ""
-        )
-        needs = "should be" if check.kind == "advice" else "needs"
-        return f"{check.name} {value}, {needs} {check.limit_text()}{advice}"
+        say = self.app.say
+        advice = say(check.advice)
+        advice = f": {advice[:1].lower()}{advice[1:]}" if advice[1:2].islower() else f": {advice}" if advice else ""
+        needs = say("should be") if check.kind == "advice" else say("needs")
+        return f"{say(check.name)} {value}, {needs} {check.limit_text()}{advice}"
 
     def offer(self) -> str:
         """What a key would mend of the step that fails."""
         if self.remedy is None or not self.session.valid or not self.session.current:
             return ""
-        key = self.app.shown_key("mend")
+        key, say = self.app.shown_key("mend"), self.app.say
         if not self.remedy.changes:
-            return "No remedy was found: " + "; ".join(f"{one.name}: {one.why}" for one in self.remedy.left)
+            found = "; ".join(f"{say(one.name)}: {say(one.why)}" for one in self.remedy.left)
+            return f"{say('No remedy was found')}: {found}"
         where = "" if self.trouble == self.step else self._title(self.trouble)
-        return f"{where}{key} mends it: {self.remedy.words} {self.app.signs.mark('then')} {self.remedy.said}"
+        mends = say(f"{key} mends it")
+        return f"{where}{mends}: {say(self.remedy.words)} {self.app.signs.mark('then')} {say(self.remedy.said)}"
 
     def render(self) -> Content:
         state, text = self.message()

@@ -6,6 +6,8 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.content import Content
 
+from calc.languages.outcome import said_table
+
 from ..offers.offer import Offer
 from .item_list import Item, ItemList
 from .table_list import Setter
@@ -36,17 +38,18 @@ class OfferList(ItemList):
         if (offer := self.offer) is None:
             return []
         items: list[Item] = []
+        say = self.app.say
         last, taken = 1, set[str]()
-        for n, table in enumerate((offer.table(TOP), *offer.beside(TOP))):
+        for n, table in enumerate(said_table(one, say) for one in (offer.table(TOP), *offer.beside(TOP))):
             set_ = Setter(table, width, self._column)
             last = max(last, set_.last)
-            part = f"   ({set_.part}; Shift+→ ←)" if set_.part else ""
+            part = f"   ({say(set_.part)}; Shift+→ ←)" if set_.part else ""
             title = [Content.styled(row, "bold") for row in wrap(table.title + part, width)]
             items.append(Item("", [Content(""), *title] if n else title))
             if not n:
-                items += [Item("", [Content(row) for row in wrap(words, width)]) for words in offer.summary]
+                items += [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
             items.append(Item("", set_.head()))
-            numbered = bool(table.columns) and table.columns[0][0] == "no."
+            numbered = bool(table.columns) and table.columns[0][0] == say("no.")
             rows = set_.items()
             for item, cells in zip(rows, table.rows):
                 first = cells[0] if numbered else None
@@ -55,7 +58,7 @@ class OfferList(ItemList):
                 taken.add(key)
             items += [Item("", item.rows) for item in rows[len(table.rows) :]]
         for text in ((offer.hidden(TOP),) if offer.hidden(TOP) else ()) + offer.notes:
-            items.append(Item("", [Content.styled(row, "dim") for row in wrap(f"· {text}", width, 2)]))
+            items.append(Item("", [Content.styled(row, "dim") for row in wrap(f"· {say(text)}", width, 2)]))
         self._column = min(self._column, last)
         return items
 

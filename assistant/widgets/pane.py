@@ -39,7 +39,7 @@ class Pane(Vertical):
 
     def set_title(self, title: str | None = None, right: str | None = None, views: Content | None = None) -> None:
         """The title, what is to be said beside it, and, where one pane stands for all, the names of the others."""
-        self.name_of = title if title is not None else self.name_of
+        self.name_of = self.app.say(title) if title is not None else self.name_of
         self.right = right if right is not None else self.right
         self.views = views if views is not None else self.views
         width = (self.title.size.width or self.size.width) - 2
@@ -62,6 +62,9 @@ class Pane(Vertical):
         if made.markup != self._shown:
             self._shown = made.markup
             self.title.update(made, layout=False)
+
+    def on_mount(self) -> None:
+        self.name_of = self.app.say(self.name_of)
 
     def on_resize(self) -> None:
         self.set_title()

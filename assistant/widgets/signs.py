@@ -3,6 +3,7 @@
 
 from dataclasses import dataclass
 
+from calc.languages import Language, language
 from calc.sheet.check import SIGNS
 
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
@@ -49,14 +50,19 @@ class Look:
 
 
 class Signs:
-    """The signs as this terminal can show them, with styles for its background."""
+    """The signs as this terminal can show them, with words in the user's language and styles for its background."""
 
-    def __init__(self, ascii: bool = False, dark: bool = True, colour: bool = True) -> None:
+    def __init__(self, ascii: bool = False, dark: bool = True, colour: bool = True, say: Language | None = None) -> None:
         self.ascii, self.dark, self.colour = ascii, dark, colour
+        self.say = say or language("en")
         self.marks = ASCII if ascii else MARKS
 
     def mark(self, state: str) -> str:
         return self.marks[state]
+
+    def word(self, state: str) -> str:
+        """The word of a state."""
+        return self.say(WORDS[state])
 
     def style(self, state: str) -> str:
         colour = (DARK if self.dark else LIGHT).get(state)

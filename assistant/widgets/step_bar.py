@@ -29,14 +29,15 @@ class StepBar(Widget):
         signs = self.app.signs
         wrong = {str(place[0]) for place in self.session.reasons() if place}
         outcomes = self.session.results.outcomes if self.session.results is not None else {}
-        spare = self.size.width - 1 - sum(len(step.title) + 4 for step in STEPS)
-        longest = max(len(step.title) for step in STEPS)
+        titles = [self.app.say(step.title) for step in STEPS]
+        spare = self.size.width - 1 - sum(len(title) + 4 for title in titles)
+        longest = max(map(len, titles))
         room = longest
         while spare < 0 and room > 3:  # shorten the longest titles first
             room -= 1
-            spare = self.size.width - 1 - sum(min(len(step.title), room) + 4 for step in STEPS)
+            spare = self.size.width - 1 - sum(min(len(title), room) + 4 for title in titles)
         parts: list[Content | str] = []
-        for n, step in enumerate(STEPS, 1):
+        for n, (step, title) in enumerate(zip(STEPS, titles), 1):
             state = state_of(self.session, outcomes.get(step.key), step.key, wrong)
             here = step.key == self.current
             mark = signs.mark(state) if outcomes or state == "invalid" else signs.mark("solving")
@@ -44,7 +45,7 @@ class StepBar(Widget):
                 "[" if here else " ",
                 str(n),
                 (mark, signs.style(state)),
-                (fit(step.title, room, ""), "bold" if here else ""),
+                (fit(title, room, ""), "bold" if here else ""),
                 "]" if here else " ",
             )
             parts.append(text.stylize(Style.from_meta({"@click": f"screen.step({n})"})))

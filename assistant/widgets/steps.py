@@ -4,6 +4,7 @@
 from textual.content import Content
 
 from calc.design import STEPS
+from calc.languages import Language
 from calc.sheet.number import short
 from calc.sheet.step import Outcome
 
@@ -16,20 +17,20 @@ from .wrap import fit
 NUMBERS = {step.title: n for n, step in enumerate(STEPS, 1)}
 
 
-def headline(session: Session, key: str) -> str:
+def headline(session: Session, key: str, say: Language) -> str:
     """The value that stands for a step, or what it waits for."""
     from calc.sheet.expression import plain
 
     outcome = session.results.outcomes.get(key) if session.results is not None else None
     if outcome is None or key not in session.data:
-        return "not asked" if key not in session.data else ""
+        return say("not asked") if key not in session.data else ""
     if outcome.state == "blocked":
         text = outcome.reason
         for title, n in NUMBERS.items():
             text = text.replace(title, str(n))
-        return text
+        return say(text)
     if outcome.state == "no_solution":
-        return "no solution"
+        return say("no solution")
     values = session.values()
     found = next((values[id] for id in HEADLINES.get(key, ()) if id in values), None)
     if found is None:
@@ -63,9 +64,11 @@ class Steps(ItemList):
             state = state_of(self.session, outcomes.get(step.key), step.key, wrong)
             here = step.key == self.current
             mark = signs.mark(state) if outcomes or state == "invalid" else signs.mark("solving")
-            title = fit(f"{n} {step.title}", width - 4)
+            title = fit(f"{n} {self.app.say(step.title)}", width - 4)
             end = signs.mark("here") if here else ""
             gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
             first = Content.assemble((mark, signs.style(state)), " ", (title, "bold" if here else ""), gap, (end, "bold"))
-            items.append(Item(step.key, [first, Content.styled("    " + fit(headline(self.session, step.key), width - 4), "dim")]))
+            items.append(
+                Item(step.key, [first, Content.styled("    " + fit(headline(self.session, step.key, self.app.say), width - 4), "dim")])
+            )
         return items

@@ -57,7 +57,7 @@ class TableHeading(Widget, can_focus=True):
 
     def render(self) -> Content:
         minus = "-" if self.app.signs.ascii else "−"
-        text, action = (minus, "remove") if self.there else ("+ add", "add")
+        text, action = (minus, "remove") if self.there else (f"+ {self.app.say('add')}", "add")
         link = Content.styled(text, "bold" if self.has_focus else "dim").stylize(Style.from_meta({"@click": action}))
         signs = self.app.signs
         left = Content.styled(f" {self.row.about.label}", "bold" if self.there else "bold dim")

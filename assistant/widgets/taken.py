@@ -29,13 +29,13 @@ class Taken(ItemList):
 
     def build(self, width: int) -> list[Item]:
         found = []
-        values = self.session.values()
+        values, say = self.session.values(), self.app.say
         label_width = LABEL_NARROW if width >= NARROW else LABEL  # as in the fields above
         for id in TAKEN.get(self.step, ()):
             owner = id.partition(".")[0]
             if (known := values.get(id)) is not None:
                 _, *part, _ = id.split(".")  # front or rear
-                label, text, unit = ", ".join((known.label, *part)), short(known.shown), known.unit
+                label, text, unit = say(", ".join((known.label, *part))), short(known.shown), known.unit
             else:
                 try:
                     about = quantity_of(self.session.data, id)
@@ -44,7 +44,7 @@ class Taken(ItemList):
                 content = value_at(self.session.data, id) if owner in self.session.data else None
                 if content is None:
                     continue
-                label, text, unit = about.label, numbers.written(content, about), about.unit
+                label, text, unit = say(about.label), numbers.written(content, about), about.unit
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()
@@ -52,7 +52,7 @@ class Taken(ItemList):
             first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
             found.append(Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}"))
         if found:
-            found.insert(0, Item("", [Content(""), Content.styled("From earlier steps", "bold dim")]))
+            found.insert(0, Item("", [Content(""), Content.styled(self.app.say("From earlier steps"), "bold dim")]))
         return found
 
     def on_key(self, event: events.Key) -> None:

@@ -8,7 +8,6 @@ from textual.content import Content
 from textual.widget import Widget
 
 from ..session import Session
-from .signs import WORDS
 from .wrap import fit
 
 if TYPE_CHECKING:
@@ -28,22 +27,22 @@ class TopLine(Widget):
 
     def state(self, short: bool) -> str:
         """The state of the file."""
-        session, signs = self.session, self.app.signs
+        session, signs, say = self.session, self.app.signs, self.app.say
         parts = []
         if session.dirty:
-            parts.append(f"{signs.mark('edited')} edited")
+            parts.append(f"{signs.mark('edited')} {say('edited')}")
             if session.autosave_failure:
-                parts.append("not kept!" if short else "can not be kept aside, save it")
+                parts.append(say("not kept!") if short else say("can not be kept aside, save it"))
             elif session.autosaved is not None and not short:
-                parts.append(f"autosaved {session.autosaved:%H:%M}")
+                parts.append(say(f"autosaved {session.autosaved:%H:%M}"))
         if session.read_only:
-            parts.append(f"{signs.mark('read_only')} read-only")
+            parts.append(f"{signs.mark('read_only')} {say('read-only')}")
         if session.example and not session.dirty:
-            parts.append("(example)")
+            parts.append(f"({say('example')})")
         return ", ".join(parts)
 
     def render(self) -> Content:
-        session, signs = self.session, self.app.signs
+        session, signs, say = self.session, self.app.signs, self.app.say
         width = self.size.width
         short = width < 100
         counts = Counter(check.verdict for check in session.results.checks()) if session.results is not None else Counter()
@@ -51,18 +50,18 @@ class TopLine(Widget):
         right: list[Content | tuple[str, str] | str] = []
         for verdict in ("pass", "warn", "fail"):
             if verdict == "pass" or counts[verdict]:
-                word = "" if short else f" {WORDS[verdict]}"
+                word = "" if short else f" {signs.word(verdict)}"
                 right += [(f"{counts[verdict]} {signs.mark(verdict)}{word}", dim + signs.style(verdict)), "  "]
         if session.results is None:
             right = []
         if not session.valid:
-            time = "input is not valid"
+            time = say("input is not valid")
         elif self.slow or not session.current:
-            time = f"{signs.mark('solving')} solving"
+            time = f"{signs.mark('solving')} {say('solving')}"
         else:
-            time = f"solved in {session.seconds * 1000:.0f} ms"
+            time = say(f"solved in {session.seconds * 1000:.0f} ms")
         if width < FEWEST:
-            time = f"needs {FEWEST} columns"
+            time = say(f"needs {FEWEST} columns")
         right.append((f"{time:>18}" if not short else time, "dim"))
         end = Content.assemble(*right, " ")
         state = self.state(short)
