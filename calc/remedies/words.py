@@ -13,6 +13,7 @@ ARRAYS = ("wheels", "meshes", "masses", "extras", "sections", "unbalances", "cra
 BRIEF = {  # where the label of the form is longer than a line can bear
     "clearance_um": "clearance", "span_allowance_um": "span allowance", "diameter_mm": "diameter", "profile_shift": "profile shift",
 }  # fmt: skip
+NUMBERED = {"meshes": "mesh", "sections": "section", "journals": "journal"}
 DIGITS = 6
 LEFT_OUT = "left out"
 
@@ -52,7 +53,7 @@ def _place(key: str) -> str:
     """The element or the table that a key stands in, without the step: `central`, `front`; a mesh by its number from 1."""
     inner = [part for part in key.split(".")[1:-1] if part not in ARRAYS]
     if inner and inner[0].isdigit():
-        return f"{key.split('.')[1]} {int(inner[0]) + 1}"
+        return f"{NUMBERED.get(key.split('.')[1], key.split('.')[1])} {int(inner[0]) + 1}"
     return " ".join(inner)
 
 
