@@ -100,15 +100,16 @@ def nearest(
     steps = [step for step in ORDER if only in (None, step)]
     left: dict[str, tuple[Unmended, ...]] = {}
     for n in range(ROUNDS):
-        before = state
+        before, moved = state, set[str]()
         for i, step in enumerate(steps):
-            if not state.sick(step):
-                continue
+            if not state.sick(step) or (left.get(step) and not any(one in moved for one in ORDER[: ORDER.index(step)])):
+                continue  # it holds; or what it was tried on has not changed since
             share = (n + i / len(steps)) / ROUNDS
             found = _remedy(state, step, account, part(progress, share, share + 1 / len(steps) / ROUNDS))
             left[step] = found.left
             if found.changes:
                 remedies.append(found)
+                moved.add(step)
                 state = State(found.document, found.results, _together(state.changes, found.changes))
         if state is before or not any(state.sick(step) for step in steps):
             break
@@ -178,7 +179,7 @@ def _round(state: State, step: str, why: dict[str, str], tries: Tries, progress:
     """Every failing check once: by what is made for it, then by the search over single numbers, then by a new start."""
     first, last = MENDS.get(step, ()), LAST.get(step, ())
     for n, (about, way) in enumerate(first):
-        state = _mended(state, step, about, way, why, part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)))
+        state = _mended(state, step, about, way, why, part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)), fresh=True)
     some = state.failing(step)
     together = [some] if len(some) > 1 else []
     sets = [*together, *((one,) for one in some)]
@@ -190,9 +191,11 @@ def _round(state: State, step: str, why: dict[str, str], tries: Tries, progress:
 
 
 def _mended(
-    state: State, step: str, about: Callable[[Check], bool], way: Mend, why: dict[str, str], progress: Progress | None
+    state: State, step: str, about: Callable[[Check], bool], way: Mend, why: dict[str, str], progress: Progress | None, *,
+    fresh: bool = False,
 ) -> State:  # fmt: skip
-    failing = tuple(c for c in state.failing(step) if about(c))
+    """`fresh`: only checks that nothing has been tried for in vain."""
+    failing = tuple(c for c in state.failing(step) if about(c) and not (fresh and c.id in why))
     return (_tried(state, step, failing, way, why, progress) if failing else None) or state
 
 

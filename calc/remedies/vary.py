@@ -19,7 +19,7 @@ from .state import State, Tries, broken, mended
 
 PROBE = 0.02  # relative change by which every number is moved to see what it does
 FARTHEST = 10.0  # relative change that is still believed, where a small one says how far to go
-GROWN = (0.3, 1.02, 1.4, 3.0)  # times that change
+GROWN = (0.3, 1.02, 1.4, 3.0, 8.0)  # times that change
 BLIND = (0.05, 0.15, 0.4, 1.0, 2.0)  # relative changes tried where a small one tells nothing
 CLOSE = 5  # halvings of the change
 BEST = 5  # numbers that are moved all the way
@@ -39,9 +39,9 @@ FREE = {
         r"supply_pressure_bar|hole_diameter_mm|groove_width_mm|pocket_width_mm|pocket_length_mm"
     ),
     "gears": (
-        r"wheels\..*\.(teeth|profile_shift|tip_shortening_mm|face_width_mm|span_allowance_um|tip_diameter_tolerance_um|rim_thickness_mm|"
+        r"wheels\..*\.(teeth|profile_shift|tip_shortening_mm|span_allowance_um|tip_diameter_tolerance_um|rim_thickness_mm|"
         r"position_mm|hardness_HV)|"
-        r"meshes\..*\.(centre_distance_mm|tolerance_um)|face_width_mm|tool_addendum|tool_tip_radius|ball_diameter_mm|helix_angle_deg"
+        r"meshes\..*\.(centre_distance_mm|tolerance_um)|tool_addendum|tool_tip_radius|ball_diameter_mm|helix_angle_deg"
     ),
     "friction": r"flank_roughness_um",
 }
@@ -97,9 +97,12 @@ class _Search:
                 self.known[changes] = None
         return self.known[changes]
 
+    def holds(self, made: State | None) -> bool:
+        return made is not None and mended(self.state, made, self.step, [c.id for c in self.checks])
+
     def passes(self, made: State | None) -> bool:
-        ids = [c.id for c in self.checks]
-        return made is not None and mended(self.state, made, self.step, ids) and not broken(self.state, made)
+        """And nothing that held before fails."""
+        return made is not None and self.holds(made) and not broken(self.state, made)
 
     def margin(self, made: State | None) -> float:
         """The least of the checks that are to hold; no number where one has none."""
@@ -140,33 +143,28 @@ def mend(state: State, step: str, checks: tuple[Check, ...], tries: Tries, progr
 
 
 def _moved(search: _Search, number: Number, sign: float, need: float | None) -> tuple[float, State] | None:
-    """The smallest change of one number that passes, and the design with it."""
-    low, found = 0.0, None
+    """The smallest change of one number by which the checks hold, and the design with it; None where others then fail."""
+    low, high = 0.0, math.inf
     for change in BLIND if need is None else [max(need, PROBE / 4) * grown for grown in GROWN]:
-        made = search.made(number, number.moved(sign * change))
-        if search.passes(made):
-            found = change, made
+        if search.holds(search.made(number, number.moved(sign * change))):
+            high = change
             break
         low = change
-    if found is None:
+    if math.isinf(high):
         return None
-    high, best = found
     for _ in range(CLOSE):
         middle = (low + high) / 2
-        made = search.made(number, number.moved(sign * middle))
-        if search.passes(made):
-            high, best = middle, made
+        if search.holds(search.made(number, number.moved(sign * middle))):
+            high = middle
         else:
             low = middle
-    if number.whole:
-        return high, best if best is not None else search.state
-    for end in (high, 2 * high - low):  # a round number within the last half, or just beyond
-        rounded = search.made(number, number.written([_round(number.at(x, sign * low), number.at(x, sign * end)) for x in number.now]))
-        if search.passes(rounded):
-            best = rounded
-            break
-        low = high
-    assert best is not None
+    best = search.made(number, number.moved(sign * high))
+    if best is None or not search.passes(best):
+        return None
+    for start, end in ((low, high), (high, 2 * high - low)):  # a round number within the last half, or just beyond
+        rounded = search.made(number, number.written([_round(number.at(x, sign * start), number.at(x, sign * end)) for x in number.now]))
+        if rounded is not None and search.passes(rounded):
+            return high, rounded
     return high, best
 
 
