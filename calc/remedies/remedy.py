@@ -79,12 +79,14 @@ UNSOLVED: dict[str, Mend] = {"bearings": bearings.mend, "countershaft": shaft.re
 LAST: dict[str, tuple[tuple[Callable[[Check], bool], Mend], ...]] = {"countershaft": ((shaft.fits, shaft.resize),)}
 
 
-def remedy(document: Document, step: str, results: Results | None = None, progress: Progress | None = None) -> Remedy:
+def remedy(
+    document: Document, step: str, results: Results | None = None, progress: Progress | None = None, tries: int = TRIES
+) -> Remedy:  # fmt: skip
     """The nearest remedy of one step.  One without changes: nothing of it can be mended, or nothing fails.
 
     `results`: where the design is solved already.  `progress` may raise `Cancelled`.
     """
-    return _remedy(state_of(document, results), step, Tries(TRIES), progress)
+    return _remedy(state_of(document, results), step, Tries(tries), progress)
 
 
 def nearest(
