@@ -70,7 +70,13 @@ def test_the_json_stays_one_object(capsys: pytest.CaptureFixture[str]) -> None:
 
 def test_where_there_is_none_the_last_line_says_what_still_fails(capsys: pytest.CaptureFixture[str]) -> None:
     code, lines = check(
-        capsys, str(DESIGNS / "r753ie4_sized.toml"), "--step", "gears", "--set", "gears.wheels.central.teeth=25", "gears.wheels.shaft.teeth=40"
+        capsys,
+        str(DESIGNS / "r753ie4_sized.toml"),
+        "--step",
+        "gears",
+        "--set",
+        "gears.wheels.central.teeth=25",
+        "gears.wheels.shaft.teeth=40",
     )
     assert code == 1 or code == 3
     assert lines[-1].startswith("no passing design found: gears") and " still fails: " in lines[-1]
