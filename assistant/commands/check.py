@@ -13,6 +13,8 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome
 from calc.solve import Results, solve
 
+TRIES = 60  # designs that may be solved for checks that no search is made for: a few seconds
+
 
 def run(asked: Namespace) -> int:
     known_step(asked.step)
@@ -44,7 +46,7 @@ def nearest_passing(
     """
     from calc.remedies.remedy import nearest  # for a design that fails only
 
-    found = nearest(document, results, only=step)
+    found = nearest(document, results, only=step, tries=TRIES)
     kept = {change.partition("=")[0] for change in found.changes}
     all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
     asked = ["--step", step] if step is not None else []

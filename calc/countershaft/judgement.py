@@ -60,7 +60,8 @@ def _slopes(found: CountershaftResult) -> tuple[Check, ...]:
     return tuple(
         check(
             f"countershaft.slope_{place}", f"Slope of the {place} journal", slope, "<=", SLOPE_LIMIT, "mrad",
-            "Finotti 2013, ch. 6: target of the engine's maker", "A stiffer shaft between its bearings: larger core, shorter span.",
+            "Finotti 2013, ch. 6: target of the engine's maker",
+            "A stiffer shaft between its bearings: larger core (core_radius_mm), shorter span (bearing_positions_mm).",
         )
         for place, slope in (("front", found.slope_front), ("rear", found.slope_rear)) if slope is not None
     )  # fmt: skip

@@ -10,11 +10,12 @@ from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, part
 from ..solve import Results
 from . import backlash, bearings, shaft, strength, teeth, vary
-from .state import ORDER, TITLES, State, broken, mended, state_of
+from .state import ORDER, TITLES, State, Tries, broken, mended, state_of
 from .words import words
 
 ROUNDS = 3  # through the steps: one may undo a little of an earlier one
 TIMES = 4  # through the checks of a step
+TRIES = 300  # whole designs that the search over single numbers may solve, for all checks together
 
 Mend = Callable[[State, tuple[Check, ...], Progress | None], State]
 
@@ -74,34 +75,43 @@ MENDS: dict[str, tuple[tuple[Callable[[Check], bool], Mend], ...]] = {
     "bearings": ((_any, bearings.mend),),
     "gears": ((teeth.about, teeth.mend), (backlash.about, backlash.mend), (strength.about, strength.mend)),
 }
-UNSOLVED: dict[str, Mend] = {"bearings": bearings.mend, "countershaft": shaft.resize}
+UNSOLVED: dict[str, Mend] = {"bearings": bearings.mend, "countershaft": shaft.resize, "gears": teeth.mend}
 LAST: dict[str, tuple[tuple[Callable[[Check], bool], Mend], ...]] = {"countershaft": ((shaft.fits, shaft.resize),)}
 
 
-def remedy(document: Document, step: str, results: Results | None = None, progress: Progress | None = None) -> Remedy:
+def remedy(
+    document: Document, step: str, results: Results | None = None, progress: Progress | None = None, tries: int = TRIES
+) -> Remedy:  # fmt: skip
     """The nearest remedy of one step.  One without changes: nothing of it can be mended, or nothing fails.
 
     `results`: where the design is solved already.  `progress` may raise `Cancelled`.
     """
-    return _remedy(state_of(document, results), step, progress)
+    return _remedy(state_of(document, results), step, Tries(tries), progress)
 
 
-def nearest(document: Document, results: Results | None = None, progress: Progress | None = None, only: str | None = None) -> Nearest:
-    """The nearest design in which no limit fails; what can not be mended is said.  `only`: the limits of this step alone."""
+def nearest(
+    document: Document, results: Results | None = None, progress: Progress | None = None, only: str | None = None, tries: int = TRIES
+) -> Nearest:  # fmt: skip
+    """The nearest design in which no limit fails; what can not be mended is said.  `only`: the limits of this step alone.
+
+    `tries`: how many designs may be solved in the search over single numbers, where nothing better is known for a check.
+    """
+    account = Tries(tries)
     start = state = state_of(document, results)
     remedies: list[Remedy] = []
     steps = [step for step in ORDER if only in (None, step)]
     left: dict[str, tuple[Unmended, ...]] = {}
     for n in range(ROUNDS):
-        before = state
+        before, moved = state, set[str]()
         for i, step in enumerate(steps):
-            if not state.sick(step):
-                continue
+            if not state.sick(step) or (left.get(step) and not any(one in moved for one in ORDER[: ORDER.index(step)])):
+                continue  # it holds; or what it was tried on has not changed since
             share = (n + i / len(steps)) / ROUNDS
-            found = _remedy(state, step, part(progress, share, share + 1 / len(steps) / ROUNDS))
+            found = _remedy(state, step, account, part(progress, share, share + 1 / len(steps) / ROUNDS))
             left[step] = found.left
             if found.changes:
                 remedies.append(found)
+                moved.add(step)
                 state = State(found.document, found.results, _together(state.changes, found.changes))
         if state is before or not any(state.sick(step) for step in steps):
             break
@@ -121,14 +131,14 @@ def _undone(state: State, step: str) -> tuple[Unmended, ...]:
     return tuple(Unmended(step, c.id, c.name, "what mends other steps makes it fail") for c in state.failing(step))
 
 
-def _remedy(start: State, step: str, progress: Progress | None) -> Remedy:
+def _remedy(start: State, step: str, tries: Tries, progress: Progress | None) -> Remedy:
     state = start = replace(start, changes=())
     why: dict[str, str] = {}
     for n in range(TIMES):
         if not state.sick(step):
             break
         before, here = state, part(progress, n / TIMES, (n + 1) / TIMES)
-        state = _unsolved(state, step, why, here) if state.unsolved(step) else _round(state, step, why, here)
+        state = _unsolved(state, step, why, tries, here) if state.unsolved(step) else _round(state, step, why, tries, here)
         if state is before:
             break
     left = _left(state, step, why)
@@ -155,9 +165,9 @@ def _left(state: State, step: str, why: dict[str, str]) -> tuple[Unmended, ...]:
     return tuple(Unmended(step, c.id, c.name, why.get(c.id, "nothing was found that mends it")) for c in state.failing(step))
 
 
-def _unsolved(state: State, step: str, why: dict[str, str], progress: Progress | None) -> State:
+def _unsolved(state: State, step: str, why: dict[str, str], tries: Tries, progress: Progress | None) -> State:
     """A step that finds no solution: its own search, else one number at a time."""
-    ways: list[Mend] = [lambda s, _, p: vary.mend(s, step, None, p)]
+    ways: list[Mend] = [lambda s, _, p: vary.mend(s, step, (), tries, p)]
     if step in UNSOLVED:
         ways.insert(0, UNSOLVED[step])
     for n, way in enumerate(ways):
@@ -167,32 +177,36 @@ def _unsolved(state: State, step: str, why: dict[str, str], progress: Progress |
     return state
 
 
-def _round(state: State, step: str, why: dict[str, str], progress: Progress | None) -> State:
+def _round(state: State, step: str, why: dict[str, str], tries: Tries, progress: Progress | None) -> State:
     """Every failing check once: by what is made for it, then by the search over single numbers, then by a new start."""
     first, last = MENDS.get(step, ()), LAST.get(step, ())
     for n, (about, way) in enumerate(first):
-        state = _mended(state, step, about, way, why, part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)))
+        state = _mended(state, step, about, way, why, part(progress, 0.5 * n / len(first), 0.5 * (n + 1) / len(first)), fresh=True)
     some = state.failing(step)
-    for n, one in enumerate(some):
-        state = _alone(state, step, one, why, part(progress, 0.5 + 0.4 * n / len(some), 0.5 + 0.4 * (n + 1) / len(some)))
+    together = [some] if len(some) > 1 else []
+    sets = [*together, *((one,) for one in some)]
+    for n, checks in enumerate(sets):
+        state = _single(state, step, checks, why, tries, part(progress, 0.5 + 0.4 * n / len(sets), 0.5 + 0.4 * (n + 1) / len(sets)))
     for about, way in last:
         state = _mended(state, step, about, way, why, part(progress, 0.9, 1.0))
     return state
 
 
 def _mended(
-    state: State, step: str, about: Callable[[Check], bool], way: Mend, why: dict[str, str], progress: Progress | None
+    state: State, step: str, about: Callable[[Check], bool], way: Mend, why: dict[str, str], progress: Progress | None, *,
+    fresh: bool = False,
 ) -> State:  # fmt: skip
-    failing = tuple(c for c in state.failing(step) if about(c))
+    """`fresh`: only checks that nothing has been tried for in vain."""
+    failing = tuple(c for c in state.failing(step) if about(c) and not (fresh and c.id in why))
     return (_tried(state, step, failing, way, why, progress) if failing else None) or state
 
 
-def _alone(state: State, step: str, check: Check, why: dict[str, str], progress: Progress | None) -> State:
-    """One check by the search over single numbers, where it still fails."""
-    now = state.check(step, check.id)
-    if now is None or now.verdict != "fail":
-        return state
-    return _tried(state, step, (now,), lambda s, failing, p: vary.mend(s, step, failing[0], p), why, progress) or state
+def _single(
+    state: State, step: str, checks: tuple[Check, ...], why: dict[str, str], tries: Tries, progress: Progress | None
+) -> State:  # fmt: skip
+    """By one number, where they still fail."""
+    ids = {c.id for c in checks}
+    return _mended(state, step, lambda c: c.id in ids, lambda s, failing, p: vary.mend(s, step, failing, tries, p), why, progress)
 
 
 def _tried(

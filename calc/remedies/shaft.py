@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from ..countershaft.inputs import CountershaftInputs, EccentricMass
 from ..countershaft.sizing.choices import asked, candidates, changes, choices, envelope
-from ..countershaft.sizing.sectors import remainder
+from ..countershaft.sizing.sectors import TooSmall, remainder
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, part
@@ -19,6 +19,9 @@ LEFT = ("countershaft.residual", "countershaft.residual_force")
 FIT = ("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape")
 TRIED = 8  # shafts of the search, solved as whole designs
 SAME = 0.01  # share of an unbalance: a mass that is right to this stays as it is
+NEAR = 0.1  # of the couple: what a single mass may miss to be tried alone
+SHARES = (1.0, 0.97)  # of what is asked for: all of it, or where there is no room for it what just passes
+TENTH = 1e-4  # m, to which a radius or a length that is needed is rounded up
 
 
 def leaves(check: Check) -> bool:
@@ -41,7 +44,7 @@ def balance(state: State, failing: tuple[Check, ...], progress: Progress | None 
     if shaft.mode != "given":
         raise NoSolution("the sized pair gives what is asked of it; look at overdesign_percent and the further elements")
     ways = list(_balanced(state, shaft))
-    return first_good(state, "countershaft", [c.id for c in failing], ways, progress)
+    return first_good(state, "countershaft", [c.id for c in failing], ways, progress, whole=True)
 
 
 def _balanced(state: State, shaft: CountershaftInputs) -> Iterator[list[str]]:
@@ -52,9 +55,15 @@ def _balanced(state: State, shaft: CountershaftInputs) -> Iterator[list[str]]:
         U, P, _ = asked(shaft, imbalance, engine.angular_speed)
         U, P = remainder(U, P, shaft.extras)
     now = [m.mass * m.radius * cmath.exp(1j * m.angle) for m in shaft.masses]
-    for wanted in _wanted(shaft.masses, now, U, P):
+    for share in SHARES:
+        yield from _ways(shaft.masses, now, share * U, share * P)
+
+
+def _ways(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[list[str]]:
+    yield from _shifted(masses, now, U, P)
+    for wanted in _wanted(masses, now, U, P):
         off = [n for n, (old, new) in enumerate(zip(now, wanted)) if abs(new - old) > SAME * max(abs(new), abs(old))]
-        parts = [list(_single(shaft.masses[n], wanted[n])) for n in off]
+        parts = [list(_single(masses[n], wanted[n])) for n in off]
         if len(parts) == 1:
             yield from parts[0][:2]  # by its mass alone, by its angle alone
         elif parts:
@@ -64,13 +73,23 @@ def _balanced(state: State, shaft: CountershaftInputs) -> Iterator[list[str]]:
         yield [change for one in parts for change in one[3]]  # its radius and its angle
 
 
+def _shifted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[list[str]]:
+    """One mass moved along the shaft, where the force is right already."""
+    if abs(sum(now) - U) > NEAR * max(map(abs, now), default=0.0):
+        return
+    for n, mass in enumerate(masses):
+        rest = sum(u * m.z for i, (u, m) in enumerate(zip(now, masses)) if i != n)
+        if now[n] and abs((z := (P - rest) / now[n]).imag) < NEAR * abs(z):
+            yield [f"countershaft.masses.{mass.name}.z_mm={round(z.real * 1e3, 1)!r}"]
+
+
 def _wanted(masses: tuple[EccentricMass, ...], now: list[complex], U: complex, P: complex) -> Iterator[list[complex]]:
     """Unbalances that leave nothing: of one mass, the others as they are; of the first and the last; of all, turned and scaled alike."""
     for n, mass in enumerate(masses):
         others = sum(u for i, u in enumerate(now) if i != n)
         one = U - others
         rest = sum(u * m.z for i, (u, m) in enumerate(zip(now, masses)) if i != n)
-        if abs(P - rest - one * mass.z) <= SAME * abs(P):
+        if abs(P - rest - one * mass.z) <= NEAR * abs(P):
             yield [one if i == n else u for i, u in enumerate(now)]
     first, last = masses[0], masses[-1]
     if last.z != first.z:
@@ -121,8 +140,18 @@ def resize(state: State, failing: tuple[Check, ...], progress: Progress | None =
         materials = candidates(shaft, design.materials, state.document.place)
     except BadInput as bad:
         raise NoSolution(f"{bad.errors[0].key} {bad.errors[0].reason}") from None
-    found = choices(shaft, imbalance, engine.angular_speed, room, materials, part(progress, 0.0, 0.3)).shafts
+    ids = [c.id for c in failing]
+    try:
+        choices(shaft, imbalance, engine.angular_speed, room, {shaft.material: materials[shaft.material]})
+    except TooSmall as small:
+        larger = (("outer_radius", small.outer_radius), ("half_length", small.half_length))
+        ways = [[f"countershaft.{name}_mm={math.ceil(x / TENTH) / 10!r}"] for name, x in larger if x is not None]
+        try:
+            return first_good(state, "countershaft", ids, ways, part(progress, 0.0, 0.2))
+        except NoSolution:
+            pass
+    found = choices(shaft, imbalance, engine.angular_speed, room, materials, part(progress, 0.2, 0.3)).shafts
     R = shaft.outer_radius or room.outer_radius
     near = sorted(found, key=lambda one: (one.material != shaft.material, abs(one.sized.outer_radius - R)))
     ways = [changes(one, room) for one in near[:TRIED]]
-    return first_good(state, "countershaft", [c.id for c in failing], ways, part(progress, 0.3, 1.0))
+    return first_good(state, "countershaft", ids, ways, part(progress, 0.3, 1.0))

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """A design on its way: its document, what has been changed so far, and what it then gives.  Nothing is changed in place."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from ..design import STEPS, Design
-from ..design_file import Document, design, parse_assignment
+from ..design_file import Document, design, parse_assignment, value_at
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, tell
@@ -14,6 +14,13 @@ from ..solve import Results, solve
 
 ORDER = ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")  # in which steps are mended: that of solving
 TITLES = {step.key: step.title.lower() for step in STEPS}
+
+
+@dataclass
+class Tries:
+    """How many whole designs the search over single numbers may still solve: all its calls share one such account."""
+
+    left: int
 
 
 @dataclass(frozen=True)
@@ -50,6 +57,8 @@ class State:
         said = {change.partition("=")[0]: change for change in self.changes}
         for change in changes:
             key, value = parse_assignment(change)
+            if value == value_at(document.data, key):
+                continue
             document = document.with_value(key, value)
             said.pop(key, None)
             said[key] = change
@@ -76,16 +85,17 @@ def broken(before: State, after: State, steps: Iterable[str] = ORDER) -> list[st
     return found
 
 
-def first_good(before: State, step: str, ids: Iterable[str], ways: Iterable[Iterable[str]], progress: Progress | None = None) -> State:
+def first_good(
+    before: State, step: str, ids: Iterable[str], ways: Iterable[Sequence[str]], progress: Progress | None = None, *, whole: bool = False
+) -> State:  # fmt: skip
     """The first of some ways, each a set of changes, by which the checks `ids` of a step hold.
 
-    One that breaks no check that held is preferred to one that breaks checks of later steps, which can be mended in turn.  Raises
-    NoSolution where no way does.
+    One that breaks no check that held is preferred to one that breaks checks of later steps, which can be mended in turn; with `whole`
+    one by which all of the step holds goes before.  Raises NoSolution where no way does.
     """
-    wanted, second = list(ids), None
-    later = ORDER[ORDER.index(step) + 1 :]
+    wanted, tried = list(ids), list(dict.fromkeys(tuple(way) for way in ways if way))
+    best: tuple[int, State] | None = None
     earlier = ORDER[: ORDER.index(step) + 1]
-    tried = list(ways)
     why = "nothing is left to change"
     for n, changes in enumerate(tried):
         tell(progress, n / len(tried), TITLES[step])
@@ -97,16 +107,17 @@ def first_good(before: State, step: str, ids: Iterable[str], ways: Iterable[Iter
         if not mended(before, after, step, wanted):
             still = [c for c in after.failing(step) if c.id in wanted]
             why = f"{still[0].name} would still fail" if still else after.outcome(step).reason or why
-            continue
-        if not broken(before, after):
-            return after
-        if not broken(before, after, earlier):
-            second = second or after
+        elif worse := broken(before, after, earlier):
+            why = f"{worse[0]} would then fail"
         else:
-            why = f"{broken(before, after, earlier)[0]} would then fail"
-    if second is not None and broken(before, second, later):
-        return second
-    raise NoSolution(why)
+            rank = 2 * bool(whole and after.failing(step)) + bool(broken(before, after) or any(map(after.unsolved, ORDER)))
+            if best is None or rank < best[0]:
+                best = rank, after
+            if rank == 0:
+                break
+    if best is None:
+        raise NoSolution(why)
+    return best[1]
 
 
 def mended(before: State, after: State, step: str, ids: Iterable[str]) -> bool:

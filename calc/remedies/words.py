@@ -13,6 +13,7 @@ ARRAYS = ("wheels", "meshes", "masses", "extras", "sections", "unbalances", "cra
 BRIEF = {  # where the label of the form is longer than a line can bear
     "clearance_um": "clearance", "span_allowance_um": "span allowance", "diameter_mm": "diameter", "profile_shift": "profile shift",
 }  # fmt: skip
+NUMBERED = {"meshes": "mesh", "sections": "section", "journals": "journal"}
 DIGITS = 6
 LEFT_OUT = "left out"
 
@@ -25,15 +26,19 @@ def words(document: Document, results: Results, changes: Iterable[str]) -> str:
     for key, new in made.items():
         if new is None and any(new_key != key and _place(new_key) == _place(key) for new_key in made):
             continue
-        said.append(_change(document, known, key, new))
+        if (change := _change(document, known, key, new)) is not None:
+            said.append(change)
     return ", ".join(said)
 
 
-def _change(document: Document, known: dict[str, Published], key: str, new: Any) -> str:
+def _change(document: Document, known: dict[str, Published], key: str, new: Any) -> str | None:
+    """None where it only writes down what the program had chosen."""
     about = quantity_of(document.data, key)
     old = value_at(document.data, key)
     if old is None and (there := _value(known, key)) is not None and there.unit == about.unit:
         old = float(f"{there.shown:.4g}")
+        if isinstance(new, float) and old == float(f"{new:.4g}"):
+            return None
     label, place = BRIEF.get(key.rpartition(".")[2], about.label[0].lower() + about.label[1:]), _place(key)
     unit = f" {about.unit}" if about.unit and about.unit != "°" else about.unit
     change = f"{_written(old)} → {_written(new)}{unit}"
@@ -52,7 +57,7 @@ def _place(key: str) -> str:
     """The element or the table that a key stands in, without the step: `central`, `front`; a mesh by its number from 1."""
     inner = [part for part in key.split(".")[1:-1] if part not in ARRAYS]
     if inner and inner[0].isdigit():
-        return f"{key.split('.')[1]} {int(inner[0]) + 1}"
+        return f"{NUMBERED.get(key.split('.')[1], key.split('.')[1])} {int(inner[0]) + 1}"
     return " ".join(inner)
 
 

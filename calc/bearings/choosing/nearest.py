@@ -26,8 +26,11 @@ def nearest_row(case: Case, progress: Progress | None = None) -> Row:
         ways.append((offered, as_given(bearings)))
     dropped: list[str] = []
     for n, (some, asked) in enumerate(ways):
+        own = nearest_settled(case, short_fields(some[:1], asked, slopes), slopes, [])
+        if own is not None and own.row is not None and own.row.level == 0:  # sizes alone: no other oil or supply goes before
+            return own.row
         every = short_fields(some, asked, slopes, part(progress, n / len(ways), (n + 0.8) / len(ways)))
-        settled = nearest_settled(case, every, slopes, dropped)
+        settled = nearest_settled(case, every, slopes, dropped, part(progress, (n + 0.8) / len(ways), (n + 1) / len(ways)))
         if settled is not None and settled.row is not None:
             return settled.row
     if dropped:

@@ -207,7 +207,9 @@ def short_fields(
     return found
 
 
-def nearest_settled(case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str]) -> Settled | None:
+def nearest_settled(
+    case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str], progress: Progress | None = None
+) -> Settled | None:  # fmt: skip
     """The nearest row of all variants that holds in the whole design.
 
     Preferred is what changes sizes alone, then oil, then supply, then surfaces.
@@ -218,7 +220,8 @@ def nearest_settled(case: Case, every: Every, slopes: dict[str, Radian], dropped
         if rank is not None:
             level, change, power = rank
             near.append((level, variant.supply != case.bearings.supply, variant.oil != case.bearings.oil, change, power, variant, fields))
-    for *_, variant, fields in sorted(near, key=lambda one: one[:5])[:NEAREST]:
+    for n, (*_, variant, fields) in enumerate(sorted(near, key=lambda one: one[:5])[:NEAREST]):
+        tell(progress, n / NEAREST, f"{variant} in the whole design")
         pair = nearest(fields, slopes)
         assert pair is not None
         settled = settle(case, Row("nearest", variant, *pair), fields, slopes)
@@ -234,8 +237,7 @@ def _settled(
     """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
     by_variant = {id(variant): fields for variant, fields in every}
     best = [Row("least power", variant, *pair) for variant, fields in every if (pair := least_power(fields, slopes)) is not None]
-    tell(progress, 0.0, "the nearest row in the whole design")
-    first = nearest_settled(case, every, slopes, dropped)
+    first = nearest_settled(case, every, slopes, dropped, part(progress, 0.0, 0.3))
     rows = [] if first is None else [first]
     waiting = [Settled(row, slopes) for row in best]
     done: list[Settled] = []
@@ -246,7 +248,7 @@ def _settled(
         if one in done:  # still the least after its slopes were read again
             rows.append(one)
             continue
-        tell(progress, len(done) / VERIFIED, f"{one.row.variant} in the whole design")
+        tell(progress, 0.3 + 0.7 * len(done) / VERIFIED, f"{one.row.variant} in the whole design")
         settled = settle(case, one.row, by_variant[id(one.row.variant)], slopes)
         if settled.row is None:
             dropped.append(settled.why)

@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The nearest passing design: it passes when solved afresh, or it is said why there is none; nothing is changed in place."""
+
+from copy import deepcopy
+
+import pytest
+
+from calc.bearings.choosing.nearest import nearest_row
+from calc.bearings.choosing.search import search
+from calc.bearings.choosing.tables import changes
+from calc.choosing import bearings_case
+from calc.design_file import Document, design, parse_assignment, read
+from calc.remedies.remedy import nearest, remedy
+from calc.sheet.errors import Cancelled
+from calc.solve import Results, solve
+
+from ..conftest import DESIGNS
+
+
+def damaged(name: str, *changes: str) -> Document:
+    return with_changes(read(DESIGNS / f"{name}.toml"), changes)
+
+
+def with_changes(document: Document, changes: tuple[str, ...]) -> Document:
+    for change in changes:
+        document = document.with_value(*parse_assignment(change))
+    return document
+
+
+def fails(results: Results) -> list[str]:
+    unsolved = [key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked")]
+    return unsolved + [c.id for c in results.checks() if c.verdict == "fail"]
+
+
+DAMAGED = [
+    ("r753ie4_gamma",),
+    ("r753ie4_beta",),
+    ("finotti_gear_sheet",),
+    ("r753ie4_sized", "bearings.front.length_mm=20"),  # too short
+    ("r753ie4_sized", "bearings.rear.length_mm=60"),  # runs into the sector
+    ("r753ie4_sized", "bearings.oil=SAE 10W"),
+    ("r753ie4_sized", "gears.wheels.central.span_allowance_um=[100, 80]"),  # jams
+    ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2"),  # contradicts the distances: no solution
+    ("r753ie4_sized", "gears.wheels.idler.tip_shortening_mm=2.5"),  # hands over too late
+    ("timing_pair", "gears.wheels.0.profile_shift=-1"),  # undercut
+    ("timing_pair", "gears.power_kW=60"),  # too weak
+    ("r753ie4_sized", "countershaft.outer_radius_mm=38"),  # too small to size a shaft in
+    ("r753ie4_gamma", "countershaft.masses.front.mass_kg=2.0"),
+    ("r753ie4_gamma", "countershaft.masses.front.angle_deg=180"),
+    ("r753ie4_gamma", "countershaft.masses.rear.z_mm=60"),
+    ("r754ie4_balance_shafts", "countershaft.masses.0.mass_kg=5"),
+    ("r753ie4_gamma", "countershaft.bolts.torque_Nm=5"),  # nothing is made for it: one number at a time
+]
+
+
+@pytest.mark.parametrize("case", DAMAGED, ids=" ".join)
+def test_the_nearest_design_passes_when_it_is_solved_afresh(case: tuple[str, ...]) -> None:
+    document = damaged(*case)
+    before = deepcopy(document.data)
+    results = solve(design(document))
+    assert fails(results)
+    found = nearest(document, results)
+    assert document.data == before
+    assert found.passes and not found.left
+    again = with_changes(document, found.changes)
+    assert again.data == found.document.data
+    assert fails(solve(design(again))) == []
+    assert found.words and all(one.words and one.mends for one in found.remedies)
+
+
+def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Document, gamma_results: Results) -> None:
+    found = nearest(gamma, gamma_results)
+    assert [one.step for one in found.remedies] == ["bearings", "gears"]
+    mends = [id for one in found.remedies for id in one.mends]
+    assert sorted(mends) == sorted(fails(gamma_results))
+    first, second = found.remedies
+    assert first.said == "passes all checks of the bearings" and not first.breaks
+    assert {id.split(".")[0] for id in fails(first.results)} == {"gears"}
+    assert "oil 10W-40 Q8 T905 → SAE 50" in first.words
+    assert "span allowance of central −2/−20 →" in second.words
+    assert second.results is found.results
+
+
+def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
+    gears = remedy(gamma, "gears", gamma_results)
+    assert gears.changes and not gears.left and not gears.results.outcomes["gears"].verdict == "fail"
+    assert gears.results.outcomes["bearings"].verdict == "fail"
+    sound = remedy(gamma, "countershaft", gamma_results)
+    assert not sound.changes and not sound.left
+
+
+def test_the_nearest_bearings_are_the_first_row_of_the_search(gamma: Document, gamma_results: Results) -> None:
+    case = bearings_case(design(gamma), gamma_results)
+    assert changes(nearest_row(case), case.bearings) == changes(search(case).rows[0], case.bearings)
+
+
+def test_no_micrometre_more_than_needed_comes_off_the_spans(gamma: Document, gamma_results: Results) -> None:
+    found = remedy(gamma, "gears", gamma_results)
+    assert len(found.changes) == 2
+    for change in found.changes:
+        key, (upper, lower) = parse_assignment(change)
+        thicker = found.document.with_value(key, [upper + 1, lower + 1])
+        assert any(".backlash" in id for id in fails(solve(design(thicker))))
+
+
+def test_results_of_another_design_are_not_believed(gamma: Document, gamma_results: Results) -> None:
+    other = damaged("r753ie4_sized")
+    assert nearest(other, gamma_results).changes == ()
+
+
+def test_what_can_not_be_mended_is_said() -> None:
+    found = nearest(damaged("r753ie4_sized", "gears.wheels.shaft.teeth=24"), tries=0)
+    assert not found.passes
+    left = {one.id: one for one in found.left}
+    assert "the search was ended there" in left["gears.train.speed_ratio"].why
+    assert "gears.train.speed_ratio" in fails(found.results)
+
+
+def test_a_part_that_is_mended_is_kept_where_another_is_not() -> None:
+    document = damaged("r753ie4_gamma", "gears.wheels.shaft.teeth=24")
+    found = remedy(document, "gears", tries=0)
+    assert found.changes and any(".backlash" in id for id in found.mends)
+    assert [one.id for one in found.left] == ["gears.train.speed_ratio"] and found.said.startswith("still fails: Speed ratio")
+
+
+@pytest.mark.parametrize("case", [("r753ie4_gamma",), ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2")], ids=" ".join)
+@pytest.mark.parametrize("call", [1, 2])
+def test_it_can_be_stopped_at_any_call(case: tuple[str, ...], call: int) -> None:
+    document = damaged(*case)
+    calls: list[float] = []
+
+    def stop(share: float, what: str) -> None:
+        calls.append(share)
+        if len(calls) == call:
+            raise Cancelled
+
+    with pytest.raises(Cancelled):
+        nearest(document, progress=stop)
+    assert len(calls) == call
+
+
+def test_the_progress_goes_from_nothing_up_to_at_most_all() -> None:
+    said: list[tuple[float, str]] = []
+    nearest(damaged("r753ie4_gamma"), progress=lambda share, what: said.append((share, what)))
+    shares = [share for share, _ in said]
+    assert all(0 <= share <= 1 for share in shares) and shares == sorted(shares) and len(said) > 10
+    assert all(what for _, what in said)

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The last line of a failing `check`: pasted into a shell it passes; where there is none, it says what still fails."""
+
+import shlex
+from pathlib import Path
+
+import pytest
+
+from assistant.cli import main
+
+from .conftest import DESIGNS, GAMMA
+
+PASTE = "nearest passing design: "
+
+
+def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, list[str]]:
+    code = main(["check", *arguments])
+    return code, capsys.readouterr().out.rstrip("\n").split("\n")
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        [str(GAMMA)],
+        [str(DESIGNS / "r753ie4_beta.toml"), "--short"],
+        [str(DESIGNS / "finotti_gear_sheet.toml")],
+        [str(GAMMA), "--step", "bearings"],
+        [str(GAMMA), "--step", "gears", "--set", "bearings.oil=SAE 10W"],
+        [str(GAMMA), "--set", "bearings.front.length_mm=20", "gears.wheels.idler.span_allowance_um=[-5,-15]"],
+        [str(DESIGNS / "r753ie4_sized.toml"), "--set", "countershaft.outer_radius_mm=38"],  # no solution: exit 3
+    ],
+    ids=lambda words: " ".join(words[1:]) or "plain",
+)
+def test_the_last_line_pasted_passes(capsys: pytest.CaptureFixture[str], arguments: list[str]) -> None:
+    code, lines = check(capsys, *arguments)
+    assert code in (1, 3)
+    assert lines[-2].startswith("to pass: ") and "→" in lines[-2]
+    assert lines[-1].startswith(PASTE)
+    words = shlex.split(lines[-1].removeprefix(PASTE))
+    assert words[:3] == ["contralbero", "check", arguments[0]]
+    assert main(words[1:]) == 0
+    again = capsys.readouterr().out
+    assert PASTE not in again and "✗" not in again
+    assert ("--step" in arguments) == ("--step" in words) and ("--short" in arguments) == ("--short" in words)
+
+
+def test_a_name_that_a_shell_would_split_is_quoted(capsys: pytest.CaptureFixture[str], tmp_path: Path) -> None:
+    file = tmp_path / "my 'last' design; $HOME.toml"
+    file.write_bytes((DESIGNS / "finotti_gear_sheet.toml").read_bytes())
+    _, lines = check(capsys, str(file))
+    assert main(shlex.split(lines[-1].removeprefix(PASTE))[1:]) == 0
+
+
+def test_a_key_that_is_set_stands_once(capsys: pytest.CaptureFixture[str]) -> None:
+    _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "bearings.oil=SAE 10W")
+    assert lines[-1].count("bearings.oil=") == 1
+
+
+def test_a_design_that_passes_says_nothing_of_it(capsys: pytest.CaptureFixture[str]) -> None:
+    code, lines = check(capsys, str(DESIGNS / "r753ie4_sized.toml"))
+    assert code == 0 and not any(PASTE in line or "no passing design" in line for line in lines)
+
+
+def test_the_json_stays_one_object(capsys: pytest.CaptureFixture[str]) -> None:
+    import json
+
+    code, lines = check(capsys, str(GAMMA), "--json")
+    assert code == 1 and json.loads("\n".join(lines))["steps"]["bearings"] == "fail"
+
+
+def test_where_there_is_none_the_last_line_says_what_still_fails(capsys: pytest.CaptureFixture[str]) -> None:
+    code, lines = check(
+        capsys,
+        str(DESIGNS / "r753ie4_sized.toml"),
+        "--step",
+        "gears",
+        "--set",
+        "gears.wheels.central.teeth=25",
+        "gears.wheels.shaft.teeth=40",
+    )
+    assert code == 1 or code == 3
+    assert lines[-1].startswith("no passing design found: gears") and " still fails: " in lines[-1]
