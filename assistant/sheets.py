@@ -10,7 +10,7 @@ from typing import Any
 
 from calc.languages import Language
 from calc.sheet.check import Check
-from calc.sheet.step import Erratum, Outcome
+from calc.sheet.step import Erratum, Outcome, Table
 from calc.sheet.units import UNITS
 
 
@@ -69,6 +69,15 @@ def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
         )  # fmt: skip
     rest = tuple(e for e in outcome.errata if e.about not in line_of)
     return Sheet(tuple(entries), rest, outcome.proposals, outcome.notes, line_of)
+
+
+VALUES = "values"  # the table of all values of a step; the id of each stands in its last column
+
+
+def values_table(outcome: Outcome, say: Language) -> Table:
+    """Every value that a step publishes."""
+    rows = tuple((say(v.label), v.shown, v.unit, v.id) for v in outcome.values())
+    return Table(VALUES, say("All values of this step"), ((say("Value"), ""), ("", ""), (say("Unit"), ""), ("id", "")), rows)
 
 
 def _size(value: Any) -> float | None:

@@ -16,6 +16,7 @@ from ..offers.offer import CHOICES
 from ..places import Place
 from ..saving import SaveError
 from ..session import Session
+from ..sheets import VALUES
 from ..solving import run
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
@@ -28,6 +29,7 @@ from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
+from ..widgets.table_list import TableList
 from .doing_curves import DoingCurves
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
@@ -411,6 +413,8 @@ class Doing(DoingCurves):
             return {"check": check} | ({"line": results.outcomes[me.step.key].lines[index]} if index is not None else {})
         if isinstance(focused, Calculation) and "." in focused.key:
             return {"line": results.outcomes[me.step.key].lines[int(focused.key.partition(".")[2]) - 1]}
+        if isinstance(focused, TableList) and focused.table is not None and focused.table.id == VALUES:
+            return {"value": focused.table.rows[int(focused.key.rpartition(" ")[2])][-1]}
         if focused.key in self.session.values():
             return {"value": focused.key}
         return {}

@@ -15,10 +15,10 @@ from calc.design import STEPS
 from calc.languages import Language
 from calc.languages.outcome import said
 from calc.sheet.errors import Cancelled
-from calc.sheet.step import Outcome, Step
+from calc.sheet.step import Curve, Outcome, Step, Table
 
 from ..session import Session
-from ..sheets import Sheet
+from ..sheets import Sheet, values_table
 from ..solving import Answer, Job, run
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -65,6 +65,7 @@ class Live(Screen[None]):
         self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
         self._said: dict[str, tuple[Outcome, Outcome]] = {}  # step → its outcome, and the same in the user's language
         self._say: Language | None = None
+        self._leaves: tuple[Outcome | None, tuple[Curve | Table, ...]] = (None, ())
         self._solving = False
         self._debounce: Timer | None = None
         self._slow: Timer | None = None
@@ -125,6 +126,16 @@ class Live(Screen[None]):
             made = said(outcome, say)
             self._said[step.key] = (outcome, made)
             self._say = say
+        return made
+
+    def leaves(self, outcome: Outcome) -> tuple[Curve | Table, ...]:
+        """The curves and tables of a step, and the table of all its values."""
+        known, made = self._leaves
+        if known is not outcome:
+            made = (*outcome.curves, *outcome.tables)
+            if outcome.result is not None:
+                made = (*made, values_table(outcome, self.app.say))
+            self._leaves = (outcome, made)
         return made
 
     def prepare(self, results: "Results", step: Step) -> Sheet:

@@ -35,6 +35,7 @@ from ..widgets.pane import Pane
 from ..widgets.step_bar import StepBar
 from ..widgets.steps import Steps
 from ..widgets.table_heading import TableHeading
+from ..widgets.table_list import TableList
 from ..widgets.taken import Taken
 from ..widgets.top_line import TopLine
 from .doing import VIEWS, Doing
@@ -217,7 +218,7 @@ class Workbench(Doing, Live):
         self.query_one(Checks).show(outcome)
         if results is not None:
             self.query_one(Calculation).show(self.prepare(results, self.step))
-            self.query_one(CurvePane).show(self.step.key, (*outcome.curves, *outcome.tables) if outcome is not None else ())
+            self.query_one(CurvePane).show(self.step.key, self.leaves(outcome) if outcome is not None else ())
         self.form.refresh_taken()
         if outcome is not None:
             bad = sum(c.verdict != "pass" for c in outcome.checks)
@@ -354,7 +355,7 @@ class Workbench(Doing, Live):
             await self.open_step(next(s for s in STEPS if s.key == event.key))
         elif isinstance(source, Checks) and event.clicked:
             self.to_line(event.key)
-        elif isinstance(source, Checks) or (isinstance(source, Calculation) and not event.clicked):
+        elif isinstance(source, Checks) or (isinstance(source, (Calculation, TableList)) and not event.clicked):
             self.action_explain()
         elif isinstance(source, Taken):
             await self.to_value(event.key)
