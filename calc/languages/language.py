@@ -4,15 +4,28 @@
 import json
 import re
 from collections import Counter, defaultdict
+from collections.abc import Iterable, Iterator
 from functools import cache
+from itertools import count
 from pathlib import Path
+from typing import NamedTuple
 
 LANGUAGES = {"en": "English", "it": "italiano"}
 FOLDER = Path(__file__).resolve().parent
-PLACE = re.compile(r"\{(\d+)\}")  # where an f-string puts something in
+PLACE = re.compile(r"\{(\w*)\}")  # where an f-string, or format(), puts something in
 WORD = re.compile(r"[^\W\d_]{2,}")
-JOINTS = tuple(map(re.compile, (r"((?<=[.;:]) )", r"((?<=,) )", r"( ?[()])", r"( and | or )")))  # where texts may have been put together
+EDGES = " .,;:"  # what may stand before or behind a text that was put together with others
+# where texts may have been put together, the coarse joints first
+JOINTS = tuple(map(re.compile, (r"((?<=[.!?]) )", r"((?<=[;:]) )", r"((?<=,) )", r"( ?[()])", r"( and | or | by | at )")))
+WEAK = 6  # letters of a template that say little: "{0} of {1}"
 KNOWN = 20_000  # texts that are remembered
+
+
+class Said(NamedTuple):
+    """A text in the language.  `whole`: no word of it has stayed English, as far as that can be told."""
+
+    text: str
+    whole: bool
 
 
 class Language:
@@ -20,47 +33,101 @@ class Language:
 
     def __init__(self, code: str, texts: dict[str, str]) -> None:
         self.code = code
+        self._texts = texts
         self._known = {text: made for text, made in texts.items() if not PLACE.search(text)}
-        self._said: dict[str, str] = {}
+        self._known |= {text.strip(EDGES): made.strip(EDGES) for text, made in self._known.items() if text.strip(EDGES) not in self._known}
+        templates = {_numbered(text): _numbered(made) for text, made in texts.items() if PLACE.search(text)}
+        self._templates = {text.strip(EDGES): made.strip(EDGES) for text, made in templates.items()} | templates
+        self._by_word = _by_rarest_word(self._templates)
         self._compiled: dict[str, re.Pattern[str]] = {}
-        self._by_word = _by_rarest_word(template for template in texts if PLACE.search(template))
-        self._templates = {template: made for template, made in texts.items() if PLACE.search(template)}
+        self._said: dict[str, Said] = {}
 
     def __call__(self, text: str) -> str:
-        if not self._known or not text:
-            return text
+        return self._say(text).text if self._texts else text
+
+    def knows(self, text: str) -> bool:
+        """Whether a text, or a template as it stands in the source, has a translation."""
+        return not self._texts or text in self._texts
+
+    def _say(self, text: str) -> Said:
         said = self._said.get(text)
         if said is None:
             if len(self._said) >= KNOWN:
                 self._said.clear()
-            said = self._said[text] = self._whole(text) or self._parts(text)
+            self._said[text] = Said(text, False)  # a template may lead back to its own text
+            said = self._said[text] = self._found(text)
         return said
 
-    def knows(self, text: str) -> bool:
-        """Whether a text, or a template as it stands in the source, has a translation."""
-        return not self._known or text in self._known or text in self._templates
+    def _found(self, text: str) -> Said:
+        """The first way to say it by which nothing stays English, else the first by which something changes."""
+        if not WORD.search(text):
+            return Said(text, True)
+        if (known := self._known.get(text)) is not None:
+            return Said(known, True)
+        first: Said | None = None
+        for said in self._ways(text):
+            if said.whole:
+                return said
+            if first is None and said.text != text:
+                first = said
+        return first or Said(text, " " not in text.strip())  # a single word may be a name
 
-    def _whole(self, text: str) -> str | None:
-        """A text of the catalogue, or one made from a template of it."""
-        bare = text.strip()
-        if (known := self._known.get(text) or self._known.get(bare)) is not None:
-            return known if text in self._known else text.replace(bare, known.strip(), 1)
-        if (found := self._template(text)) is None:
-            return None
-        template, fillers = found
-        given: dict[str, str] = {}
-        for number, filler in zip(PLACE.findall(template), fillers):
-            given.setdefault(number, self(filler))
-        return PLACE.sub(lambda place: given[place[1]], self._templates[template])
+    def _ways(self, text: str) -> Iterator[Said]:
+        matches = sorted(self._matches(text), key=lambda match: -_letters(match[0]))
+        yield from (self._filled(*match) for match in matches if self._strong(*match))
+        if (core := text.strip(EDGES)) != text and core:
+            said = self._say(core)
+            start = text.index(core)
+            yield Said(text[:start] + said.text + text[start + len(core) :], said.whole)
+        for joint in JOINTS:
+            parts = joint.split(text)  # every second one is what joins them
+            if len(parts) > 1:
+                made = list(self._pieces(parts))
+                yield Said("".join(said.text for said in made), all(said.whole for said in made))
+        yield from (self._filled(*match) for match in matches if not self._strong(*match))
 
-    def _template(self, text: str) -> tuple[str, tuple[str, ...]] | None:
-        """The template with the most words of its own that this text can have been made from, and what was put in."""
-        words = set(WORD.findall(text))
-        candidates = {template for word in words for template in self._by_word.get(word, ())}
-        for template in sorted(candidates, key=lambda t: (-len(PLACE.sub("", t)), t)):
+    def _pieces(self, parts: list[str]) -> Iterator[Said]:
+        """Parts that were joined: as many at a time as are one text of the program, else one by one."""
+        start = 0
+        while start < len(parts):
+            for end in range(len(parts), start, -2):
+                if end - start < len(parts) and (said := self._exactly("".join(parts[start:end]))) is not None:
+                    break
+            else:
+                end, said = start + 1, self._say(parts[start])
+            yield said
+            yield from (Said(self._joint(part), True) for part in parts[end : end + 1])
+            start = end + 1
+
+    def _joint(self, text: str) -> str:
+        """What stands between two parts: a mark, or a word like “and”."""
+        word = text.strip()
+        return text.replace(word, self._known.get(word, word), 1) if word else text
+
+    def _strong(self, template: str, fillers: tuple[str, ...]) -> bool:
+        """Whether a template says enough for itself not to be met by chance; a short one where nothing but numbers or known words was put in."""
+        return _letters(template) > WEAK or all(not WORD.search(filler) or filler.strip() in self._known for filler in fillers)
+
+    def _exactly(self, text: str) -> Said | None:
+        """What is one text of the program, known or made from a template."""
+        core = text.strip(EDGES)
+        found = self._known.get(text) or self._known.get(core)
+        if found is not None:
+            return Said(text.replace(core, found.strip(EDGES), 1), True)
+        made = (self._filled(*match) for match in self._matches(core) if self._strong(*match))
+        whole = next((said for said in made if said.whole), None) if core else None
+        return Said(text.replace(core, whole.text.strip(EDGES), 1), True) if whole is not None else None
+
+    def _matches(self, text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
+        """The templates that this text can have been made from, and what was put in."""
+        for template in {template for word in set(WORD.findall(text)) for template in self._by_word.get(word, ())}:
             if (match := self._pattern(template).fullmatch(text)) is not None:
-                return template, match.groups()
-        return None
+                yield template, match.groups()
+
+    def _filled(self, template: str, fillers: tuple[str, ...]) -> Said:
+        """The translation of a template, with what was put in said as well."""
+        given = {name: self._say(filler) for name, filler in zip(PLACE.findall(template), fillers)}
+        return Said(PLACE.sub(lambda place: given[place[1]].text, self._templates[template]), all(said.whole for said in given.values()))
 
     def _pattern(self, template: str) -> re.Pattern[str]:
         if (made := self._compiled.get(template)) is None:
@@ -68,22 +135,21 @@ class Language:
             made = self._compiled[template] = re.compile("(.*?)".join(literal), re.DOTALL)
         return made
 
-    def _parts(self, text: str) -> str:
-        """A text that was put together of others: each of them as far as it is known."""
-        for joint in JOINTS:
-            parts = joint.split(text)
-            if len(parts) > 1:  # every second one is what joins them
-                made = [self._known.get(part, part) if n % 2 else self(part) for n, part in enumerate(parts)]
-                if made[::2] != parts[::2]:
-                    return "".join(made)
-        if text[-1] in ".,;:" and (made_ := self(text[:-1])) != text[:-1]:
-            return made_ + text[-1]
-        return text
+
+def _numbered(template: str) -> str:
+    """The same template with a number in each empty place, as format() counts them."""
+    numbers = count()
+    return PLACE.sub(lambda place: place[0] if place[1] else f"{{{next(numbers)}}}", template)
 
 
-def _by_rarest_word(templates: object) -> dict[str, list[str]]:
+def _letters(template: str) -> int:
+    """How much a template says of its own."""
+    return sum(map(len, WORD.findall(PLACE.sub(" ", template))))
+
+
+def _by_rarest_word(templates: Iterable[str]) -> dict[str, list[str]]:
     """Each template under the word of its own that the fewest others have: a text is only held against those whose word it has."""
-    words = {template: WORD.findall(PLACE.sub(" ", template)) for template in templates}  # type: ignore[attr-defined]
+    words = {template: WORD.findall(PLACE.sub(" ", template)) for template in templates}
     often = Counter(word for own in words.values() for word in set(own))
     found: dict[str, list[str]] = defaultdict(list)
     for template, own in words.items():

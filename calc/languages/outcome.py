@@ -64,7 +64,7 @@ def _curve(curve: Curve, say: Language) -> Curve:
 def _axis(label: str, say: Language) -> str:
     """A name and, behind the last comma, its unit."""
     name, comma, unit = label.rpartition(", ")
-    return f"{say(name)}, {unit}" if comma else say(label)
+    return f"{say(name)}, {unit}" if comma and say(label) == label else say(label)
 
 
 def _series(series: Series, say: Language) -> Series:
