@@ -105,7 +105,7 @@ class Language:
         return text.replace(word, self._known.get(word, word), 1) if word else text
 
     def _strong(self, template: str, fillers: tuple[str, ...]) -> bool:
-        """Whether a template says enough for itself not to be met by chance; a short one where nothing but numbers or known words was put in."""
+        """Whether a template says enough not to be met by chance; a short one does where only numbers or known words were put in."""
         return _letters(template) > WEAK or all(not WORD.search(filler) or filler.strip() in self._known for filler in fillers)
 
     def _exactly(self, text: str) -> Said | None:
