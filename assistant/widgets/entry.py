@@ -44,7 +44,7 @@ class Entry(Input):
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""
         await self.run_action("screen.go_on")
-        if self.has_focus:
+        if self.screen.focused is self:
             self.call_later(self.action_submit)
 
     def show(self, text: str) -> None:
