@@ -83,6 +83,10 @@ class ContralberoApp(App[int]):
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         yield SystemCommand("Theme", "Other colours; ansi-dark and ansi-light take those of the terminal", self.action_change_theme)
 
+    def on_unmount(self) -> None:
+        """However the program ends, a closed page of a browser too: edits are kept aside."""
+        self.session.autosave()
+
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails is there something to ask."""
         self.session.autosave()
@@ -91,7 +95,7 @@ class ContralberoApp(App[int]):
             return
         from .screens.ask import Ask
 
-        why = self.session.autosave_failure or "an entry is not valid, and what is not valid is not kept"
+        why = self.session.autosave_failure or "what was added last is not complete, and such a part is not kept"
         if not isinstance(self.screen, Ask):
             self.push_screen(Ask(f"The edits are not saved: {why}.\nEnd all the same?", "end", "go back"), self._quit_anyway)
 

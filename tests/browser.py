@@ -86,7 +86,12 @@ class Page:
 
     async def press(self, key: str, ctrl: bool = False) -> None:
         code = KEYS.get(key) or ord(key.upper())
-        about = {"key": key, "code": key if key in KEYS else f"Key{key.upper()}", "windowsVirtualKeyCode": code, "modifiers": 2 if ctrl else 0}
+        about = {
+            "key": key,
+            "code": key if key in KEYS else f"Key{key.upper()}",
+            "windowsVirtualKeyCode": code,
+            "modifiers": 2 if ctrl else 0,
+        }
         await self.tell("Input.dispatchKeyEvent", type="rawKeyDown", **about)
         await self.tell("Input.dispatchKeyEvent", type="keyUp", **about)
 

@@ -36,7 +36,7 @@ def free_port() -> int:
 @pytest.fixture
 def design(tmp_path: Path) -> Path:
     """With all that a shell would stumble over in its path."""
-    path = tmp_path / "it's a \"$HOME\" of `its` own; & more" / "my design.toml"
+    path = tmp_path / 'it\'s a "$HOME" of `its` own; & more' / "my design.toml"
     path.parent.mkdir()
     shutil.copy(GAMMA, path)
     return path
@@ -105,16 +105,19 @@ def asked(address: str, **headers: str) -> int:
 
 
 @posix
-def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(
-    served: tuple[subprocess.Popen[str], str], tmp_path: Path
-) -> None:
+def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(served: tuple[subprocess.Popen[str], str], tmp_path: Path) -> None:
     process, address = served
     with urlopen(address, timeout=30) as answer:
         page = answer.read().decode("utf-8")
     assert "https://" not in page and 'url("' + address + "/static/fonts/" in page
     font = page.partition('src: url("')[2].partition('"')[0]
     assert asked(font) == 200
-    upgrade = {"Connection": "Upgrade", "Upgrade": "websocket", "Sec-WebSocket-Version": "13", "Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA=="}
+    upgrade = {
+        "Connection": "Upgrade",
+        "Upgrade": "websocket",
+        "Sec-WebSocket-Version": "13",
+        "Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA==",
+    }
     assert asked(f"{address}/ws", Origin="https://example.org", **upgrade) == 403
     assert asked(address, Host="example.org") == 403  # a name that was made to point here
     assert asked(address, Origin=address) == 200
@@ -127,9 +130,7 @@ def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(
 # --- in a browser
 @posix
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
-async def test_a_design_is_edited_and_saved_in_a_browser(
-    served: tuple[subprocess.Popen[str], str], design: Path, tmp_path: Path
-) -> None:
+async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subprocess.Popen[str], str], design: Path, tmp_path: Path) -> None:
     process, address = served
     before = design.read_bytes()
     async with browser(tmp_path) as page:

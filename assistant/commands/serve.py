@@ -20,7 +20,9 @@ if TYPE_CHECKING:
     from textual_serve.server import Server
 
 HOST = "127.0.0.1"
-FONT = """<style>@font-face {{ font-family: "Roboto Mono"; font-weight: 100 700; src: url("{url}fonts/RobotoMono-VariableFont_wght.ttf"); }}</style>"""
+FONT = """<style>
+      @font-face {{ font-family: "Roboto Mono"; font-weight: 100 700; src: url("{url}fonts/RobotoMono-VariableFont_wght.ttf"); }}
+    </style>"""
 OUTSIDE = re.compile(r'<link\b[^>]*href="https?://[^>]*>')  # the page would ask a font host for what lies beside it
 ENDING = 10.0  # seconds that the open sessions have to put their edits aside
 
@@ -86,10 +88,10 @@ def _server(command: str, port: int) -> "Server":
         async def on_startup(self, app: web.Application) -> None:
             print(f"The guided session is at {self.public_url} (Ctrl+C ends it)", flush=True)
 
-        async def handle_index(self, request: web.Request) -> web.Response:  # type: ignore[override]
+        async def handle_index(self, request: web.Request) -> web.Response:
             page: Any = await super().handle_index(request)
             page.text = OUTSIDE.sub(FONT.format(url=f"{self.public_url}/static/"), page.text)
-            return page  # type: ignore[no-any-return]
+            return page
 
         async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
             task = asyncio.current_task()
@@ -114,6 +116,6 @@ def _server(command: str, port: int) -> "Server":
         origin = request.headers.get("Origin")
         if request.host not in own or (origin is not None and origin.removeprefix("http://") not in own):
             raise web.HTTPForbidden(text="Only the page of this program may talk to it.")
-        return await handler(request)  # type: ignore[no-any-return]
+        return await handler(request)
 
     return Local()
