@@ -10,6 +10,7 @@ from typing import Any, ClassVar
 os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
 
 from textual.app import App, SystemCommand
+from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
@@ -42,6 +43,7 @@ class ContralberoApp(App[int]):
         super().__init__()
         self.session = session
         self.warned_of: Path | None = None  # the file of which was said that another program has changed it
+        self.guiding = True  # each form begins with what is to be decided in its step
         self.solves = 0  # results that were shown; for whoever waits for them
 
     def on_mount(self) -> None:
@@ -58,6 +60,10 @@ class ContralberoApp(App[int]):
         self.signs = Signs(self.ascii, theme.dark, not self.no_color)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
+
+    def pop_screen(self) -> AwaitComplete:
+        """The main screen stays, also where a key that repeats closes the palette twice."""
+        return super().pop_screen() if len(self.screen_stack) > 1 else AwaitComplete()
 
     async def enter(self, session: Session) -> None:
         """Go on with another design; unsaved edits of this one are kept aside."""

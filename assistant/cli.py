@@ -22,6 +22,7 @@ COMMANDS = {
     "replay": "run scripted designs and compare with what they expect",
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
+    "compare": "two designs side by side, differences first",
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "serve": "the guided session in a browser, on this machine only",
@@ -90,6 +91,12 @@ def parser() -> argparse.ArgumentParser:
     add["choose"].add_argument("--json", action="store_true", help="print one JSON object")
     add["choose"].add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     add["choose"].add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
+
+    add["compare"].add_argument("a", metavar="A", help="a design file")
+    add["compare"].add_argument("b", metavar="B", help="another one, or the same")
+    kinds = add["compare"].add_mutually_exclusive_group()
+    kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
+    kinds.add_argument("--all", action="store_true", help="all checks and values that differ, tables of one design written out")
 
     add["sweep"].add_argument("file")
     add["sweep"].add_argument(

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The states that a design has been through: undo and redo, with the edits of one field in a row as one step."""
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from calc.design_file import Table
@@ -42,6 +43,14 @@ class History:
     def seal(self) -> None:
         """The next edit is a step of its own, at the same place too."""
         self._editing = None
+
+    def past(self) -> Iterator[tuple[Table, Table]]:
+        """The edits that can be taken back, the last first: the tables before and after each.  Nothing is taken back by this."""
+        after = self.state
+        for before, _ in reversed(self._undo):
+            if before.data != after.data:
+                yield before.data, after.data
+            after = before
 
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""

@@ -125,18 +125,18 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         "program": "contralbero",
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
-        "values": {v.id: {"value": _finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
+        "values": {v.id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
         "checks": [
             {
                 "id": c.id,
                 "kind": c.kind,
                 "name": c.name,
-                "value": _finite(c.value),
+                "value": finite(c.value),
                 "sense": c.sense,
                 "limit": list(c.limit) if isinstance(c.limit, tuple) else c.limit,
                 "unit": c.unit,
-                "margin": _finite(c.margin),
+                "margin": finite(c.margin),
                 "verdict": c.verdict,
                 "source": c.source,
                 "advice": c.advice,
@@ -146,7 +146,7 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         ],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
-            {"about": e.about, "label": e.label, "source_value": _finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
+            {"about": e.about, "label": e.label, "source_value": finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
             for o in shown
             for e in o.errata
         ],
@@ -161,10 +161,10 @@ def table_json(table: Table) -> dict[str, Any]:
     return {
         "title": table.title,
         "columns": [{"label": label, "unit": unit} for label, unit in table.columns],
-        "rows": [[_finite(cell) if isinstance(cell, (int, float)) else cell for cell in row] for row in table.rows],
+        "rows": [[finite(cell) if isinstance(cell, (int, float)) else cell for cell in row] for row in table.rows],
         "note": table.note,
     }
 
 
-def _finite(number: float) -> float | None:
-    return number if math.isfinite(number) else None
+def finite(number: float | None) -> float | None:
+    return number if number is not None and math.isfinite(number) else None

@@ -7,7 +7,7 @@ field while the last valid design and its results stay as they were.
 
 import os
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
@@ -19,6 +19,7 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published, Quantity, keys
 
 from . import numbers
+from .changes import applied
 from .history import History, State
 from .places import Place, content_at, described, error_place, optional_table, without_empty
 from .recovery import Edits, Memory, not_accepted
@@ -53,8 +54,8 @@ class Session:
         self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
-        self._history = History(State(self.document.data, {}))
-        self._saved: Table = self.document.data
+        self.history = History(State(self.document.data, {}))
+        self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self._valid: Table = self.document.data  # the last tables that were a valid design
         self._kept: Edits | None = None
 
@@ -92,7 +93,7 @@ class Session:
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
         kept = self.memory.kept(self.home)
-        if kept is None or (kept.data == self._saved and not kept.typed):
+        if kept is None or (kept.data == self.saved and not kept.typed):
             return
         when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
@@ -118,7 +119,7 @@ class Session:
     # --- what is shown
     @property
     def _state(self) -> State:
-        return self._history.state
+        return self.history.state
 
     @property
     def home(self) -> Path:
@@ -144,7 +145,7 @@ class Session:
 
     @property
     def dirty(self) -> bool:
-        return bool(self._state.texts) or self._state.data != self._saved
+        return bool(self._state.texts) or self._state.data != self.saved
 
     @property
     def read_only(self) -> bool:
@@ -216,7 +217,7 @@ class Session:
 
     def seal(self) -> None:
         """The next edit is a step of its own."""
-        self._history.seal()
+        self.history.seal()
 
     def add(self, key: str | Place) -> int:
         """A further element of an array of tables, like the last one but with a name of its own.  Gives its index."""
@@ -248,6 +249,13 @@ class Session:
         self._step(State(changed(self._state.data, where, {} if there else None), texts), where)
         self.seal()
 
+    def apply(self, changes: Iterable[str]) -> None:
+        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none."""
+        data = applied(self.document, changes).data
+        self.seal()
+        self._step(State(data, {}), None)
+        self.seal()
+
     def ask(self, step: str) -> None:
         """Add a step that the design does not have, with the values of the example."""
         example = parse(EXAMPLE.read_bytes(), EXAMPLE.name).data
@@ -259,20 +267,20 @@ class Session:
 
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
-        before = self._state
-        where = self._history.undo()
-        self._entered(before)
-        return where
+        return self._travelled(self.history.undo)
 
     def redo(self) -> Place | None:
+        return self._travelled(self.history.redo)
+
+    def _travelled(self, travel: Callable[[], Place | None]) -> Place | None:
         before = self._state
-        where = self._history.redo()
+        where = travel()
         self._entered(before)
         return where
 
     def _step(self, state: State, where: Place | None) -> None:
         before = self._state
-        if self._history.go(state, where):
+        if self.history.go(state, where):
             self._entered(before)
 
     def _entered(self, before: State) -> None:
@@ -314,7 +322,7 @@ class Session:
     # --- keeping
     def bytes(self) -> bytes:
         """The design file as it would be saved now."""
-        changes = differences(self._saved, self._state.data)
+        changes = differences(self.saved, self._state.data)
         if not changes:
             return self._raw
         try:
@@ -344,7 +352,7 @@ class Session:
     def save_as(self, path: Path) -> Path:
         """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept as .bak."""
         path = path.expanduser()
-        if not path.suffix:
+        if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
         if _shipped(path):
             raise SaveError(f"{path.name} is the shipped example; give another name")
@@ -363,8 +371,8 @@ class Session:
             self.memory.drop(path)
             self.path, self._raw, self._kept = path, raw, None
             self.document = parse(raw, str(path))
-            self._saved = self._valid = self.document.data
-            self._history.state = State(self.document.data, {})
+            self.saved = self._valid = self.document.data
+            self.history.state = State(self.document.data, {})
             self.autosaved, self.autosave_failure = None, ""
         self.seal()
         self.memory.remember(path)
@@ -375,7 +383,7 @@ class Session:
         with self._keeping:
             state, data = self._state, self._valid
             typed = not_accepted(data, state)
-            if data == self._saved and not typed:
+            if data == self.saved and not typed:
                 if self._kept is not None:
                     self.memory.drop(self.home)
                     self._kept, self.autosaved = None, None

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 
 from .design import Design
-from .sheet.quantity import Key, keys
+from .sheet.check import Check
+from .sheet.quantity import Key, Published, keys
 from .sheet.trace import Line
 from .solve import Results
 
@@ -36,6 +37,13 @@ class Link:
 def chain(results: Results, value_id: str) -> list[Link]:
     """The lines that lead to a value, each behind those that it needs; empty for a value taken straight from an input."""
     return Chains(results).of(value_id)
+
+
+def behind(check: Check, values: dict[str, Published]) -> str | None:
+    """The value that a check is on: of the same step, with the same number and unit."""
+    same = [v.id for v in values.values() if v.unit == check.unit and v.shown == check.value]
+    places = (check.id.rpartition(".")[0], check.id.partition(".")[0])  # the object of the check, else its step
+    return next((id for place in places for id in same if id.startswith(place + ".")), None)
 
 
 def origin(results: Results, value_id: str) -> str | None:
@@ -74,8 +82,15 @@ class Chains:
         start = [n for n in makers if self.lines[n].formula.symbol == value.symbol] or makers
         if not start and id(value.inside) not in self.origins:
             start = self._holding(value.inside, value.symbol, len(self.lines))
+        return self._leading_to(start[-1:])
+
+    def to(self, line: Line) -> list[Link]:
+        """The chain of one line of the calculation; empty for a line of other results."""
+        return self._leading_to([n for n, other in enumerate(self.lines) if other is line][:1])
+
+    def _leading_to(self, todo: list[int]) -> list[Link]:
+        """The lines that lead to one, and that one behind them."""
         needs: dict[int, set[int]] = {}
-        todo = start[-1:]
         while todo:
             number = todo.pop()
             if number not in needs:

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero check`: solve a design and print values, checks and verdicts."""
 
+import shlex
 from argparse import Namespace
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from assistant.plain import print_results, results_json
@@ -10,7 +11,7 @@ from calc.design import STEPS, Design
 from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome
-from calc.solve import solve
+from calc.solve import Results, solve
 
 
 def run(asked: Namespace) -> int:
@@ -22,13 +23,38 @@ def run(asked: Namespace) -> int:
         raise BadInput("contralbero check", [InputError(0, "", "", "needs a design; usage: contralbero check FILE [--set KEY=VALUE …]")])
     document, made = changed(read(file), changes)
     results = solve(made)
+    verdict = exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
     if asked.json:
         import json
 
         print(json.dumps(results_json(document, results, asked.step, changes), ensure_ascii=False, indent=1))
     else:
         print_results(results, asked.step, everything=not asked.short)
-    return exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
+        if verdict:
+            print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
+    return verdict
+
+
+def nearest_passing(
+    document: Document, results: Results, file: str, changes: Sequence[str], step: str | None = None, *, short: bool = False
+) -> list[str]:  # fmt: skip
+    """What would make a failing design pass, in words; then, as the last line, the command that checks it so.
+
+    `changes` are already in the document.  Where not all can be mended, the last line says what still fails and why.
+    """
+    from calc.remedies.remedy import nearest  # for a design that fails only
+
+    found = nearest(document, results, only=step)
+    kept = {change.partition("=")[0] for change in found.changes}
+    all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
+    asked = ["--step", step] if step is not None else []
+    command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
+    if not found.left:
+        return [f"to pass: {found.words}", f"nearest passing design: {command}"]
+    lines = [f"mends a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
+    lines += [f"still fails: {one.id}: {one.why}" for one in found.left[1:]]
+    first = found.left[0]
+    return [*lines, f"no passing design found: {first.id} still fails: {first.why}"]
 
 
 def known_step(step: str | None) -> None:

@@ -1,52 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file.
-
-What can be chosen for a step stands in `choose_STEP.py`: what it NEEDS and WHY, and `offer()`.
-"""
+"""`contralbero choose`: search for the user; a ranked table, and `--apply N` writes one row into the design file."""
 
 import json
 import sys
 import textwrap
 from argparse import Namespace
 from collections import Counter
-from collections.abc import Callable
-from dataclasses import dataclass
 from difflib import get_close_matches
-from importlib import import_module
 from pathlib import Path
 
 from assistant.commands.check import changed
+from assistant.offers.offer import CHOICES
+from assistant.offers.offer import offer as offer_for
 from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
 from assistant.saving import edited_text, write_asked
 from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
-from calc.sheet.step import Table
 from calc.solve import TITLES, solve
-
-CHOICES = {
-    "engine": "firing orders, the one that leaves least first",
-    "countershaft": "shafts in the envelope, the lightest first",
-    "bearings": "plain bearings that pass at every corner, the nearest and the least power first",
-    "gears": "profile shifts and tip cuts, the least specific sliding first",
-}
-
-
-@dataclass(frozen=True)
-class Offer:
-    """What was found: how many rows, the table of the first of them, and for each row (from 1) the keys to write and what is then said.
-
-    `summary`: lines under the table's title; `notes`: a list behind all tables; `hidden`: which rows are not among the first.
-    """
-
-    count: int
-    table: Callable[[int], Table]
-    changes: Callable[[int], list[str]]
-    said: Callable[[int], str]
-    hint: str
-    beside: Callable[[int], tuple[Table, ...]] = lambda top: ()  # further tables, beside so many rows of the first
-    summary: tuple[str, ...] = ()
-    notes: tuple[str, ...] = ()
-    hidden: Callable[[int], str] = lambda top: ""
 
 
 def run(asked: Namespace) -> int:
@@ -59,14 +29,10 @@ def run(asked: Namespace) -> int:
         )
     document = read(asked.file)
     made = design(document)
-    step = import_module(f"assistant.commands.choose_{asked.step}")
-    missing = next((key for key in step.NEEDS if getattr(made, key) is None), None)
-    if missing is not None:
-        raise BadInput(asked.file, [InputError(0, missing, "", f"needed: {step.WHY}")])
     if asked.top < 1:
         raise BadInput("--top", [InputError(0, "", str(asked.top), "must be a number of rows, 1 or more")])
     try:
-        offer: Offer = step.offer(made, asked.file)
+        offer = offer_for(asked.step, made, asked.file)
     except NoSolution as none:
         print(f"{asked.file}: {asked.step}: {none}", file=sys.stderr)
         return 3

@@ -7,11 +7,9 @@ from typing import Any
 from calc.design import Design
 from calc.design_file import Document, load, value_at
 from calc.design_file import design as design_of
-from calc.explain import chain, origin
-from calc.sheet.check import Check
+from calc.explain import behind, chain, origin
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
-from calc.sheet.quantity import Published
 from calc.solve import solve
 
 
@@ -49,10 +47,10 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
 
         for check in results.checks():
             if check.id == asked.value:
-                if (behind := _behind(check, values)) is not None:
+                if (judged := behind(check, values)) is not None:
                     if not asked.json:
                         print(f"{check.id}: {check.name}, {short(check.value)} {check.unit}, needs {check.limit_text()}. Its value:\n")
-                    return _explain(Namespace(**{**vars(asked), "value": behind}), document, design)
+                    return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
                 said = f"{check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()}. Source: {check.source}"
                 raise BadInput(document.place, [InputError(0, asked.value, "", f"is a check, not a value ({said})")])
         step = results.outcomes.get(asked.value.partition(".")[0])
@@ -83,13 +81,6 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         taken = origin(results, asked.value)
         print(f"taken from the inputs: {taken}" if taken else "no recorded formula returns this number itself")
     return 0
-
-
-def _behind(check: Check, values: dict[str, Published]) -> str | None:
-    """The value that a check is on: of the same step, with the same number and unit."""
-    same = [v.id for v in values.values() if v.unit == check.unit and v.shown == check.value]
-    places = (check.id.rpartition(".")[0], check.id.partition(".")[0])  # the object of the check, else its step
-    return next((id for place in places for id in same if id.startswith(place + ".")), None)
 
 
 def _given(data: dict[str, Any], key: str) -> Any:

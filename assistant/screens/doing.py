@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the keys of the main screen do, one method for each action of the table."""
 
+from collections.abc import Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from textual import work
 
@@ -10,6 +11,8 @@ from calc.design import STEPS
 from calc.sheet.errors import BadInput
 
 from ..actions import BY_ID
+from ..changes import told
+from ..offers.offer import CHOICES
 from ..places import Place
 from ..saving import SaveError
 from ..session import Session
@@ -21,25 +24,20 @@ from ..widgets.choice import Choice
 from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
+from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
-
-if TYPE_CHECKING:
-    from .workbench import Workbench
+from .doing_curves import DoingCurves
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
 FIRST, LAST = "This is the first step.", "This is the last step."
 
 
-class Doing:
+class Doing(DoingCurves):
     """The actions.  Mixed into the main screen, which has the parts."""
 
     session: Session
-
-    @property
-    def _me(self) -> "Workbench":
-        return self  # type: ignore[return-value]
 
     # --- steps
     async def action_step(self, n: int) -> None:
@@ -101,7 +99,7 @@ class Doing:
     async def to_value(self, id: str) -> None:
         """The field of an input, or the step of a result."""
         me = self._me
-        step = next(s for s in STEPS if s.key == id.partition(".")[0])
+        step = next((s for s in STEPS if s.key == id.partition(".")[0]), self._me.step)
         try:
             place: Place | None = self.session.place(id)
         except BadInput:
@@ -127,7 +125,9 @@ class Doing:
     def _move(self, by: int) -> None:
         me = self._me
         focused = me.focused
-        if isinstance(focused, ItemList):
+        if isinstance(focused, CurvePane):
+            focused.read_line(by)
+        elif isinstance(focused, ItemList):
             before = focused.cursor
             focused.move(by)
             if focused.cursor == before and me.pane == "inputs" and by < 0:
@@ -162,10 +162,12 @@ class Doing:
             me.query_one(f"#{name}", Pane).target.focus()
 
     def action_leave(self) -> None:
-        """Out of the field; out of a large pane; back to the form."""
+        """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
         me = self._me
         if isinstance(me.focused, (Entry, Choice)):
             me.form.focus(scroll_visible=False)
+        elif me.pane == "curve" and me.query_one(CurvePane).put_away():
+            pass
         elif me.large:
             me.large = False
             me.set_out()
@@ -186,27 +188,6 @@ class Doing:
             me.focused.action_add()
         elif me.pane == "inputs":
             me.form.go(1)
-
-    def action_curve(self) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        if len(pane.leaves) < 2:
-            me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
-        pane.action_turn(1)
-
-    def action_variant(self) -> None:
-        me = self._me
-        pane = me.query_one(CurvePane)
-        shown = pane.next_variant()
-        if not shown:
-            me.app.tell("This curve has one variant only.")
-        elif not pane.display:
-            me.app.tell(f"The curve is shown {shown}.")
-
-    def action_crank(self, by: int) -> None:
-        me = self._me
-        if not me.query_one(CurvePane).turn_crank(by):
-            me.app.tell("This curve has no vectors that turn with the crank.")
 
     # --- editing
     def action_nudge(self, by: int) -> None:
@@ -300,6 +281,12 @@ class Doing:
         else:
             me.app.tell("No unsaved edits are kept for this design.")
 
+    @work
+    async def action_compare(self) -> None:
+        from .compare import compare
+
+        await compare(self._me)
+
     # --- report
     def action_report(self) -> None:
         me = self._me
@@ -340,6 +327,101 @@ class Doing:
         else:
             me.app.call_from_thread(me.app.tell, f"PDF report: {path}")
 
+    # --- mending and choosing
+    def action_mend(self) -> None:
+        """Apply the remedy of the step that fails."""
+        me = self._me
+        if self.session.reasons() or not self.session.current:
+            me.app.tell("First the input has to be valid and solved." if self.session.reasons() else "It is still being solved.")
+            return
+        step, remedy = me.trouble, me.remedy
+        if not step:
+            me.app.tell("No limit fails.")
+        elif remedy is None:
+            me.app.tell("A remedy is still being looked for …")
+            me.seek_remedy()
+        elif not remedy.changes:
+            me.app.tell("No remedy was found: " + "; ".join(f"{one.name}: {one.why}" for one in remedy.left), "warning")
+        else:
+            self._apply(remedy.changes, f"{remedy.words}: {remedy.said}. Undo takes it back.")
+
+    def _apply(self, changes: Iterable[str], said: str) -> None:
+        """Make changes as one step of the undo, and say so."""
+        me = self._me
+        self.session.apply(changes)
+        if (field := me.form.field) is not None:
+            field.rewrite()
+        me.edited()
+        me.form.rebuild(me.form.here())
+        me.app.tell(said)
+
+    def action_choose(self) -> None:
+        """The ranked table of what can be chosen for this step."""
+        me = self._me
+        if me.step.key not in CHOICES:
+            there = ", ".join(s.title for s in STEPS if s.key in CHOICES)
+            me.app.tell(f"There is nothing to choose in this step; there is in {there}.")
+            return
+        if not self.session.valid:
+            me.app.tell("First the input has to be valid.", "warning")
+            return
+        from .choosing import Choosing
+
+        me.app.push_screen(Choosing(self.session, me.step.key), self._chosen)
+
+    def _chosen(self, changes: tuple[str, ...] | None) -> None:
+        if changes is not None:
+            self._apply(changes, "; ".join(told(self.session.document, changes)) or "The design is as it was.")
+
+    def action_guide(self) -> None:
+        """Show what is to be decided in each step, or leave it out."""
+        me = self._me
+        me.app.guiding = not me.app.guiding
+        for form in me.query(Form):
+            form.refresh_taken()
+
+    # --- explaining
+    def action_explain(self) -> None:
+        """Where the number comes from that the cursor is on; then, if one was chosen, to the field of an input."""
+        me = self._me
+        asked = self._asked()
+        if not asked:
+            me.app.tell("There is nothing to explain here: go to a check, a line of the calculation or a value.")
+            return
+        from .explain import Explain
+
+        me.app.push_screen(Explain(self.session, **asked), self._explained)
+
+    async def _explained(self, key: str | None) -> None:
+        if key is not None:
+            await self.to_value(key)
+
+    def _asked(self) -> dict[str, Any]:
+        """What is to be explained: the check, the line or the value under the cursor."""
+        me, results = self._me, self.session.results
+        focused = me.focused
+        if results is None or not isinstance(focused, ItemList):
+            return {}
+        if isinstance(focused, Checks):
+            check = next((c for c in results.checks() if c.id == focused.key), None)
+            if check is None:
+                return {}
+            index = me.query_one(Calculation).sheet.line_of.get(check.id)
+            return {"check": check} | ({"line": results.outcomes[me.step.key].lines[index]} if index is not None else {})
+        if isinstance(focused, Calculation) and "." in focused.key:
+            return {"line": results.outcomes[me.step.key].lines[int(focused.key.partition(".")[2]) - 1]}
+        if focused.key in self.session.values():
+            return {"value": focused.key}
+        return {}
+
+    def action_line(self) -> None:
+        """From a check to the line of the calculation that gives its value."""
+        me = self._me
+        if isinstance(me.focused, Checks) and me.focused.key:
+            self.to_line(me.focused.key)
+        else:
+            me.app.tell("Go to a check first (F7, or F6 to the checks).")
+
     # --- help, palette, copy, end
     def action_help(self) -> None:
         from .help import HelpScreen
@@ -363,7 +445,8 @@ class Doing:
         if isinstance(focused, ItemList) and focused.item is not None:
             text = getattr(focused.item, what) or focused.item.line
         elif me.pane == "curve" and (leaf := me.query_one(CurvePane).leaf) is not None:
-            text = leaf.title
+            reading = me.query_one(CurvePane).reading
+            text = leaf.title if reading is None else reading.value if what == "value" else f"{leaf.title}: {reading.line}"
         else:
             place = me.form.here() or me.form.last
             if place is not None and (place[-1] is not None) and me.session.text(place):

@@ -14,12 +14,14 @@ from calc.design import STEPS
 from calc.sheet.number import short
 
 from ..actions import ACTIONS, key_names
+from ..guide import GUIDES
 from ..places import Place
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import Checks
 from ..widgets.field_help import meaning
 from ..widgets.table_heading import TableHeading
 from ..widgets.wrap import wrap
+from .once import Once
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
@@ -31,15 +33,17 @@ SCREEN = (
     "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), and a list with semicolons (-167.5; 167.5).",
     "(auto) stands where the program chooses because a field is empty.",
     "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input.",
-    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn. Enter on a check leads to its line.",
+    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn.",
+    "Enter on a check, a line or a value walks back through its formulas to the inputs.",
     "Letters act as keys while no field is being edited: Esc leaves a field.",
+    "← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it.",
     "Edits are kept aside as you work and come back after a crash; nothing is in the file before you save.",
     "The same numbers on the command line: contralbero check, explain, report, set, replay.",
 )
 INDENT = 27  # cells for the keys
 
 
-class HelpScreen(ModalScreen[None]):
+class HelpScreen(Once, ModalScreen[None]):
     app: "ContralberoApp"
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q,f1,question_mark,enter", "dismiss_help", "Close", show=False)]
 
@@ -92,6 +96,10 @@ class HelpScreen(ModalScreen[None]):
             lines += [Content(f"· {text}") for text in said]
             if outcome is not None and outcome.reason:
                 lines.append(Content(outcome.reason))
+        guide = GUIDES[work.step.key]
+        lines += [Content(""), Content.styled(f"In step {work.number}, {work.step.title}", "bold")]
+        for word, text in (("Decide", guide.decide), ("Good", guide.good), ("Try", guide.trying)):
+            lines += [Content(row) for row in wrap(f"{word}: {text}", self.room, 2)]
         return [*lines, Content("")]
 
     def about_field(self, place: Place) -> list[Content]:
@@ -150,12 +158,10 @@ class HelpScreen(ModalScreen[None]):
             self.described(
                 "← →",
                 "",
-                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out. "
-                "On the curve: the next one.",
+                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out.",
             )
         )
         lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
-        lines.append(self.described("Shift+← Shift+→", "", "On a table of results that is too wide: further columns."))
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

@@ -9,8 +9,10 @@ from textual.css.query import NoMatches
 from textual.message import Message
 from textual.screen import Screen
 from textual.timer import Timer
+from textual.worker import get_current_worker
 
 from calc.design import STEPS
+from calc.sheet.errors import Cancelled
 from calc.sheet.step import Step
 
 from ..session import Session
@@ -22,6 +24,8 @@ from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
 
 if TYPE_CHECKING:
+    from calc.design_file import Document
+    from calc.remedies.remedy import Remedy
     from calc.solve import Results
 
     from ..app import ContralberoApp
@@ -45,8 +49,17 @@ class Live(Screen[None]):
         answer: Answer
         session: Session = field(repr=False)
 
+    @dataclass
+    class Mended(Message):
+        """A remedy was found, or that there is none."""
+
+        step: str
+        results: "Results" = field(repr=False)
+        remedy: "Remedy" = field(repr=False)
+
     def __init__(self) -> None:
         super().__init__()
+        self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it mends
         self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
         self._solving = False
         self._debounce: Timer | None = None
@@ -118,6 +131,10 @@ class Live(Screen[None]):
             pass
         return made
 
+    def prepare_ahead(self) -> None:
+        self._prepare_ahead()
+        self.seek_remedy()
+
     @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="prepare")
     def _prepare_ahead(self) -> None:
         """The calculations of the other steps, while nothing else is to be done."""
@@ -126,6 +143,53 @@ class Live(Screen[None]):
             if results is None or self._solving or not self.is_attached:
                 return
             self.prepare(results, step)
+
+    # --- remedies
+    @property
+    def trouble(self) -> str:
+        """The step whose limits fail: this one, else the first in the order of the screen; empty where none does."""
+        results = self.session.results
+        if results is None or not self.session.current:
+            return ""
+        return next((s.key for s in (self.step, *STEPS) if results.outcomes[s.key].verdict in ("fail", "no_solution")), "")
+
+    @property
+    def remedy(self) -> "Remedy | None":
+        """What mends that step, if it is known already."""
+        results, known = self.remedies.get(self.trouble, (None, None))
+        return known if results is not None and results is self.session.results else None
+
+    def seek_remedy(self) -> None:
+        """Look for what mends the step that fails, while nothing else is to be done."""
+        if (step := self.trouble) and self.remedy is None and self.session.results is not None:
+            self._seek_aside(step, self.session.document, self.session.results)
+
+    @work(thread=True, exclusive=True, group="remedy", exit_on_error=False, description="remedy")
+    def _seek_aside(self, step: str, document: "Document", results: "Results") -> None:
+        from calc.remedies.remedy import remedy
+
+        worker = get_current_worker()
+
+        def progress(share: float, what: str) -> None:
+            if worker.is_cancelled or self.session.results is not results or not self.is_attached:
+                raise Cancelled
+
+        try:
+            found = remedy(document, step, results, progress)
+        except Cancelled:
+            return
+        except Exception as error:  # a mistake of the program must not stop the session
+            self.log(f"no remedy: {type(error).__name__}: {error}")
+            return
+        self.post_message(self.Mended(step, results, found))
+
+    def on_live_mended(self, event: Mended) -> None:
+        event.stop()
+        self.remedies[event.step] = (event.results, event.remedy)
+        self.show_remedy()
+
+    def show_remedy(self) -> None:
+        raise NotImplementedError
 
     def on_live_solved(self, event: Solved) -> None:
         event.stop()
@@ -143,4 +207,4 @@ class Live(Screen[None]):
         self.app.solves += 1
         if self._ahead is not None:
             self._ahead.stop()
-        self._ahead = self.set_timer(AHEAD, self._prepare_ahead)
+        self._ahead = self.set_timer(AHEAD, self.prepare_ahead)

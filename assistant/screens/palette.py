@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Iterator
 
 HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
 
 
 class Palette(Provider):

@@ -17,6 +17,7 @@ from calc.design import STEPS
 from calc.sheet.step import Step
 
 from ..actions import ACTIONS
+from ..offers.offer import CHOICES
 from ..places import Place, first_key
 from ..session import Session
 from ..widgets.array_heading import ArrayHeading
@@ -175,7 +176,7 @@ class Workbench(Doing, Live):
         self.set_stale(self.session.results is not None and not self.session.valid and not late)
         self.query_one(TopLine).refresh()
         if not late:
-            self.query_one(MessageLine).refresh()
+            self.show_remedy()
             self.query_one(Steps).rebuild()
             self.query_one(StepBar).refresh()
 
@@ -194,6 +195,12 @@ class Workbench(Doing, Live):
         self.app.call_from_thread(self.query_one(TopLine).refresh)
 
     # --- showing
+    def show_remedy(self) -> None:
+        line = self.query_one(MessageLine)
+        line.trouble, line.remedy = self.trouble, self.remedy
+        line.refresh()
+        self.show_keys()
+
     def show_results(self) -> None:
         """The results of the current step."""
         results = self.session.results
@@ -218,6 +225,8 @@ class Workbench(Doing, Live):
             "variant": pane.curve is None or len(pane.curve.variants) < 2,
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
+            "mend": self.remedy is None or not self.remedy.changes,
+            "choose": self.step.key not in CHOICES,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
 
@@ -233,6 +242,8 @@ class Workbench(Doing, Live):
         self.show_results()
         self.show_state()
         steps.go_to(self.step.key)
+        self.show_remedy()
+        self.seek_remedy()
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
@@ -323,14 +334,17 @@ class Workbench(Doing, Live):
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 
     async def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
-        """A step is opened; a check leads to its line; a value that was taken over leads to its owner."""
+        """A step is opened; a check and a line are explained, and a click on a check goes to its line; a value that was taken over leads to
+        its owner."""
         event.stop()
         source = event.source
         if isinstance(source, Steps):
             self.at_pane("inputs")
             await self.open_step(next(s for s in STEPS if s.key == event.key))
-        elif isinstance(source, Checks):
+        elif isinstance(source, Checks) and event.clicked:
             self.to_line(event.key)
+        elif isinstance(source, Checks) or (isinstance(source, Calculation) and not event.clicked):
+            self.action_explain()
         elif isinstance(source, Taken):
             await self.to_value(event.key)
 

@@ -28,7 +28,7 @@ class Typesetter:
                 about = entry.about
                 title = about[:1].upper() + about[1:]
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")]))
-            items.append(self._entry(entry))
+            items.append(self.entry(entry))
         if sheet.errata:
             items.append(Item("", [Content(""), Content.styled("Errors of the sources", "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
@@ -41,7 +41,7 @@ class Typesetter:
                 ]
         return items
 
-    def _entry(self, entry: Entry) -> Item:
+    def entry(self, entry: Entry) -> Item:
         width = self.width
         number = f"{entry.number:<5} "
         indent = len(number)

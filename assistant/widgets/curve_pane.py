@@ -2,10 +2,10 @@
 """The curves and the tables of the step, one at a time.  The plotting library is loaded when there is something to plot, never
 before the first picture."""
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.content import Content
@@ -15,23 +15,21 @@ from textual.widgets import Static
 from calc.sheet.step import Curve, Table
 
 from .item_list import ItemList
+from .legend import Legend
 from .pane import Pane
-from .sight import TURN, Sight
+from .sight import TURN, Cursor, Sight
 from .table_list import TableList
-from .wrap import fit
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
+    from .reading import Reader, Reading
 
 
 class CurvePane(Pane, can_focus=True):
-    """`variant` and `degrees` hold for all curves that have variants or vectors."""
+    """`variant` and `degrees` hold for all curves that have variants or vectors; `cursor` for the curve that is shown, as long as it is."""
 
     app: "ContralberoApp"
-    BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("left", "turn(-1)", "Curve before", show=False),
-        Binding("right,space", "turn(1)", "Next curve", show=False),
-    ]
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "turn(1)", "Next curve", show=False)]
 
     @dataclass
     class Turned(Message):
@@ -48,6 +46,7 @@ class CurvePane(Pane, can_focus=True):
         self.step = ""
         self.variant = ""  # the name of the variant that was chosen
         self.degrees = 0  # crank angle
+        self.cursor: Cursor | None = None
         self._plot: Any = None
         self._written: Content | None = None
         self._drawn: tuple[Any, ...] = ()
@@ -58,7 +57,11 @@ class CurvePane(Pane, can_focus=True):
 
     # --- what is shown
     def show(self, step: str, leaves: tuple[Curve | Table, ...]) -> None:
+        """Other curves and tables; where the same one is shown as before, with other numbers, its cursor stays at its place."""
+        before = self.step, self.leaf.id if self.leaf is not None else ""
         self.step, self.leaves = step, leaves
+        if before != (step, self.leaf.id if self.leaf is not None else ""):
+            self.cursor = None
         self.draw()
 
     @property
@@ -84,9 +87,15 @@ class CurvePane(Pane, can_focus=True):
     # --- what the keys do
     def action_turn(self, by: int) -> None:
         if self.leaf is not None:
-            self.chosen[self.step] = self.leaves[(self._number(self.leaf) + by) % len(self.leaves)].id
-            self.post_message(self.Turned(self))
-            self.draw()
+            self.choose(self.leaves[(self._number(self.leaf) + by) % len(self.leaves)].id)
+
+    def choose(self, id: str) -> None:
+        """Show one of the curves and tables of the step."""
+        if self.leaf is not None and id != self.leaf.id:
+            self.cursor = None
+        self.chosen[self.step] = id
+        self.post_message(self.Turned(self))
+        self.draw()
 
     def next_variant(self) -> str:
         """Show the next variant of the curve; gives its name, or nothing where there is no other."""
@@ -106,6 +115,63 @@ class CurvePane(Pane, can_focus=True):
         self.draw()
         return True
 
+    # --- the cursor
+    @property
+    def _reader(self) -> "Reader | None":
+        """Reads the curve; None where there is nothing to be read."""
+        from .reading import Reader
+
+        reader = Reader(sight) if (sight := self.sight) is not None else None
+        return reader if reader is not None and reader.kind else None
+
+    @property
+    def reading(self) -> "Reading | None":
+        """What is read at the cursor."""
+        if self.cursor is None or (reader := self._reader) is None:
+            return None
+        return reader.read(self.cursor)
+
+    def read(self, by: int, fine: bool = False) -> None:
+        """Move the cursor; the first time it appears."""
+        if (reader := self._reader) is not None:
+            self._put(reader.start() if self.cursor is None else reader.moved(self.cursor, by, fine))
+
+    def read_end(self, last: bool) -> None:
+        """To the first or the last place."""
+        if (reader := self._reader) is not None:
+            self._put(reader.ended(reader.kept(self.cursor or reader.start()), last))
+
+    def read_line(self, by: int) -> None:
+        """Choose another series at the cursor."""
+        if self.cursor is not None and (reader := self._reader) is not None:
+            self._put(reader.other(reader.kept(self.cursor), by))
+
+    def put_away(self) -> bool:
+        """Take the cursor away; False where there is none."""
+        if self.cursor is None or self.curve is None:
+            return False
+        self._put(None)
+        return True
+
+    def _put(self, cursor: Cursor | None) -> None:
+        self.cursor = cursor
+        self.draw()
+
+    def _point(self, event: events.MouseEvent) -> None:
+        """Put the cursor where the mouse points to, if that is into the frame of a curve."""
+        plot = self._plot
+        if plot is None or not plot.display or (reader := self._reader) is None:
+            return
+        if (place := plot.pointed_at(event.screen_x, event.screen_y)) is not None:
+            self._put(reader.nearest(*place))
+
+    def on_click(self, event: events.Click) -> None:
+        self._point(event)
+
+    def on_mouse_move(self, event: events.MouseMove) -> None:
+        if event.button:
+            self._point(event)
+
     # --- drawing
     def on_resize(self) -> None:
         super().on_resize()
@@ -116,21 +182,23 @@ class CurvePane(Pane, can_focus=True):
         leaf = self.leaf
         if not self.is_mounted or not self.display:
             return
-        drawn = (leaf, self.variant, self.degrees, self.size, self.app.theme)
+        drawn = (leaf, self.variant, self.degrees, self.cursor, self.size, self.app.theme)
         if self._drawn and leaf is self._drawn[0] and drawn[1:] == self._drawn[1:]:
             return
         self._drawn = drawn
         self._arrange(isinstance(leaf, Table))
+        key = self.app.shown_key
         count = f"{self._number(leaf) + 1} of {len(self.leaves)}" if leaf is not None and len(self.leaves) > 1 else ""
         if isinstance(leaf, Table):
-            self.set_title(leaf.title, count)
+            self.set_title(leaf.title, f"{count} · {key('curves')} lists all" if count else "")
             self.list.show(leaf)
             self._head()
         elif leaf is None:
             self.set_title("Curve", "none in this step")
             self._write(Content(""))
         else:
-            self.set_title(leaf.title, count)
+            hints = (count, f"{key('read_back')} {key('read')} reads it", f"{key('curves')} lists all" if count else "")
+            self.set_title(leaf.title, " · ".join(filter(None, hints)))
             self._legend(Sight(leaf, self.variant, self.degrees))
             if self._plot is None:
                 from .plot import Plot
@@ -151,67 +219,25 @@ class CurvePane(Pane, can_focus=True):
 
     def _fill(self) -> None:
         if (sight := self.sight) is not None and self._plot is not None:
-            self._plot.draw(sight, self.app.signs)
+            self._plot.draw(sight, self.app.signs, self.reading)
 
     def _write(self, made: Content) -> None:
         if self._written is None or not made.is_same(self._written):
             self._written = made
             self.legend.update(made)
 
-    # --- above a curve: what its lines are.  Above a table: its head
+    # --- above a curve: what its lines are, or what is read off them.  Above a table: its head
     def _legend(self, sight: Sight) -> None:
-        width = max(10, self.size.width - 2)
-        most = max(2, min(6, self.size.height // 4))
-        rows: list[Content] = []
-        for group in (self._state(sight), self._names(sight)):
-            row = Content("")
-            for part in group:
-                part = part if part.cell_length <= width else part[: width - 1] + "…"
-                if row.cell_length and row.cell_length + 2 + part.cell_length > width:
-                    rows.append(row)
-                    row = Content("")
-                row = Content.assemble(row, "  ", part) if row.cell_length else part
-            rows += [row] if row.cell_length else []
-        axes = Content.styled(fit(f"{sight.curve.y_label} over {sight.curve.x_label}", width), "dim")
-        gap = width - axes.cell_length - (rows[-1].cell_length if rows else 0)
-        if rows and gap >= 2:
-            rows[-1] = Content.assemble(rows[-1], " " * gap, axes)
-        elif not rows or len(rows) < most:
-            rows.append(Content.assemble(" " * (width - axes.cell_length), axes))
-        if len(rows) > most:
-            rows = [*rows[: most - 1], Content.assemble(rows[most - 1][: width - 2], " …")]
+        """A quarter of the height; what is read may take a row more."""
+        reading = self.reading
+        most = max(2, min(6, self.size.height // 4)) + (reading is not None)
+        rows = Legend(self.app, sight, reading).rows(max(10, self.size.width - 2), min(6, most))
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
-
-    def _state(self, sight: Sight) -> Iterator[Content]:
-        """The variant and the crank angle, with the keys that change them."""
-        if sight.variant:
-            yield Content.assemble((self.app.shown_key("variant") + " ", "dim"), (sight.variant, "bold"))
-        if sight.turns:
-            keys = f" {self.app.shown_key('crank_back')} {self.app.shown_key('crank_on')} after {self.app.shown_key('leave')}"
-            yield Content.assemble((f"crank at {sight.degrees}°", "bold"), (keys, "dim"))
-
-    def _names(self, sight: Sight) -> Iterator[Content]:
-        signs = self.app.signs
-        series = sight.series
-        if len(series) > 1 or (series and series[0].label):
-            for n, one in enumerate(series):
-                look = signs.look(n)
-                yield Content.styled(f"{look.bar_mark if sight.curve.bars else look.line_mark} {one.label}", look.colour)
-        n = len(series)
-        for chain in sight.chains:
-            for name, phasor in zip(chain.names, chain.phasors):
-                if abs(phasor) > 1e-9 * max(map(abs, chain.phasors)):  # one without length can not be seen
-                    yield Content.styled(f"{signs.look(n).line_mark} {name}", signs.look(n).colour)
-                n += 1
-        if sight.turns:
-            yield Content(f"{'@' if signs.ascii else '●'} their sum")
-        for name, limit in sight.curve.limits:
-            yield Content.styled(f"{signs.limit().line_mark} {name} {limit:.4g}", signs.style("fail"))
 
     def _head(self) -> None:
         rows = self.list.head
         if self.list.part:
-            rows = [Content.styled(f"{self.list.part}, Shift+← → for the others", "dim"), *rows]
+            rows = [Content.styled(f"{self.list.part}, ← → for the others", "dim"), *rows]
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:

@@ -13,8 +13,8 @@ if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 # What goes first where there is not room for all, after what does nothing here.  Narrow, F4 leads to every pane.
-SPARED = ("palette", "trouble", "curve", "variant")
-SPARED_NARROW = ("palette", "pane", "trouble", "quit", "back", "curve", "variant")
+SPARED = ("palette", "choose", "trouble", "curve", "variant")
+SPARED_NARROW = ("palette", "pane", "choose", "mend", "trouble", "quit", "back", "curve", "variant")
 
 
 class FooterLine(Widget):

@@ -21,6 +21,7 @@ from .array_heading import ArrayHeading
 from .choice import Choice
 from .entry import Entry
 from .field import Field
+from .guide_text import GuideText
 from .rows import Row, rows
 from .table_heading import TableHeading
 from .taken import Taken
@@ -65,7 +66,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             return [Static(Content(text))]
         found = self._rows()
         self._shape = _shape(found)
-        made: list[Widget] = []
+        made: list[Widget] = [GuideText(self.session, self.step.key)]
         for row in found:
             match row.kind:
                 case "field":
@@ -78,6 +79,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                     first = bool(made) and isinstance(made[-1], ArrayHeading)
                     made.append(Static(self._heading(row), classes="heading -first" if first else "heading"))
         return [*made, Taken(self.session, self.step.key)]
+
+    def _standing(self) -> list[Widget]:
+        """What stands for the rows of the form, in their order."""
+        return [child for child in self.children if child.display and not isinstance(child, GuideText)]
 
     def _rows(self) -> list[Row]:
         editing = [self.field.place] if self.is_mounted and self.field is not None else []
@@ -106,7 +111,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.rebuild()
             return
         by_place = {row.place: row for row in found}
-        standing = [child for child in self.children if child.display]
+        standing = self._standing()
         for child in standing:
             if isinstance(child, Field):
                 child.row = by_place[child.place]
@@ -129,11 +134,13 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         absent = [place for kind, place in shape if kind == "option" and content_at(self.session.data, place) is None]
         gone = [entry for entry in self._shape if entry not in shape and any(entry[1][: len(place)] == place for place in absent)]
         if gone and [entry for entry in self._shape if entry not in gone] == shape:
-            for child, entry in zip([child for child in self.children if child.display], self._shape):
+            for child, entry in zip(self._standing(), self._shape):
                 child.display = entry not in gone
             self._shape = shape
 
     def refresh_taken(self) -> None:
+        for guide in self.query(GuideText):
+            guide.redraw()
         for taken in self.query(Taken):
             taken.rebuild()
 

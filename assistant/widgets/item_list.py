@@ -54,6 +54,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
 
         source: "ItemList"
         key: str
+        clicked: bool = False
 
         @property
         def control(self) -> "ItemList":
@@ -198,9 +199,9 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         super().watch_scroll_y(old_value, new_value)
         self.post_message(self.Moved(self))
 
-    def choose(self) -> None:
+    def choose(self, clicked: bool = False) -> None:
         if self.key:
-            self.post_message(self.Chosen(self, self.key))
+            self.post_message(self.Chosen(self, self.key, clicked))
 
     def on_click(self, event: events.Click) -> None:
         line = event.y + round(self.scroll_y)
@@ -208,7 +209,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
             index = self._rows[line][0]
             if self.items[index].key:
                 self._move(index)
-                self.choose()
+                self.choose(clicked=True)
 
     def on_focus(self) -> None:
         self.refresh()

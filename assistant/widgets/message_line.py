@@ -16,6 +16,8 @@ from .checks import sorted_checks
 from .wrap import fit, wrap
 
 if TYPE_CHECKING:
+    from calc.remedies.remedy import Remedy
+
     from ..app import ContralberoApp
 
 ROWS = 2
@@ -28,6 +30,8 @@ class MessageLine(Widget):
         super().__init__(id="message-line")
         self.session = session
         self.step = STEPS[0].key
+        self.trouble = ""  # the step that fails
+        self.remedy: Remedy | None = None  # what mends it, as soon as it is known
 
     def message(self) -> tuple[str, str]:
         """The state and the text."""
@@ -78,9 +82,23 @@ class MessageLine(Widget):
         needs = "should be" if check.kind == "advice" else "needs"
         return f"{check.name} {value}, {needs} {check.limit_text()}{advice}"
 
+    def offer(self) -> str:
+        """What a key would mend of the step that fails."""
+        if self.remedy is None or not self.session.valid or not self.session.current:
+            return ""
+        key = self.app.shown_key("mend")
+        if not self.remedy.changes:
+            return "No remedy was found: " + "; ".join(f"{one.name}: {one.why}" for one in self.remedy.left)
+        where = "" if self.trouble == self.step else self._title(self.trouble)
+        return f"{where}{key} mends it: {self.remedy.words} {self.app.signs.mark('then')} {self.remedy.said}"
+
     def render(self) -> Content:
         state, text = self.message()
         signs = self.app.signs
+        if state != "invalid" and (offer := self.offer()):
+            width = max(10, self.size.width - 4)
+            rows = [fit(text, width), fit(offer, width)]
+            return Content.assemble((f" {signs.mark(state)} {rows[0]}", signs.style(state)), f"\n   {rows[1]}")
         rows = wrap(text, max(10, self.size.width - 4), 0)
         if len(rows) > ROWS:
             rows[ROWS - 1] = fit(rows[ROWS - 1] + " " + rows[ROWS], max(10, self.size.width - 4))

@@ -19,16 +19,19 @@ from textual_plot.plot_widget import Legend, LinePlot
 
 from calc.sheet.step import Curve
 
+from .reading import axis, finite_limits
 from .sight import TURN, Sight
 from .signs import Look, Signs
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
+    from .reading import Reading
 
 ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
-DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5))  # of each pattern, in dots: drawn, left out
+DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5), (7.0, 2.0, 1.0, 2.0))  # of each pattern, in dots: drawn, left out; the last a chain
+DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)  # steps of an axis of angles
 TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"
 Cell = tuple[int, int]  # column and row
@@ -90,6 +93,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_y_formatter(Numbers())
         self.bars: list[Bars] = []
         self.marks: list[tuple[complex, str]] = []
+        self.reading: Reading | None = None
         self._taken: dict[Cell, tuple[str, str]] = {}  # character and colour of the cells that series run through
         self._shown: tuple[Sight, Signs] | None = None
 
@@ -112,12 +116,21 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         """True scale and ticks depend on the room, and that on the rows of the legend too."""
         self._needs_canvas_resize = True
         if self._shown is not None:
-            self.draw(*self._shown)
+            self.draw(*self._shown, self.reading)
+
+    def pointed_at(self, x: float, y: float) -> tuple[float, float, float, float] | None:
+        """A place of the screen in the numbers of the curve, and how far a cell reaches there; None outside the frame."""
+        canvas, room = self.query_one("#plot", Canvas), self._scale_rectangle
+        column, row = int(x) - canvas.region.x, int(y) - canvas.region.y
+        if not room.area or not room.contains(column, row):
+            return None
+        across, up = (self._x_max - self._x_min) / room.width, (self._y_max - self._y_min) / room.height
+        return (*self.get_coordinate_from_pixel(column, row), across, up)
 
     # --- content
-    def draw(self, sight: Sight, signs: Signs) -> None:
+    def draw(self, sight: Sight, signs: Signs, reading: "Reading | None" = None) -> None:
         """What is seen of a curve, in the space that there is.  The axes span all variants and all crank angles."""
-        self._shown = sight, signs
+        self._shown, self.reading = (sight, signs), reading
         curve = sight.curve
         self.clear()
         self.bars, self.marks = [], []
@@ -131,7 +144,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 self.bars.append(Bars(x[whole], y[whole], n, len(sight.series), signs.look(n)))
             elif whole.any():
                 self._line(x[whole], y[whole], signs.look(n), series=True)
-        for _, limit in curve.limits:
+        for _, limit in finite_limits(curve):
             self._line(np.array([x_low, x_high]), np.array([limit, limit]), signs.limit())
         self._vectors(sight, signs)
         room = ROOM * (y_high - y_low) or 0.5 * abs(y_high) or 1.0
@@ -139,14 +152,15 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         if x_low == x_high:
             x_low, x_high = x_low - (abs(x_low) or 1.0) / 2, x_high + (abs(x_high) or 1.0) / 2
         height = max(2, self.size.height - self.margin_bottom - 2)
-        y_ticks = ticks(y_low, y_high, max(2, round(height * 0.8)))
+        y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
         self.margin_left = 2 + max(map(len, self._y_formatter.get_labels_for_ticks(y_ticks)), default=4)
         width = max(4, self.size.width - self.margin_left - 2)
         if curve.equal:
             x_low, x_high, y_low, y_high = _round(x_low, x_high, y_low, y_high, width, height)
-            y_ticks = ticks(y_low, y_high, max(2, round(height * 0.8)))
+            y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
         places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
-        self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7)))
+        round_ = axis(curve.x_label)[1] == "°" and not curve.equal
+        self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_))
         self.set_yticks(y_ticks)
         self.set_xlimits(x_low, x_high)
         self.set_ylimits(y_low, y_high)
@@ -175,8 +189,60 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         for bars in self.bars:
             self._render_bars(canvas, bars)
         style = str(self.get_component_rich_style("plot--tick"))
+        self._name_limits(canvas)
         for point, char in self.marks:
             canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, style)
+        if self.reading is not None:
+            self._render_cursor(canvas, self.reading, style)
+
+    def _render_x_ticks(self) -> None:
+        """Ticks with their numbers below; a number at the edge is moved in, and one that would run into another is left out."""
+        canvas, margin, room = self.query_one("#plot", Canvas), self.query_one("#margin-bottom", Canvas), self._scale_rectangle
+        margin.reset()
+        axis_style, tick_style = (str(self.get_component_rich_style(f"plot--{part}")) for part in ("axis", "tick"))
+        free, ticks_ = 0, [tick for tick in self._x_ticks or () if self._x_min <= tick <= self._x_max]
+        for tick, label in zip(ticks_, self._x_formatter.get_labels_for_ticks(ticks_)):
+            column = min(max(self.get_pixel_from_coordinate(tick, self._y_min)[0], room.x), room.right - 1)
+            for row, quad in ((0, (2, 0, 0, 0)), (room.bottom, (0, 0, 2, 0))):
+                canvas.set_pixel(column, row, self.combine_quad_with_pixel(quad, canvas, column, row), style=axis_style)
+            left = min(column + self.margin_left - len(label) // 2, margin.size.width - len(label))
+            if left >= free:
+                for n, char in enumerate(label):
+                    margin.set_pixel(left + n, 0, char, tick_style)
+                free = left + len(label) + 1
+
+    def _name_limits(self, canvas: Canvas) -> None:
+        """The name of each limit on its line, or beside it, where it covers nothing else; as far to the right as may be."""
+        if self._shown is None:
+            return
+        (sight, signs), room = self._shown, self._scale_rectangle
+        for name, limit in finite_limits(sight.curve):
+            said = f" {name} "
+            _, at = self.get_pixel_from_coordinate(self._x_min, limit)
+            lefts = range(room.right - len(said) - 1, room.x, -1)
+            places = ((row, left) for row in (at, at - 1, at + 1) if room.y <= row < room.bottom for left in lefts)
+            found = ([(column, row) for column in range(left, left + len(said))] for row, left in places)
+            cells = next((cells for cells in found if not any(cell in self._taken for cell in cells)), [])
+            for cell, char in zip(cells, said):
+                canvas.set_pixel(*cell, char, signs.limit().colour)
+            self._taken.update({cell: canvas.get_pixel(*cell) for cell in cells})
+
+    def _render_cursor(self, canvas: Canvas, reading: "Reading", style: str) -> None:
+        """A line behind the curves where they are functions of x, and a mark on each of them."""
+        assert self._shown is not None
+        room, signs = self._scale_rectangle, self._shown[1]
+        if self.bars:
+            return
+        if reading.x is not None:
+            column, _ = self.get_pixel_from_coordinate(reading.x, self._y_min)
+            for row in range(room.y, room.bottom):
+                if canvas.get_pixel(column, row)[0] == " ":
+                    canvas.set_pixel(column, row, "|" if signs.ascii else "│", style)
+        for read in sorted(reading.reads, key=lambda read: read.number == reading.chosen):
+            if math.isfinite(read.x) and math.isfinite(read.y):
+                cell = self.get_pixel_from_coordinate(read.x, read.y)
+                if room.contains(*cell):
+                    canvas.set_pixel(*cell, signs.point(read.number == reading.chosen), signs.look(read.number).colour)
 
     def _render_line_plot(self, dataset: LinePlot) -> None:
         if not isinstance(dataset, Line) or not dataset.series:
@@ -226,13 +292,24 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
                 for cell in range(left, left + wide):
                     if room.x <= cell < room.right and room.y <= row < room.bottom:
                         canvas.set_pixel(cell, row, char, bars.look.colour)
+            self._mark_bar(canvas, bars, x, left + (wide - 1) // 2, min([row for row, _ in drawn], default=zero) - 1)
+
+    def _mark_bar(self, canvas: Canvas, bars: Bars, x: float, column: int, row: int) -> None:
+        """The mark of the cursor above a bar."""
+        reading = self.reading
+        if reading is None or reading.x != x or self._shown is None:
+            return
+        cell = column, max(row, self._scale_rectangle.y)
+        if self._scale_rectangle.contains(*cell):
+            canvas.set_pixel(*cell, self._shown[1].point(bars.number == reading.chosen), str(self.get_component_rich_style("plot--tick")))
 
 
-def _along(points: Any, on: float = 1.0, off: float = 0.0) -> list[tuple[float, float]]:
-    """Places along a line in cells, half a dot apart; of each `on` + `off` dots the last are left out."""
+def _along(points: Any, *pattern: float) -> list[tuple[float, float]]:
+    """Places along a line in cells, half a dot apart; of the dots of a `pattern` every other stretch is left out."""
     way = np.concatenate([[0.0], np.cumsum(np.hypot(*(np.diff(points, axis=0) * DOTS).T))])
     there = np.arange(0.0, way[-1], 0.5)
-    there = there[there % (on + off) < on]
+    if pattern:
+        there = there[np.searchsorted(np.cumsum(pattern), there % sum(pattern), side="right") % 2 == 0]
     return [(float(x), float(y)) for x, y in zip(np.interp(there, way, points[:, 0]), np.interp(there, way, points[:, 1]))]
 
 
@@ -243,7 +320,7 @@ def places_of(curve: Curve) -> list[float]:
 
 def extent(curve: Curve) -> tuple[float, float, float, float]:
     """What the axes of a curve have to hold, over all its variants and all crank angles: x from, to, y from, to."""
-    xs, ys = [s.x for s in curve.series], [*(s.y for s in curve.series), [limit for _, limit in curve.limits]]
+    xs, ys = [s.x for s in curve.series], [*(s.y for s in curve.series), [limit for _, limit in finite_limits(curve)]]
     if curve.equal:
         tips = [z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))]
         xs, ys = [*xs, [z.imag for z in tips]], [*ys, [z.real for z in tips]]
@@ -260,13 +337,15 @@ def _extent(parts: Sequence[Any]) -> tuple[float, float]:
     return (float(values.min()), float(values.max())) if values.size else (math.nan, math.nan)
 
 
-def ticks(low: float, high: float, most: int) -> list[float]:
-    """At most so many places at 1, 2 or 5 times a power of ten."""
+def ticks(low: float, high: float, most: int, *, degrees: bool = False) -> list[float]:
+    """At most so many places at 1, 2 or 5 times a power of ten; of angles at parts of a turn."""
     span = high - low
     if not span > 0:
         return [low]
     power = 10.0 ** math.floor(math.log10(span / most))
     step = next((n * power for n in (1, 2, 5, 10, 20) if span / (n * power) <= most), 50 * power)
+    if degrees and step > 1:
+        step = next((float(n) for n in DEGREES if span / n <= most), step)
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
     return [n * step for n in range(first, last + 1)]

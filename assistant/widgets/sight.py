@@ -9,6 +9,14 @@ TURN = 10  # degrees by which the crank is turned at a time
 
 
 @dataclass(frozen=True)
+class Cursor:
+    """Where a curve is read.  `place`: an x, or the parameter of a locus, or the number of a point; `line`: the series that was chosen."""
+
+    place: float
+    line: int = 0
+
+
+@dataclass(frozen=True)
 class Sight:
     """`wanted`: the variant that was chosen, by its name; a curve that does not have it shows its first."""
 

@@ -8,10 +8,12 @@ from calc.sheet.check import SIGNS
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
 MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
+    "then": "→",
 }  # fmt: skip
 ASCII = {
     "pass": "+", "warn": "!", "fail": "x", "blocked": "o", "not_asked": ".", "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
+    "then": "->",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
@@ -23,14 +25,15 @@ LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
 LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")
 
 LINES_GREY = ("#C0C0C0", "#808080")
-LINE_MARKS, BAR_MARKS = "━╍┈", "█▒░"  # whole, dashed, dotted; where the colours are used up, or there are none
+LINE_MARKS, BAR_MARKS = ("━", "╍", "┈"), "█▒░"  # whole, dashed, dotted; where the colours are used up, or there are none
+LIMIT, LIMIT_MARK = len(LINE_MARKS), "─·─"  # a chain line, which no series has; so that a limit is known without its colour
 PLAIN_MARKS = "*x=o%&"
 
 
 @dataclass(frozen=True)
 class Look:
-    """How one line, or one set of bars, is told from the others.  `pattern`: 0 whole, 1 dashed, 2 dotted; `plain`: its character where
-    nothing finer can be drawn, else empty."""
+    """How one line, or one set of bars, is told from the others.  `pattern`: 0 whole, 1 dashed, 2 dotted, 3 chain; `plain`: its character
+    where nothing finer can be drawn, else empty."""
 
     colour: str
     pattern: int = 0
@@ -38,7 +41,7 @@ class Look:
 
     @property
     def line_mark(self) -> str:
-        return self.plain or LINE_MARKS[self.pattern]
+        return self.plain or (*LINE_MARKS, LIMIT_MARK)[self.pattern]
 
     @property
     def bar_mark(self) -> str:
@@ -71,4 +74,8 @@ class Signs:
 
     def limit(self) -> Look:
         """Of a limit in a curve."""
-        return Look((DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", plain="-" if self.ascii else "")
+        return Look((DARK if self.dark else LIGHT)["fail"] if self.colour else "#FFFFFF", LIMIT, "-" if self.ascii else "")
+
+    def point(self, chosen: bool) -> str:
+        """Where the cursor stands on a line."""
+        return "#" if self.ascii else "◆" if chosen else "◇"

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A table of results as aligned columns.  The head stands still above the rows; what is too wide is leafed through by columns."""
 
-from typing import ClassVar
-
 from rich.cells import cell_len
-from textual.binding import Binding, BindingType
 from textual.content import Content
 
 from calc.sheet.number import short
@@ -106,12 +103,6 @@ class Setter:
 class TableList(ItemList):
     """The rows of a table; `head` is shown above them by the pane.  The key of an item is the table's id and the row's number."""
 
-    BINDINGS: ClassVar[list[BindingType]] = [
-        *ItemList.BINDINGS,
-        Binding("shift+right", "columns(1)", "Columns to the right", show=False),
-        Binding("shift+left", "columns(-1)", "Columns to the left", show=False),
-    ]
-
     def __init__(self) -> None:
         super().__init__(id="table-list")
         self.table: Table | None = None
@@ -134,7 +125,7 @@ class TableList(ItemList):
         self.head, self.part = set_.head(), set_.part
         return set_.items()
 
-    def action_columns(self, by: int) -> None:
+    def columns(self, by: int) -> None:
         """Leaf through the columns of a table that is too wide."""
         self._column = max(1, self._column + by)
         self.rebuild()

@@ -11,19 +11,19 @@ from ..sheet.units import Metre, RadPerSecond
 from .bending.shaft import Bending
 from .drawing import outline_curve
 from .result import CountershaftResult
-from .task import WORDS, Task
+from .task import LEFT_OVER, WORDS, Task
 
 
 def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
     """All figures of the step but those of its making; `omega` of the crank at rated speed, `positions` of the bearings."""
     parts = (
-        ("couple", "N·m", todo.C, todo.C_against, found.couple_vector, todo.one_couple),
-        ("force", "N", todo.F, todo.F_against, found.force_vector, todo.one_force),
+        ("couple", "N·m", todo.C, todo.C_against, found.couple_vector, todo.one_couple, todo.may_leave),
+        ("force", "N", todo.F, todo.F_against, found.force_vector, todo.one_force, LEFT_OVER * todo.one_force),
     )
     drawn = [part for part in parts if max(abs(part[2]), abs(part[3]), abs(part[4])) > DRAWN * part[5]]
     bent = _bent(found.bending, positions) if found.bending is not None else ()
     return (
-        *(_over_speed(todo.order, *part[:4], found, omega) for part in drawn),
+        *(_over_speed(todo.order, *part[:4], part[6], found, omega) for part in drawn),
         *bent[:1],
         *((outline_curve(found.outline, positions),) if found.outline is not None else ()),
         *bent[1:],
@@ -34,7 +34,8 @@ def pictures(todo: Task, found: CountershaftResult, omega: RadPerSecond, positio
 
 def _over_a_turn(order: int, word: str, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
     """What is left of the shaft's order, as the path over a turn, before and after the shaft."""
-    theta = np.radians(np.arange(0, 361, 3.0))
+    degrees = np.arange(0, 361, 3.0)
+    theta = np.radians(degrees)
     same, other = np.exp(-1j * theta), np.exp(1j * theta)
     alone = against * other + like * same
     after = against * other + (like + supplied) * same
@@ -42,6 +43,7 @@ def _over_a_turn(order: int, word: str, unit: str, like: complex, against: compl
         "residual" if word == "couple" else "residual_force", f"{WORDS[order]}-order {word} before and after the counter-shaft",
         f"horizontal, {unit}", f"vertical, {unit}",
         (Series("before", alone.imag, alone.real), Series("after", after.imag, after.real)), equal=True,
+        along=("crank angle, °", degrees / order),
     )  # fmt: skip
 
 
@@ -51,14 +53,17 @@ def _speeds(omega: RadPerSecond) -> tuple[Any, Any]:
     return share * omega * 30 / np.pi, share**2
 
 
-def _over_speed(order: int, word: str, unit: str, like: complex, against: complex, found: CountershaftResult, omega: RadPerSecond) -> Curve:
-    """The peak of a turn over the speed range, without the shaft and with it."""
+def _over_speed(
+    order: int, word: str, unit: str, like: complex, against: complex, limit: float, found: CountershaftResult, omega: RadPerSecond
+) -> Curve:
+    """The peak of a turn over the speed range, without the shaft and with it; what may be left is judged at rated speed."""
     rpm, square = _speeds(omega)
     after = getattr(found, f"residual_order_{order}_{word}")
     return Curve(
         f"residual_{word}_over_speed", f"{WORDS[order]}-order {word} over the speed range, peak of a turn",
         "crank speed, rpm", f"{word}, {unit}",
         (Series("before", rpm, (abs(like) + abs(against)) * square), Series("after", rpm, after * square)),
+        limits=(("may be left at rated speed", limit),),
     )  # fmt: skip
 
 

@@ -72,7 +72,7 @@ def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
         return tuple(Series(label, np.asarray(m.local.x) * 1e3, m.local.drawn(quantity) * factor) for label, m in models)
 
     roughness = (("combined roughness", mesh.case.surfaces.sigma * 1e6),)
-    yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the path", x_label, "μ", lines("mu"))
-    yield Curve(f"{name}.film", f"{title}: film along the path", x_label, "h, µm", lines("h", 1e6), roughness)
-    yield Curve(f"{name}.heat", f"{title}: friction power along the path", x_label, "q, W/mm of contact line", lines("q", 1e-3))
-    yield Curve(f"{name}.temperature", f"{title}: film temperature along the path", x_label, "T_f, °C", lines("T_f"))
+    yield Curve(f"{name}.friction", f"{title}: coefficient of friction along the line of action", x_label, "μ", lines("mu"))
+    yield Curve(f"{name}.film", f"{title}: film along the line of action", x_label, "h, µm", lines("h", 1e6), roughness)
+    yield Curve(f"{name}.heat", f"{title}: loss along the line of action", x_label, "q, W/mm of contact line", lines("q", 1e-3))
+    yield Curve(f"{name}.temperature", f"{title}: film temperature along the line of action", x_label, "T_f, °C", lines("T_f"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The figures of a gear train: every mesh with its path of contact, one tooth of each wheel of one mesh, specific sliding."""
+"""The figures of a gear train: every mesh with tip circles and path of contact, one tooth of each wheel of one mesh, sliding."""
 
 import numpy as np
 
@@ -13,6 +13,7 @@ from .result import MeshResult, TrainResult, WheelResult
 MM = 1e3
 TEETH, TEETH_BETWEEN = range(-2, 3), range(-2, 2)  # the teeth that are drawn of the driver, and of the driven wheel around them
 DRAWN = 1e-3  # chord error of a figure in modules, rule of this program: finer than a line is wide
+ARC = 41  # points of a tip circle, which is drawn over two pitches
 ALONG = 61  # points of a curve of sliding
 
 
@@ -52,8 +53,22 @@ def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
     below, above = pitch_point_view(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
     return Curve(
         f"profile_{key}", f"Tooth profiles in mesh, {mesh.driver}–{mesh.driven}", "x, mm", "y, mm",
-        (_line(mesh.driver, below), _line(mesh.driven, above), _line("path of contact", _path(mesh, driver, driven))), equal=True,
+        (
+            _line(mesh.driver, below), _line(mesh.driven, above),
+            _line(f"tip circle of {mesh.driver}", _tips(driver, -1j * mesh.working_diameter_driver / 2)),
+            _line(f"tip circle of {mesh.driven}", _tips(driven, 1j * mesh.working_diameter_driven / 2)),
+            _line("path of contact", _path(mesh, driver, driven)),
+        ),
+        equal=True,
     )  # fmt: skip
+
+
+def _tips(wheel: WheelResult, centre: complex) -> Outline:
+    """The tip circle from a pitch before the pitch point to a pitch behind it, which is more than the path of contact takes."""
+    pitch = 2 * np.pi / wheel.teeth
+    towards = -centre / abs(centre)
+    arc: Outline = centre + towards * wheel.tip_diameter / 2 * np.exp(1j * np.linspace(-pitch, pitch, ARC))
+    return arc
 
 
 def _path(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> Outline:

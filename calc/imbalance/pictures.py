@@ -49,7 +49,8 @@ def _locus(word: str, symbol: str, unit: str, at: int, both: Any, variants: tupl
     before = both[0][1]
     shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one), 1)
     index = str(shown).translate(SUBSCRIPTS)
-    theta = np.radians(np.arange(0, 361, 3.0))
+    degrees = np.arange(0, 361, 3.0)
+    theta = np.radians(degrees)
     series, chains = [], []
     for variant, vectors in both:
         path, everything = _path(vectors, (shown,), at, theta), _path(vectors, vectors, at, theta)
@@ -63,7 +64,7 @@ def _locus(word: str, symbol: str, unit: str, at: int, both: Any, variants: tupl
             chains.append(Turning(tuple(p[0] for p in parts), tuple(p[1] for p in parts), tuple(p[2] for p in parts), variant))
     return Curve(
         "locus" if word == "couple" else "locus_force", f"Locus of the {word}", f"horizontal, {unit}", f"vertical, {unit}",
-        tuple(series), equal=True, variants=variants, turning=tuple(chains),
+        tuple(series), equal=True, variants=variants, turning=tuple(chains), along=("crank angle, °", degrees),
     )  # fmt: skip
 
 

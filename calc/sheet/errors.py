@@ -37,3 +37,7 @@ class NoSolution(Exception):
     def __init__(self, what: str, tried: str = "", advice: str = "") -> None:
         self.what, self.tried, self.advice = what, tried, advice
         super().__init__("; ".join(part for part in (what, tried, advice) if part))
+
+
+class Cancelled(Exception):
+    """Raised by who listens to the progress of a search, to stop it; the search lets it through."""

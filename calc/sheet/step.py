@@ -60,6 +60,7 @@ class Curve:
     `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1, 2, … have these, and
     paper lays them on their side.  `variants`: the terminal shows one of them at
     a time, paper all.  `turning`: the vectors whose ends draw the loci.
+    `along`: what all series run along, where it is not x, as of loci: its label and its value at each of their points.
     """
 
     id: str
@@ -73,6 +74,7 @@ class Curve:
     names: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     turning: tuple[Turning, ...] = ()
+    along: tuple[str, Any] | None = None
 
 
 @record

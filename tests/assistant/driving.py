@@ -19,6 +19,7 @@ CHARACTERS = {
     "left_square_bracket": "[",
     "right_square_bracket": "]",
     "colon": ":",
+    "equals_sign": "=",
     "greater_than_sign": ">",
     "less_than_sign": "<",
     "plus": "+",

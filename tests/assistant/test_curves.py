@@ -247,7 +247,7 @@ async def test_tables_come_after_the_curves(screen: Screen) -> None:
         await strike(pilot, "f6", "f6", "f6")
         await pilot.pause()
         assert pilot.app.focused is pane
-        await strike(pilot, "right")
+        await strike(pilot, "space")
         await drawn(pilot)
         listed = pane.query_one(TableList)
         assert pilot.app.focused is listed and not pane.query_one(Plot).display
@@ -264,13 +264,13 @@ async def test_tables_come_after_the_curves(screen: Screen) -> None:
         await strike(pilot, "f9")
         await drawn(pilot)
         assert "counterweight" in rows(pilot) and pilot.app.focused is listed
-        await strike(pilot, "right")
+        await strike(pilot, "space")
         await drawn(pilot)
         assert pane.curve is PLAIN and pilot.app.focused is pane and pane.query_one(Plot).display and not listed.display
-        await strike(pilot, "left")
+        await strike(pilot, "backspace")
         await drawn(pilot)
         assert pane.leaf is BODIES
-        await strike(pilot, "left")
+        await strike(pilot, "backspace")
         await drawn(pilot)
         assert "order 1 " in rows(pilot) and "Couple" in legend(pane)
         for leaf in (BODIES, PLAIN, TABLE, BODIES):  # what was hidden is set anew
@@ -330,7 +330,7 @@ async def test_a_table_that_is_too_wide_is_leafed_by_columns(screen: Screen) -> 
         assert pilot.app.focused is pane.query_one(TableList)
         assert "columns 2–" in legend(pane) and "column19" not in legend(pane)
         for _ in range(25):
-            await strike(pilot, "shift+right")
+            await strike(pilot, "right")
         await drawn(pilot)
         assert "column19" in legend(pane) and "Name" in legend(pane) and "column1 " not in legend(pane)
         await strike(pilot, "shift+left")

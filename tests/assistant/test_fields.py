@@ -191,7 +191,7 @@ async def test_tab_goes_through_the_form_in_its_order(screen: Screen) -> None:
         stops = work(pilot).form.stops()
         await go_to(pilot, "countershaft.mode")
         for stop in stops:
-            assert pilot.app.focused is stop
+            await until(pilot, lambda stop=stop: pilot.app.focused is stop)  # type: ignore[misc]
             await strike(pilot, "tab")
         await strike(pilot, "shift+tab")
         assert pilot.app.focused is stops[-1]

@@ -2,6 +2,7 @@
 """Keys, pastes and sizes at random: the session goes on, the saved file is a design, and undo leads back to the start."""
 
 import asyncio
+import contextlib
 import os
 import random
 import sys
@@ -11,8 +12,9 @@ from typing import Any
 
 import pytest
 from textual import events
+from textual.errors import NoWidget
 from textual.keys import _character_to_key
-from textual.pilot import Pilot
+from textual.pilot import OutOfBounds, Pilot
 
 from assistant.actions import ACTIONS
 from assistant.app import ContralberoApp
@@ -60,7 +62,8 @@ async def event(pilot: Pilot[int], chance: random.Random) -> str:
         return f"size {width}x{height}"
     else:
         width, height = pilot.app.size
-        await pilot.click(offset=(chance.randrange(width), chance.randrange(height)))
+        with contextlib.suppress(NoWidget, OutOfBounds):  # a screen that is just being made
+            await pilot.click(offset=(chance.randrange(width), chance.randrange(height)))
         return "click"
     press(pilot, name)
     return name
@@ -95,7 +98,7 @@ def enclosed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
 
 def first_of(session: Session) -> Any:
     """The design before the first edit that can be undone."""
-    return session._history._undo[0][0].data if session._history._undo else session.data
+    return session.history._undo[0][0].data if session.history._undo else session.data
 
 
 async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:

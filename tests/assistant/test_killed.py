@@ -5,6 +5,7 @@ import fcntl
 import os
 import random
 import select
+import shutil
 import signal
 import struct
 import subprocess
@@ -111,9 +112,8 @@ def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -
     assert session.text("engine.bore_mm") == "12x" and session.reason("engine.bore_mm")
 
 
-def whole(session: Session, old: str, new: str) -> str:
+def whole(path: Path, session: Session, old: str, new: str) -> str:
     """The name that the file has; all else of it must be as it was, and the file before it must be whole too."""
-    path = session.home
     found = str(design(read(path)).engine.name)
     assert found in (old, new)
     line = 'name = "{}"\nlayout'.format
@@ -126,59 +126,79 @@ def whole(session: Session, old: str, new: str) -> str:
 def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: Session, state: Path) -> None:
     """At moments around the save of a program in a terminal; what was typed is on disk or comes back."""
     chance = random.Random(7)
-    old = light.text("engine.name")
+    old = before = light.text("engine.name")
     for moment in range(3):
         with Terminal(light.home, state) as terminal:
             terminal.write(new := f"name {moment}")
             terminal.until(b"edited")
-            terminal.read(KEEP + 0.3 if moment == 0 else 0.1)
+            terminal.read(KEEP + 0.3 if moment == 0 else 0.1)  # the first time it is kept
             terminal.write("\x13")  # ctrl+s
             terminal.read(chance.uniform(0.0, 0.05))
             terminal.kill()
-        old = whole(light, old, new)
-        again = reopened(light.home, state)
-        assert again.text("engine.name") in (old, new) and (moment > 0 or again.text("engine.name") == new)
+        old = whole(light.home, light, old, new)
+        there = reopened(light.home, state).text("engine.name")
+        assert there == new if moment == 0 else there in (before, new)  # what was there before is not lost in any case
+        before = there
 
 
 KILLED = """
-import os, signal, sys
+import os, shutil, signal, sys
 from pathlib import Path
 from assistant.recovery import Memory
-from assistant.screens.workbench import KEEP
 from assistant.session import Session
+import tomlkit
 
-session = Session.open(Path(sys.argv[1]), memory=Memory(Path(sys.argv[2])))
-session.edit("engine.name", "new name")
-session.autosave()
-left = int(sys.argv[3])
+path, state, folder = map(Path, sys.argv[1:])
+start = path.read_bytes()
 
-def killed_at(name, call):
-    def instead(*given, **named):
-        global left
-        left -= 1
-        if left == 0:
-            os.kill(os.getpid(), signal.SIGKILL)
-        return call(*given, **named)
-    return instead
+def save(left):
+    session = Session.open(path, memory=Memory(state))
+    session.edit("engine.name", "new name")
+    session.autosave()
+    def killed_at(call):
+        def instead(*given, **named):
+            nonlocal left
+            left -= 1
+            if left == 0:
+                os.kill(os.getpid(), signal.SIGKILL)
+            return call(*given, **named)
+        return instead
+    for name in ("open", "fsync", "chmod", "replace", "unlink", "close"):
+        setattr(os, name, killed_at(getattr(os, name)))
+    Path.write_bytes = killed_at(Path.write_bytes)
+    session.save()
 
-for name in ("open", "fsync", "chmod", "replace", "unlink", "close"):
-    setattr(os, name, killed_at(name, getattr(os, name)))
-Path.write_bytes = killed_at("write_bytes", Path.write_bytes)
-session.save()
+for step in range(1, 40):
+    for file in path.parent.glob(path.name + "*"):
+        file.unlink()
+    path.write_bytes(start)
+    child = os.fork()
+    if child == 0:
+        save(step)
+        os._exit(0)
+    status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
+    print(status, Session.open(path, memory=Memory(state)).text("engine.name"))
+    shutil.copytree(path.parent, folder / str(step))
+    if status == 0:
+        break
 """
 
 
-def test_a_save_that_is_cut_off_at_any_of_its_steps(light: Session, state: Path) -> None:
+def test_a_save_that_is_cut_off_at_any_of_its_steps(light: Session, state: Path, tmp_path: Path) -> None:
     """Killed right before the first, the second … thing that it asks of the system, until it comes to its end."""
-    old, seen = light.text("engine.name"), []
-    start = light.home.read_bytes()
-    for step in range(1, 40):
-        light.home.write_bytes(start)
-        done = subprocess.run([sys.executable, "-c", KILLED, str(light.home), str(state / "contralbero"), str(step)], cwd=ROOT)
-        seen.append(whole(light, old, "new name"))
-        again = reopened(light.home, state)
-        assert again.text("engine.name") == "new name"  # it was kept before it was saved
-        if done.returncode == 0:
-            break
-        assert done.returncode == -signal.SIGKILL
-    assert seen[0] == old and seen[-1] == "new name" and len(seen) > 5
+    alone = tmp_path / "alone" / light.home.name
+    alone.parent.mkdir()
+    shutil.copy(light.home, alone)
+    done = subprocess.run(
+        [sys.executable, "-c", KILLED, alone, state / "contralbero", tmp_path / "steps"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    told = [line.split(" ", 1) for line in done.stdout.splitlines()]
+    assert [int(status) for status, _ in told] == [-signal.SIGKILL] * (len(told) - 1) + [0] and len(told) > 5
+    assert {name for _, name in told} == {"new name"}  # it was kept before it was saved
+    old = light.text("engine.name")
+    found = [whole(tmp_path / "steps" / str(step) / light.home.name, light, old, "new name") for step in range(1, len(told) + 1)]
+    assert found == sorted(found, key=lambda name: name == "new name") and set(found) == {old, "new name"}

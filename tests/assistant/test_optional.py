@@ -188,9 +188,9 @@ async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -
         await settled(pilot)
         assert work(pilot).form.here() == PLACE
         await strike(pilot, "up")
-        assert work(pilot).form.here() != PLACE
+        await until(pilot, lambda: work(pilot).form.here() != PLACE)
         await strike(pilot, "down")
-        assert work(pilot).form.here() == PLACE
+        await until(pilot, lambda: work(pilot).form.here() == PLACE)
 
 
 async def test_enter_adds_an_absent_table_and_goes_on_from_a_present_one(screen: Screen) -> None:

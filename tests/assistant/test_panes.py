@@ -15,7 +15,7 @@ from assistant.widgets.pane import Pane
 from calc.design import STEPS
 
 from .conftest import Screen, solved
-from .driving import go_to, rows, settled, strike, told, type_in, until, work
+from .driving import CHARACTERS, go_to, rows, settled, strike, told, type_in, until, work
 
 
 # --- steps, panes, checks
@@ -57,7 +57,7 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
             await settled(pilot)
             seen.append((work(pilot).number, work(pilot).query_one(Checks).key))
         assert set(seen) == set(failing)
-        await strike(pilot, "enter")
+        await strike(pilot, "g")
         await settled(pilot)
         calculation = work(pilot).query_one(Calculation)
         assert calculation.has_focus and calculation.item is not None
@@ -215,12 +215,19 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         box = await go_to(pilot, "engine.name")
         assert isinstance(box, Input)
         box.value = ""
-        letters = [key for action in ACTIONS for key in action.letters.split(",") if key]
+        keys = [key for action in ACTIONS for key in action.letters.split(",") if key]
+        letters = [key for key in keys if len(key) == 1 or key in CHARACTERS]
         before = (work(pilot).number, work(pilot).pane, pilot.app.screen)
         await strike(pilot, *letters)
         await pilot.pause()
         assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before
         assert len(box.value) == len(letters)
+        others = [key for key in keys if key not in letters]  # they move and delete in the text
+        assert set(others) == {"backspace", "left", "right", "shift+left", "shift+right", "home", "end"}
+        await strike(pilot, *others)
+        await pilot.pause()
+        assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before and pilot.app.focused is box
+        assert len(box.value) == len(letters) - 1 and work(pilot).query_one(CurvePane).cursor is None
 
 
 async def test_letters_act_after_escape(screen: Screen) -> None:

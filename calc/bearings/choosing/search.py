@@ -12,6 +12,7 @@ from itertools import islice
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
+from ...sheet.progress import Progress, part, tell
 from ...sheet.record import record
 from ...sheet.units import Metre, Radian
 from .case import Case
@@ -78,7 +79,7 @@ class Found:
         return self.slopes[number if number <= self.verified else 0]
 
 
-def search(case: Case) -> Found:
+def search(case: Case, progress: Progress | None = None) -> Found:
     """Rows to choose from for the bearings of a design.
 
     Raises NoSolution where nothing keeps all rules, with what comes nearest and what stops it.
@@ -87,7 +88,8 @@ def search(case: Case) -> Found:
     too_thin: Thin = {}
     every: list[tuple[Variant, Fields]] = []
     of_oil: dict[str, dict[str, Metre]] = {}
-    for variant in offered:
+    for n, variant in enumerate(offered):
+        tell(progress, 0.5 * n / len(offered), str(variant))
         there = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
         every.append((variant, there))
         if variant.supply == offered[0].supply and (best := best_diameters(there, slopes)) is not None:
@@ -95,17 +97,18 @@ def search(case: Case) -> Found:
     dropped: list[str] = []
     of: Every = []
     kind, of = "all", [(variant, in_room(fields, slopes)) for variant, fields in every]
-    rows = _settled(case, of, slopes, dropped)
+    rows = _settled(case, of, slopes, dropped, part(progress, 0.5, 0.6))
     able = all(any(one.carries(slopes[place]) for _, fields in every for one in fields[place]) for place in PLACES)
-    for closer in closer_fits(case.bearings) if able and not rows else ():
-        kind, of = "fits", _short([replace(one, fits=closer) for one in offered], bearings, slopes)
-        rows = _settled(case, of, slopes, dropped)
+    fits = closer_fits(case.bearings) if able and not rows else []
+    for n, closer in enumerate(fits):
+        here = part(progress, 0.6 + 0.2 * n / len(fits), 0.6 + 0.2 * (n + 1) / len(fits))
+        kind, of = "fits", short_fields([replace(one, fits=closer) for one in offered], bearings, slopes, part(here, 0.0, 0.5))
+        rows = _settled(case, of, slopes, dropped, part(here, 0.5, 1.0))
         if rows:
             break
     if able and not rows and not case.bearings.fits_given:
-        as_given = {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
-        kind, of = "given", _short(offered, as_given, slopes)
-        rows = _settled(case, of, slopes, dropped)
+        kind, of = "given", short_fields(offered, as_given(bearings), slopes, part(progress, 0.8, 0.9))
+        rows = _settled(case, of, slopes, dropped, part(progress, 0.9, 1.0))
     found = [one.row for one in rows if one.row is not None]
     own = {id(row.variant) for row in found} if kind == "all" else set()
     pairs = ((variant, shortest(fields, slopes)) for variant, fields in every if id(variant) not in own)
@@ -114,7 +117,7 @@ def search(case: Case) -> Found:
     if not found and not beyond:
         if dropped:
             raise NoSolution("no bearings pass in the whole design", "; ".join(dropped[:2]), "stiffen the shaft, or widen its envelope")
-        raise _nothing(every, slopes)
+        raise nothing(every, slopes)
     shown = {id(row.variant) for row in (*found, *beyond)}
     refused = [
         (v, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(v, too_thin))
@@ -187,34 +190,53 @@ def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[Field]]:
     return found
 
 
-def _short(offered: Sequence[Variant], bearings: dict[str, list[Task]], slopes: Slopes) -> Every:
+def as_given(bearings: dict[str, list[Task]]) -> dict[str, list[Task]]:
+    """The same tasks, judged as they are given and not at the corners of the tolerances."""
+    return {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
+
+
+def short_fields(
+    offered: Sequence[Variant], bearings: dict[str, list[Task]], slopes: Slopes, progress: Progress | None = None
+) -> Every:  # fmt: skip
     """Of every variant what fits, and that alone."""
     thin: Thin = {}
-    return [(variant, in_room(fields_of(variant, bearings, slopes, too_thin=thin, short=True), slopes)) for variant in offered]
+    found: list[tuple[Variant, Fields]] = []
+    for n, variant in enumerate(offered):
+        tell(progress, n / len(offered), str(variant))
+        found.append((variant, in_room(fields_of(variant, bearings, slopes, too_thin=thin, short=True), slopes)))
+    return found
 
 
-def _settled(case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str]) -> list[Settled]:
-    """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs.
+def nearest_settled(case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str]) -> Settled | None:
+    """The nearest row of all variants that holds in the whole design.
 
     Preferred is what changes sizes alone, then oil, then supply, then surfaces.
     """
-    by_variant = {id(variant): fields for variant, fields in every}
-    best = [Row("least power", variant, *pair) for variant, fields in every if (pair := least_power(fields, slopes)) is not None]
     near = []
-    for variant in (row.variant for row in best):
-        rank = rank_of_nearest(by_variant[id(variant)], slopes)
+    for variant, fields in every:
+        rank = rank_of_nearest(fields, slopes)
         if rank is not None:
             level, change, power = rank
-            near.append((level, variant.supply != case.bearings.supply, variant.oil != case.bearings.oil, change, power, variant))
-    rows: list[Settled] = []
-    for *_, variant in sorted(near, key=lambda one: one[:5])[:NEAREST]:
-        pair = nearest(by_variant[id(variant)], slopes)
+            near.append((level, variant.supply != case.bearings.supply, variant.oil != case.bearings.oil, change, power, variant, fields))
+    for *_, variant, fields in sorted(near, key=lambda one: one[:5])[:NEAREST]:
+        pair = nearest(fields, slopes)
         assert pair is not None
-        settled = settle(case, Row("nearest", variant, *pair), by_variant[id(variant)], slopes)
+        settled = settle(case, Row("nearest", variant, *pair), fields, slopes)
         if settled.row is not None:
-            rows.append(settled)
-            break
+            return settled
         dropped.append(settled.why)
+    return None
+
+
+def _settled(
+    case: Case, every: Every, slopes: dict[str, Radian], dropped: list[str], progress: Progress | None = None
+) -> list[Settled]:  # fmt: skip
+    """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
+    by_variant = {id(variant): fields for variant, fields in every}
+    best = [Row("least power", variant, *pair) for variant, fields in every if (pair := least_power(fields, slopes)) is not None]
+    tell(progress, 0.0, "the nearest row in the whole design")
+    first = nearest_settled(case, every, slopes, dropped)
+    rows = [] if first is None else [first]
     waiting = [Settled(row, slopes) for row in best]
     done: list[Settled] = []
     while waiting and len(rows) < VERIFIED:
@@ -224,6 +246,7 @@ def _settled(case: Case, every: Every, slopes: dict[str, Radian], dropped: list[
         if one in done:  # still the least after its slopes were read again
             rows.append(one)
             continue
+        tell(progress, len(done) / VERIFIED, f"{one.row.variant} in the whole design")
         settled = settle(case, one.row, by_variant[id(one.row.variant)], slopes)
         if settled.row is None:
             dropped.append(settled.why)
@@ -278,7 +301,7 @@ def _left_out(variant: Variant, too_thin: Thin) -> str:
     return _stopped(None)
 
 
-def _nothing(every: Every, slopes: Slopes) -> NoSolution:
+def nothing(every: Every, slopes: Slopes) -> NoSolution:
     """What comes nearest over all oils and supplies, and what stops it."""
     best = [(min(one.margin for one in both), variant, both) for variant, fields in every if (both := closest(fields, slopes)) is not None]
     if not best:

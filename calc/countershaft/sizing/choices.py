@@ -8,6 +8,7 @@ from ...bearings.inputs import BearingsInputs
 from ...catalogue import Material
 from ...imbalance.solve import ImbalanceResult
 from ...sheet.errors import BadInput, InputError, NoSolution
+from ...sheet.progress import Progress, tell
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.trace import untraced
@@ -127,7 +128,7 @@ def asked(
 
 def choices(
     shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, room: Envelope,
-    materials: Mapping[str, tuple[Material, Euro | None]],
+    materials: Mapping[str, tuple[Material, Euro | None]], progress: Progress | None = None,
 ) -> Found:  # fmt: skip
     """Shafts of every material from the smallest radius that serves to that of the envelope, the lightest first.
 
@@ -137,7 +138,8 @@ def choices(
     refused: dict[str, NoSolution] = {}
     with untraced():
         U, P, omega_S = asked(shaft, imbalance, omega)
-        for name, (material, cost) in materials.items():
+        for n, (name, (material, cost)) in enumerate(materials.items()):
+            tell(progress, n / len(materials), name)
             try:
                 largest = size(U, P, omega_S, material.density, room.outer_radius, room.core_radius, room.half_length, shaft.extras)
             except NoSolution as none:

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...sheet.errors import NoSolution
+from ...sheet.progress import Progress, part, tell
 from ...sheet.record import record
 from ..inputs import GearsInputs, Wheel
 from ..train import mesh_key, tooth_system
@@ -97,7 +98,7 @@ class Found:
         return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
 
 
-def search(gears: GearsInputs) -> Found:
+def search(gears: GearsInputs, progress: Progress | None = None) -> Found:
     """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
     case = Case(tooth_system(gears), gears)
     every = freedoms(gears, case.system)
@@ -109,7 +110,8 @@ def search(gears: GearsInputs) -> Found:
         case = replace(case, bars=(*case.bars, bar))
     offered: list[Row] = []
     passed: set[str] = set()
-    for way in ways:
+    for n, way in enumerate(ways):
+        tell(progress, 0.5 * n / len(ways), way.name)
         within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
         rows = _optima(case, way, within=within)
         passed |= {way.name for _ in rows}
@@ -122,7 +124,7 @@ def search(gears: GearsInputs) -> Found:
     along = slice_of(case, way, nearest, bar)
     if along is None or nearest is None:
         raise too_narrow(case, way)
-    cut_best = tuple(_cut_best(case, way, [row for row in optima if row.freedom is way]))
+    cut_best = tuple(_cut_best(case, way, [row for row in optima if row.freedom is way], part(progress, 0.5, 1.0)))
     if not optima and not cut_best:
         raise nothing(along)
     i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
@@ -234,10 +236,11 @@ def _cut_now(case: Case, now: Row | None) -> list[Row]:
     return found
 
 
-def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row]) -> list[Row]:
+def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row], progress: Progress | None = None) -> list[Row]:
     """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
     found = []
-    for wheel in case.gears.wheels:
+    for n, wheel in enumerate(case.gears.wheels):
+        tell(progress, n / len(case.gears.wheels), f"tip cut of {wheel.name}")
         reached = list(uncut)
         for k in cut_steps(case, wheel):
             for row in _optima(case, way, {wheel.name: k}, wheel.name) if k != wheel.tip_shortening else ():

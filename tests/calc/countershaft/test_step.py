@@ -152,6 +152,22 @@ def test_what_is_left_grows_with_the_square_of_the_speed():
                 left = getattr(made.result, f"residual_order_1_{word}")
                 assert series.y[at] == pytest.approx(left * (series.x[at] / 2600.0) ** 2, rel=1e-9)
     assert curves["reactions"].series[0].y[-1] == pytest.approx(1.21 * made.result.reaction_front)
+    limits = {c.id: c.limit for c in made.checks}
+    assert curves["residual_couple_over_speed"].limits[0][1] == pytest.approx(limits["countershaft.residual"])
+    assert curves["residual_force_over_speed"].limits[0][1] == pytest.approx(limits["countershaft.residual_force"])
+
+
+@pytest.mark.parametrize(("name", "order"), [("r753ie4_gamma", 1), ("r754ie4_balance_shafts", 2)])
+def test_the_locus_of_what_is_left_runs_with_the_crank(name, order):
+    """The vectors of an order come round once in the crank angle that stands beside the points."""
+    curves = {curve.id: curve for curve in outcome(name).curves}
+    label, degrees = next(curve for id, curve in curves.items() if id in ("residual", "residual_force")).along
+    line = next(curve for id, curve in curves.items() if id in ("residual", "residual_force")).series[0]
+    path = np.asarray(line.y) + 1j * np.asarray(line.x)
+    assert label == "crank angle, °" and degrees[-1] == 360 / order and len(degrees) == len(path)
+    theta = np.radians(order * degrees)
+    like, against = np.mean(path[:-1] * np.exp(1j * theta[:-1])), np.mean(path[:-1] * np.exp(-1j * theta[:-1]))
+    assert path == pytest.approx(like * np.exp(-1j * theta) + against * np.exp(1j * theta), abs=1e-6 * abs(path).max())
 
 
 # --- handed on ------------------------------------------------------------------------------------------------------------------------

@@ -20,7 +20,8 @@ def test_the_chain_of_vectors_ends_on_the_locus(changes):
     for curve in drawn.values():
         for chain in curve.turning:
             line = next(s for s in curve.series if s.variant == chain.variant and s.label.startswith("order"))
-            for k, theta in enumerate(np.radians(np.arange(0, 361, 3.0))):
+            assert curve.along[0] == "crank angle, °"
+            for k, theta in enumerate(np.radians(curve.along[1])):
                 end = chain.at(theta)[-1]
                 assert (end.imag, end.real) == pytest.approx((line.x[k], line.y[k]), abs=1e-6 * np.abs(line.y).max() + 1e-6)
 

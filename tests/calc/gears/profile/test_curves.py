@@ -41,6 +41,20 @@ def test_the_path_of_contact_is_as_long_as_the_contact_ratio_says(whole, drawn):
         assert length / whole.system.base_pitch == pytest.approx(m.transverse_contact_ratio)
 
 
+def test_the_tip_circles_stand_about_their_wheels_and_end_the_path_of_contact(whole, drawn):
+    """Contact begins on the driven wheel's tip circle and ends on the driver's."""
+    for key, m in whole.meshes.items():
+        below, _, *tips, path = drawn[f"profile_{key}"].series
+        centres = -1j * m.working_diameter_driver / 2, 1j * m.working_diameter_driven / 2
+        for name, circle, centre, touched in zip((m.driver, m.driven), tips, centres, (-1, 0)):
+            assert circle.label == f"tip circle of {name}"
+            radius = whole.wheels[name].tip_diameter / 2
+            assert np.abs(circle.x + 1j * circle.y - centre * 1e3) == pytest.approx(radius * 1e3)
+            assert abs(path.x[touched] + 1j * path.y[touched] - centre * 1e3) == pytest.approx(radius * 1e3)
+            assert min(circle.x) < min(path.x) and max(path.x) < max(circle.x)
+        assert max(np.abs(below.x + 1j * below.y - centres[0] * 1e3)) == pytest.approx(whole.wheels[m.driver].tip_diameter * 500)
+
+
 def test_sliding_shows_one_mesh_at_a_time(whole, drawn):
     curve = drawn["sliding"]
     assert curve.variants == ("central–idler", "crank–central", "idler–shaft")

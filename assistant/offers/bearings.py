@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Bearings to choose from: lengths, clearances, oils and supplies that fit the shaft and keep every rule at the worst corner."""
 
-from assistant.commands.choose import Offer
 from calc.bearings.choosing.said import hidden, notes, summary
 from calc.bearings.choosing.search import search
 from calc.bearings.choosing.settling import confirmed
@@ -9,17 +8,20 @@ from calc.bearings.choosing.tables import beyond_table, changed, changes, choice
 from calc.choosing import bearings_case
 from calc.design import Design
 from calc.sheet.errors import NoSolution
+from calc.sheet.progress import Progress
 from calc.sheet.step import Table
+
+from .offer import Offer
 
 NEEDS = ("bearings",)
 WHY = "there is nothing to choose a bearing for"
 
 
-def offer(made: Design, file: str) -> Offer:
+def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     assert made.bearings is not None
     own = made.bearings
     case = bearings_case(made)
-    found = search(case)
+    found = search(case, progress=progress)
 
     def taken(number: int) -> list[str]:
         """Rows that were not solved as whole designs are so now."""

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Profile shifts and tip cuts to choose from: the largest specific sliding of the train made least, every rule of the teeth kept."""
 
-from assistant.commands.choose import Offer
 from calc.design import Design
 from calc.gears.choosing.search import search
 from calc.gears.choosing.tables import (
@@ -17,15 +16,18 @@ from calc.gears.choosing.tables import (
     summary,
     wants_table,
 )
+from calc.sheet.progress import Progress
 from calc.sheet.step import Table
+
+from .offer import Offer
 
 NEEDS = ("gears",)
 WHY = "there are no gears to choose shifts for"
 
 
-def offer(made: Design, file: str) -> Offer:
+def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     assert made.gears is not None
-    found = search(made.gears)
+    found = search(made.gears, progress=progress)
 
     def said(number: int) -> str:
         row = found.all[number - 1]

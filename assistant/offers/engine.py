@@ -1,16 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Firing orders to choose from, ranked by what they leave."""
 
-from assistant.commands.choose import Offer
 from calc.design import Design
 from calc.engine import solve as engine
 from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
+from calc.sheet.progress import Progress
+
+from .offer import Offer
 
 NEEDS = ("engine", "imbalance")
 WHY = "firing orders are ranked by what they leave of the imbalance"
 
 
-def offer(made: Design, file: str) -> Offer:
+def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     assert made.engine is not None and made.imbalance is not None
     inputs, crank = made.engine, made.imbalance
     e = engine.values(inputs)

@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """Counter-shafts to choose from: radii and materials in the envelope of the design, the lightest first."""
 
-from assistant.commands.choose import Offer
 from calc.countershaft.sizing.choices import candidates, changes, choices, choices_table, envelope
 from calc.design import Design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
+from calc.sheet.progress import Progress
+
+from .offer import Offer
 
 NEEDS = ("engine", "imbalance", "countershaft")
 WHY = "the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"
 
 
-def offer(made: Design, file: str) -> Offer:
+def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     assert made.engine is not None and made.imbalance is not None and made.countershaft is not None
     shaft = made.countershaft
     room = envelope(shaft, made.bearings, file)
     materials = candidates(shaft, made.materials, file)
     e = engine.values(made.engine)
-    found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials)
+    found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials, progress)
 
     def said(number: int) -> str:
         one = found.shafts[number - 1]

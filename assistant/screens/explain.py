@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where a number comes from: from the value, or the check, back through its formulas to the inputs."""
+
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.screen import ModalScreen
+from textual.widgets import Static
+
+from calc.explain import Chains, Link, behind, origin
+from calc.sheet.check import Check
+from calc.sheet.number import short
+from calc.sheet.trace import Line
+
+from ..session import Session
+from ..widgets.chain_list import INPUT, ChainList
+from ..widgets.item_list import ItemList
+from ..widgets.signs import WORDS
+from ..widgets.wrap import wrap
+from .once import Once
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+
+HINT = "Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes"
+
+
+class Explain(Once, ModalScreen[str | None]):
+    """Gives the key of an input that is to be gone to, None where there is none."""
+
+    app: "ContralberoApp"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q", "leave", "Close", show=False),
+        Binding("backspace,left,h", "before", "Back", show=False),
+        Binding("enter,right,l", "follow", "Walk on", show=False),
+        Binding("down,j", "move(1)", "Down", show=False),
+        Binding("up,k", "move(-1)", "Up", show=False),
+        Binding("y", "copy('value')", "Copy the value", show=False),
+        Binding("Y", "copy('line')", "Copy the line", show=False),
+    ]
+
+    def __init__(self, session: Session, *, value: str = "", check: Check | None = None, line: Line | None = None) -> None:
+        """What is explained: a value by its id, a check, or a line of the calculation."""
+        super().__init__()
+        assert session.results is not None
+        self.session = session
+        self.chains = Chains(session.results)
+        self.check = check
+        self.value = value or (behind(check, self.chains.values) or "" if check is not None else "")
+        first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []
+        self.way: list[list[Link]] = [first]  # the chains that were walked through; the last is shown
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog -tall"):
+            yield Static(id="explain-title")
+            yield ChainList(self.session)
+            yield Static(Content.styled(HINT, "dim"))
+
+    def on_mount(self) -> None:
+        chain = self.query_one(ChainList)
+        chain.focus()
+        self.show()
+
+    @property
+    def room(self) -> int:
+        """The cells of a row in the dialog."""
+        return max(30, min(110, self.app.size.width * 9 // 10) - 8)
+
+    def show(self) -> None:
+        links = self.way[-1]
+        rows: list[Content] = []
+        if len(self.way) > 1:
+            shown = links[-1].line
+            title = f"{len(self.way) - 1} back: {shown.about or 'a line of the calculation'}"
+            rows = [Content.styled(title, "bold")]
+        else:
+            rows = self._title()
+        count = len(links)
+        if count:
+            inputs = len(dict.fromkeys(key for link in links for key in link.inputs))
+            rows.append(Content.styled(f"{count} formulas, {inputs} inputs; each line stands before those that it is made of", "dim"))
+        elif self.value and (taken := origin(self.chains.results, self.value)):
+            rows.append(Content(f"Taken from the inputs: {taken}"))
+        else:
+            rows.append(Content("No single line of the calculation gives this number."))
+        self.query_one("#explain-title", Static).update(Content("\n").join(rows))
+        chain = self.query_one(ChainList)
+        chain.show(links)
+        chain.call_after_refresh(chain.scroll_home, animate=False)
+
+    def _title(self) -> list[Content]:
+        found: list[Content] = []
+        if (known := self.chains.values.get(self.value)) is not None:
+            number = f"{short(known.shown, 6)} {known.unit}".rstrip()
+            found.append(Content.assemble((f"{known.label}: {number}", "bold"), (f"   {known.id}", "dim")))
+        if (check := self.check) is not None:
+            signs = self.app.signs
+            judged = f"{short(check.value)} {check.unit}".rstrip() + f", {check.limit_text()}, margin {check.margin_text()}"
+            text = f"{signs.mark(check.verdict)} {WORDS[check.verdict]}  {check.name}: {judged}"
+            found += [Content.styled(row, signs.style(check.verdict)) for row in wrap(text, self.room, 2)]
+            found += [Content(row) for row in wrap(check.advice, self.room)] if check.advice else []
+            found.append(Content.styled(f"{check.source}", "dim"))
+        return found
+
+    # --- walking
+    def action_move(self, by: int) -> None:
+        self.query_one(ChainList).move(by)
+
+    def action_follow(self) -> None:
+        self.query_one(ChainList).choose()
+
+    def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
+        event.stop()
+        if event.key.startswith(INPUT):
+            self.dismiss(event.key.removeprefix(INPUT).rpartition(" ")[0])
+            return
+        links = self.way[-1]
+        number = int(event.key)
+        if number == len(links) - 1:
+            self.query_one(ChainList).move(1)
+            return
+        self.way.append(self.chains.to(links[number].line))
+        self.show()
+
+    def action_before(self) -> None:
+        if len(self.way) > 1:
+            self.way.pop()
+            self.show()
+
+    def action_copy(self, what: str) -> None:
+        item = self.query_one(ChainList).item
+        if item is not None:
+            text = getattr(item, what) or item.line
+            self.app.copy_to_clipboard(text)
+            self.app.tell(f"Copied: {text}")
+
+    def action_leave(self) -> None:
+        self.dismiss(None)

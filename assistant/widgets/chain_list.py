@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The formulas that lead to a value, the value first, and under each the inputs that enter it."""
+
+from typing import TYPE_CHECKING
+
+from textual.content import Content
+
+from calc.design_file import quantity_of
+from calc.explain import Link
+from calc.sheet.errors import BadInput
+from calc.sheet.expression import line_text
+
+from ..session import Session
+from ..sheets import Entry
+from .calculation import Typesetter
+from .item_list import Item, ItemList
+from .wrap import wrap
+
+if TYPE_CHECKING:
+    from ..app import ContralberoApp
+
+INPUT = "input "  # an item with this before its key is an input of the design; the others are numbers of links
+
+
+class ChainList(ItemList):
+    app: "ContralberoApp"
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="chain-list")
+        self.session = session
+        self.links: list[Link] = []  # as they were computed: the value last
+
+    def show(self, links: list[Link]) -> None:
+        self.links = links
+        self.rebuild()
+
+    def build(self, width: int) -> list[Item]:
+        items: list[Item] = []
+        setter = Typesetter(self.app.signs, width)
+        about = ""
+        for number in reversed(range(len(self.links))):
+            link = self.links[number]
+            if link.line.about != about:
+                about = link.line.about
+                title = about[:1].upper() + about[1:]
+                items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")]))
+            formula, numbers, source = line_text(link.line)
+            entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
+            made = setter.entry(entry)
+            items.append(Item(str(number), made.rows, made.value, made.line))
+            items += [self._input(key, number, width) for key in dict.fromkeys(link.inputs)]
+        return items
+
+    def _input(self, key: str, number: int, width: int) -> Item:
+        """An input that enters a formula: what it is, and what the design has there."""
+        try:
+            about, text = quantity_of(self.session.data, key), self.session.text(key)
+        except (BadInput, KeyError):  # a column of an array, or what a name brings in
+            label, value = key, ""
+        else:
+            label, value = f"{about.label}  {key}", f"{text} {about.unit}".strip()
+        line = f"{label}  {value}".rstrip()
+        rows = wrap(f"      {self.app.signs.mark('from')} {line}", width, 8)
+        return Item(f"{INPUT}{key} {number}", [Content.styled(row, "italic") for row in rows], value or key, line)

@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Two designs side by side: the inputs that differ, the verdicts of the steps, and the checks and values that differ.
+
+Nothing is solved here.  A and B change places without changing what is found: every measure of a difference is symmetric.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from .design import STEPS, Design
+from .sheet.check import ORDER, Check
+from .sheet.quantity import Published, Quantity, keys
+
+if TYPE_CHECKING:
+    from .solve import Results
+
+SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
+NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
+LAST = ("oil", "material", "schema", "name", "note", "author", "checker", "revision", "date")  # stand behind what is calculated with
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class InputDifference:
+    """One key, as the two files have it; None: left out.  A table that only one of them has is one difference, and so is an element."""
+
+    key: str  # elements of arrays by name, else by index, as everywhere
+    label: str
+    unit: str
+    a: Any
+    b: Any
+
+    @property
+    def step(self) -> str:
+        return self.key.partition(".")[0]
+
+
+@dataclass(frozen=True)
+class Judged:
+    """The verdict of a step, and how many of its checks stand behind it."""
+
+    verdict: str
+    fail: int
+    warn: int
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class StepVerdicts:
+    """One step in both designs."""
+
+    step: str
+    title: str
+    a: Judged
+    b: Judged
+
+    @property
+    def moved(self) -> bool:
+        return self.a.verdict != self.b.verdict
+
+
+@dataclass(frozen=True)
+class CheckDifference:
+    """A check whose verdict, value or limit differs, or that only one design has (None: the other)."""
+
+    id: str
+    a: Check | None
+    b: Check | None
+    relative: float  # of value or limit, whichever differs more
+
+    @property
+    def step(self) -> str:
+        return self.id.partition(".")[0]
+
+    @property
+    def name(self) -> str:
+        either = self.b or self.a
+        return either.name if either else self.id
+
+    @property
+    def both(self) -> bool:
+        return self.a is not None and self.b is not None
+
+    @property
+    def moved(self) -> bool:
+        """Both designs have it, and judge it differently."""
+        return self.a is not None and self.b is not None and self.a.verdict != self.b.verdict
+
+    @property
+    def worse(self) -> bool:
+        """B is judged worse than A; a check that only one design has, where it does not pass."""
+        verdicts = [check.verdict for check in (self.a, self.b) if check is not None]
+        return ORDER.index(verdicts[-1]) > ORDER.index(verdicts[0] if self.both else "pass")
+
+
+@dataclass(frozen=True)
+class ValueDifference:
+    """A result that differs, or that only one design has (None: the other)."""
+
+    id: str
+    label: str
+    unit: str
+    a: float | None
+    b: float | None
+    relative: float  # to the larger of the two; of a phase, to half a turn
+
+    @property
+    def step(self) -> str:
+        return self.id.partition(".")[0]
+
+    @property
+    def both(self) -> bool:
+        return self.a is not None and self.b is not None
+
+    @property
+    def phase(self) -> bool:
+        return _is_phase(self.id, self.unit)
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """What differs.  Checks and values: step by step, first those of both designs by the size of the difference, then those of one."""
+
+    inputs: tuple[InputDifference, ...]
+    verdicts: tuple[StepVerdicts, ...]  # of every step
+    checks: tuple[CheckDifference, ...]  # of a step those first whose verdict has moved; of those of one design those that do not pass
+    values: tuple[ValueDifference, ...]
+
+    @property
+    def equal(self) -> bool:
+        return not (self.inputs or self.steps_moved or self.checks or self.values)
+
+    @property
+    def steps_moved(self) -> tuple[StepVerdicts, ...]:
+        return tuple(v for v in self.verdicts if v.moved)
+
+    @property
+    def steps_shared(self) -> frozenset[str]:
+        """The steps that both designs ask for."""
+        return frozenset(v.step for v in self.verdicts if "not_asked" not in (v.a.verdict, v.b.verdict))
+
+    @property
+    def checks_moved(self) -> tuple[CheckDifference, ...]:
+        return tuple(c for c in self.checks if c.moved)
+
+
+def compare(a: Any, b: Any, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
+    """Compare two designs: the tables of their files, and what they gave."""
+    return Comparison(
+        tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
+        tuple(_values(results_a, results_b, same)),
+    )  # fmt: skip
+
+
+# --- inputs -----------------------------------------------------------------------------------------------------------------
+def inputs(a: Any, b: Any) -> list[InputDifference]:
+    """The keys that differ between the tables of two design files: the steps in their order, then what only names or explains."""
+    found = list(_keys(Design, a, b, ""))
+    return sorted(found, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
+
+
+def _keys(cls: type, a: Any, b: Any, prefix: str) -> Iterator[InputDifference]:
+    for key, known in keys(cls).items():
+        about, mine, theirs = known.about, a.get(key), b.get(key)
+        if mine is theirs or mine == theirs:
+            continue
+        here = f"{prefix}{key}"
+        if about.kind == "tables":
+            yield from _elements(about, mine or [], theirs or [], here)
+        elif about.kind == "table" and mine is not None and theirs is not None:
+            assert about.table is not None
+            yield from _keys(about.table, mine, theirs, f"{here}.")
+        elif _plain(about, mine) != _plain(about, theirs):
+            yield InputDifference(here, about.label, about.unit, mine, theirs)
+
+
+def _plain(about: Quantity, content: Any) -> Any:
+    """One number stands for a list of one, and a choice may look like a number."""
+    if content is None:
+        return None
+    if about.kind in ("series", "integers"):
+        return content if isinstance(content, list) else [content]
+    return str(content) if about.kind == "choice" else content
+
+
+def _elements(about: Quantity, a: list[Any], b: list[Any], here: str) -> Iterator[InputDifference]:
+    """The elements of two arrays of tables, matched by name, else by index."""
+    assert about.table is not None
+    if not a or not b:
+        if a or b:
+            yield InputDifference(here, about.label, "", a or None, b or None)
+        return
+    mine, theirs = _named(a), _named(b)
+    for name in _united(mine, theirs):
+        one, other = mine.get(name), theirs.get(name)
+        if one is not None and other is not None:
+            yield from _keys(about.table, one, other, f"{here}.{name}.")
+        else:
+            yield InputDifference(f"{here}.{name}", f"{about.label}: {name}", "", one, other)
+
+
+def _named(items: list[Any]) -> dict[str, Any]:
+    return {str(item.get("name", n)): item for n, item in enumerate(items)}
+
+
+def _united(a: Iterable[T], b: Iterable[T]) -> list[T]:
+    """What is in either, in an order that does not depend on which comes first."""
+    first, second = list(a), list(b)
+    shared = set(first) & set(second)
+    rest = [x for x in (*first, *second) if x not in shared]
+    return [*(x for x in first if x in shared), *sorted(rest, key=str)]
+
+
+# --- results ----------------------------------------------------------------------------------------------------------------
+def _verdicts(a: "Results", b: "Results") -> Iterator[StepVerdicts]:
+    for step in STEPS:
+        yield StepVerdicts(step.key, step.title, _judged(a, step.key), _judged(b, step.key))
+
+
+def _judged(results: "Results", step: str) -> Judged:
+    outcome = results.outcomes[step]
+    verdicts = [check.verdict for check in outcome.checks]
+    return Judged(outcome.verdict, verdicts.count("fail"), verdicts.count("warn"), outcome.reason)
+
+
+def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
+    found: list[CheckDifference] = []
+    for step in STEPS:
+        mine, theirs = ({c.id: c for c in results.outcomes[step.key].checks} for results in (a, b))
+        either = (*mine.values(), *theirs.values())
+        floors = _floors((c.unit, x) for c in either for x in (c.value, *_limits(c)))
+        differ = []
+        for id in _united(mine, theirs):
+            one, other = mine.get(id), theirs.get(id)
+            if one is None or other is None:
+                differ.append(CheckDifference(id, one, other, math.inf))
+                continue
+            relative = _between(one, other, floors[one.unit])
+            if relative > same or one.verdict != other.verdict or _kind(one) != _kind(other):
+                differ.append(CheckDifference(id, one, other, relative))
+        found += sorted(differ, key=lambda d: (not d.moved, not d.both, -d.relative if d.both else not d.worse))
+    return found
+
+
+def _kind(check: Check) -> tuple[str, str, str]:
+    return check.kind, check.sense, check.unit
+
+
+def _limits(check: Check) -> tuple[float, ...]:
+    return check.limit if isinstance(check.limit, tuple) else (check.limit,)
+
+
+def _between(a: Check, b: Check, floor: float) -> float:
+    """How much a check differs in value or limit."""
+    limits = list(zip(_limits(a), _limits(b)))
+    return max(relative(x, y, floor) for x, y in [(a.value, b.value), *limits])
+
+
+def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
+    found: list[ValueDifference] = []
+    for step in STEPS:
+        mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
+        floors = _floors((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
+        differ = []
+        for id in _united(mine, theirs):
+            one, other = mine.get(id), theirs.get(id)
+            either = other or one
+            assert either is not None
+            if one is None or other is None:
+                there = (one.shown if one else None, other.shown if other else None)
+                differ.append(ValueDifference(id, either.label, either.unit, *there, math.inf))
+                continue
+            if _is_phase(id, one.unit):
+                size = _turned(one, other, mine, theirs, floors)
+            else:
+                size = relative(one.shown, other.shown, floors[one.unit])
+            if size > same or one.unit != other.unit:
+                differ.append(ValueDifference(id, other.label, other.unit, one.shown, other.shown, size))
+        found += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
+    return found
+
+
+def _is_phase(id: str, unit: str) -> bool:
+    return unit == "°" and id.endswith("_phase")
+
+
+def _turned(a: Published, b: Published, mine: dict[str, Published], theirs: dict[str, Published], floors: dict[str, float]) -> float:
+    """Between two phases: the shorter way round, of half a turn.  Vectors of no length have none."""
+    lengths = [vectors[vector] for vectors in (mine, theirs) if (vector := a.id.removesuffix("_phase")) in vectors]
+    if lengths and all(abs(v.shown) <= floors[v.unit] for v in lengths):
+        return 0.0
+    return abs(turn(a.shown, b.shown)) / 180
+
+
+def turn(a: float, b: float) -> float:
+    """From one phase to another, in degrees, the shorter way."""
+    return (b - a + 180) % 360 - 180
+
+
+def _floors(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
+    """By unit, the size up to which a number is nothing.  Numbers without a unit have nothing in common."""
+    found: dict[str, float] = {}
+    for unit, number in numbers:
+        size = abs(number) * NOTHING if unit and math.isfinite(number) else 0.0
+        found[unit] = max(found.get(unit, 0.0), size)
+    return found
+
+
+def relative(a: float, b: float, floor: float = 0.0) -> float:
+    """How much two numbers differ, of the larger one: 0 where they are equal, or both nothing; 2 where only the sign differs."""
+    if a == b or (math.isnan(a) and math.isnan(b)):
+        return 0.0
+    if not (math.isfinite(a) and math.isfinite(b)):
+        return math.inf
+    largest = max(abs(a), abs(b))
+    return 0.0 if largest <= floor else abs(a - b) / largest

@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How a long search says how far it is.  Who listens may raise `Cancelled` from the call, which ends the search there and then."""
+
+from collections.abc import Callable
+
+Progress = Callable[[float, str], None]  # share done, from 0 to 1, and what is being looked at
+
+
+def tell(progress: Progress | None, share: float, what: str) -> None:
+    if progress is not None:
+        progress(min(max(share, 0.0), 1.0), what)
+
+
+def part(progress: Progress | None, start: float, end: float) -> Progress | None:
+    """The progress of a part of the search, which goes from one share of the whole to another."""
+    if progress is None:
+        return None
+    return lambda share, what: progress(start + (end - start) * share, what)

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The design beside its saved file, an earlier state or another design, from the screen."""
+
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from textual.pilot import Pilot
+from textual.widgets import Input, OptionList
+
+from assistant.app import ContralberoApp
+from assistant.others import kept, of_session, past
+from assistant.screens.compare import CompareScreen
+from assistant.screens.compare_with import CompareFile, CompareWith
+from assistant.session import Session
+from assistant.widgets.comparison import ComparisonList
+from calc.compare import compare
+from calc.design_file import load
+from calc.sheet.number import short
+from calc.shipped import DESIGNS
+from calc.solve import solve
+
+from .conftest import Screen
+from .driving import go_to, settled, strike, told, type_in, until, work
+
+SIZES = [(120, 40), (80, 24)]
+
+
+def text(pilot: Pilot[int]) -> str:
+    """The screen as text, whichever it is."""
+    return "\n".join("".join(segment.text for segment in strip) for strip in pilot.app.screen._compositor.render_strips())
+
+
+def options(pilot: Pilot[int]) -> list[str]:
+    screen = pilot.app.screen
+    assert isinstance(screen, CompareWith)
+    return [str(option.prompt) for option in screen.query_one("#others", OptionList).options]
+
+
+async def asked(pilot: Pilot[int]) -> None:
+    """Wait for the question what to compare with."""
+    await until(pilot, lambda: isinstance(pilot.app.screen, CompareWith) and pilot.app.screen.focused is not None)
+
+
+async def opened(pilot: Pilot[int]) -> ComparisonList:
+    """Wait for the comparison."""
+    await until(pilot, lambda: isinstance(pilot.app.screen, CompareScreen))
+    shown = pilot.app.screen.query_one(ComparisonList)
+    await until(pilot, lambda: shown.found is not None)
+    await pilot.pause()
+    return shown
+
+
+# --- what can be compared with, without a screen
+def test_the_states_of_a_design(light: Session) -> None:
+    assert [other.title for other in kept(light)] == ["light.toml as it is saved"] and list(past(light)) == []
+    before = light.data
+    light.edit("engine.bore_mm", "9")
+    light.edit("engine.bore_mm", "95")
+    light.seal()
+    light.edit("countershaft.masses.rear.mass_kg", "")  # not accepted, but taken back all the same
+    light.undo()
+    light.add("countershaft.masses")
+    assert [other.title for other in past(light)] == [
+        "before Eccentric masses: rear-2 (countershaft masses): left out → 5 keys",
+        "before Bore (engine): 94 → 95 mm",
+    ]
+    assert [other.name for other in past(light)] == ["1 edit ago", "2 edits ago"]
+    assert list(past(light))[-1].data is before
+    assert light.undo() is not None and light.value("engine.bore_mm") == 95.0  # nothing was taken back but the last edit
+    light.save()
+    assert [other.name for other in kept(light)] == ["saved", "opened"]
+
+
+def test_an_edit_that_was_not_understood_is_no_state(light: Session) -> None:
+    light.edit("engine.bore_mm", "nine")
+    assert list(past(light)) == []
+    light.edit("engine.bore_mm", "95")
+    assert [other.title for other in past(light)] == ["before Bore (engine): 94 → 95 mm"]
+
+
+def test_many_edits_are_listed_quickly(light: Session) -> None:
+    for n in range(300):
+        light.edit("engine.bore_mm", f"{80 + n / 10}")
+        light.seal()
+    started = time.perf_counter()
+    assert len(list(past(light))) == 300
+    assert time.perf_counter() - started < 0.5
+
+
+# --- the screen
+@pytest.mark.parametrize("size", SIZES)
+@pytest.mark.parametrize("ascii", [False, True])
+async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
+    async with screen(size=size, ascii=ascii) as pilot:
+        for key, value in (("engine.crank_radius_mm", "54"), ("engine.bore_mm", "95")):
+            await go_to(pilot, key)
+            await type_in(pilot, value)
+        here = work(pilot).focused
+        assert here is not None
+        await strike(pilot, "shift+f7")
+        await asked(pilot)
+        assert options(pilot) == [
+            "light.toml as it is saved", "another design file …", "before Bore (engine): 94 → 95 mm", "before Crank radius (engine): 53.5 → 54 mm",
+        ]  # fmt: skip
+        await strike(pilot, "down", "j", "down", "enter")
+        shown = await opened(pilot)
+        assert shown.found is not None
+        found = {(d.key, d.a, d.b) for d in shown.found.inputs}
+        assert found == {("engine.crank_radius_mm", 53.5, 54.0), ("engine.bore_mm", 94.0, 95.0)}
+        seen = text(pilot)
+        assert "2 edits ago" in seen and "Crank radius (engine)" in seen and "53.5" in seen and "2 inputs differ" in seen
+        assert all(len(line) <= size[0] for line in seen.splitlines())
+        assert ("x FAIL" in seen or "! warn" in seen) if ascii else "▲ warn" in seen
+        await strike(pilot, "escape")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, CompareScreen))
+        assert work(pilot).focused is here and work(pilot).session.value("engine.bore_mm") == 95.0
+
+
+async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        copied: list[str] = []
+        monkeypatch.setattr(pilot.app, "copy_to_clipboard", copied.append)
+        await go_to(pilot, "engine.crank_radius_mm")
+        await type_in(pilot, "54")
+        await strike(pilot, "escape")
+        await strike(pilot, "=")
+        await asked(pilot)
+        await strike(pilot, "enter")
+        shown = await opened(pilot)
+        sections = []
+        for key in ("4", "h", "left", "1", "right", "l", "l", "l"):
+            await strike(pilot, key)
+            sections.append(shown.section)
+        assert sections == ["Values", "Checks", "Verdicts", "Inputs", "Verdicts", "Checks", "Values", "Values"]
+        top = text(pilot).splitlines()[1]
+        assert "▸4 Values" in top and "1 Inputs 1 " in top
+        first = shown.key
+        await strike(pilot, "j", "j", "k")
+        assert shown.key != first and shown.id_here in text(pilot)
+        await strike(pilot, "y", "Y")
+        assert shown.found is not None
+        value = next(d for d in shown.found.values if d.id == shown.id_here)
+        assert value.b is not None and copied[0] in (short(value.b, n) for n in range(4, 10)) and copied[1].startswith(f"{value.id}: ")
+        await strike(pilot, "end")
+        assert shown.cursor == max(i for i, item in enumerate(shown.items) if item.key)
+        assert shown._first[shown.cursor] < shown.scroll_y + shown.size.height
+        await strike(pilot, "1", "enter")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, CompareScreen))
+        await settled(pilot)
+        field = work(pilot).form.field
+        assert field is not None and field.place == ("engine", "crank_radius_mm")
+
+
+async def test_another_design_file(screen: Screen, tmp_path: Path) -> None:
+    (tmp_path / "broken.toml").write_text("schema = 1\nname = 3\n")
+    other = tmp_path / "other [red]design.toml"
+    other.write_bytes((tmp_path / "light.toml").read_bytes().replace(b"bore_mm = 94.0", b"bore_mm = 99.0"))
+    async with screen(size=(120, 40)) as pilot:
+        await strike(pilot, "shift+f7")
+        await asked(pilot)
+        await strike(pilot, "down", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, CompareFile) and pilot.app.screen.is_mounted)
+        dialog = pilot.app.screen
+        names = [str(option.prompt) for option in dialog.query_one("#names", OptionList).options]
+        assert "light.toml" in names and any(name.startswith("r753ie4_beta.toml") for name in names)
+        box = dialog.query_one("#path", Input)
+        for name, reason in (("broken.toml", "name"), ("none.toml", "cannot be read"), ("", "folder")):
+            box.value = f"{tmp_path}/{name}"
+            await strike(pilot, "enter")
+            await pilot.pause()
+            assert isinstance(pilot.app.screen, CompareFile) and reason in str(dialog.query_one("#wrong").render())
+        box.value = str(other)
+        await strike(pilot, "enter")
+        shown = await opened(pilot)
+        assert shown.found is not None and [(d.key, d.a, d.b) for d in shown.found.inputs] == [("engine.bore_mm", 99.0, 94.0)]
+        assert "other [red]design" in text(pilot)
+
+
+async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        await strike(pilot, "escape")
+        await strike(pilot, "=")
+        await asked(pilot)
+        await strike(pilot, "down", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, CompareFile))
+        pilot.app.screen.query_one("#path", Input).value = str(DESIGNS / "timing_pair.toml")
+        await strike(pilot, "enter")
+        await opened(pilot)
+        await strike(pilot, "2")
+        await pilot.pause()
+        assert "· not asked" in text(pilot) and "5 steps change their verdict" in text(pilot)
+
+
+async def test_an_unchanged_design_is_equal(screen: Screen) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        await strike(pilot, "shift+f7")
+        await asked(pilot)
+        await strike(pilot, "enter")
+        shown = await opened(pilot)
+        assert shown.found is not None and shown.found.equal and "The two designs are equal" in text(pilot)
+        await strike(pilot, "l", "3", "j", "enter", "y")  # nothing to go to
+        assert isinstance(pilot.app.screen, CompareScreen) and "nothing to copy" in told(pilot)
+
+
+async def test_what_is_not_valid_is_said(screen: Screen, light: Session) -> None:
+    async with screen(size=(80, 24)) as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "-1")
+        await strike(pilot, "shift+f7")
+        await settled(pilot)
+        assert "Nothing to compare while the input is not valid: engine.bore_mm" in told(pilot)
+        assert work(pilot) is pilot.app.screen
+        light.seal()
+        await type_in(pilot, "")
+        box: Any = await go_to(pilot, "engine.bore_mm")
+        box.value = "95"
+        await settled(pilot)
+        assert light.valid
+        await strike(pilot, "shift+f7")
+        await asked(pilot)
+        wrong = next(n for n, name in enumerate(options(pilot)) if "−1 → 95" in name)
+        await strike(pilot, *["down"] * wrong, "enter")
+        await pilot.pause()
+        assert isinstance(pilot.app.screen, CompareWith) and "engine.bore_mm" in str(pilot.app.screen.query_one("#wrong").render())
+        await strike(pilot, "escape")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, CompareWith))
+        work(pilot)
+
+
+@pytest.mark.parametrize("size", SIZES)
+async def test_a_long_comparison_is_set_quickly(session: Session, size: tuple[int, int]) -> None:
+    """β beside γ: more than 700 rows."""
+    document, made = load(DESIGNS / "r753ie4_beta.toml")
+    session.solve()
+    assert session.results is not None
+    found = compare(document.data, session.data, solve(made), session.results)
+    app = ContralberoApp(session)
+    async with app.run_test(size=size) as pilot:
+        other = of_session(session, next(iter(kept(session))))
+        screen = CompareScreen(session, other)
+        await app.push_screen(screen)
+        shown = screen.query_one(ComparisonList)
+        await until(pilot, lambda: shown.found is not None)
+        started = time.perf_counter()
+        shown.show(found, ("r753ie4_beta", "now"))
+        assert time.perf_counter() - started < 0.5
+        assert sum(bool(item.key) for item in shown.items) == len(found.inputs) + 6 + len(found.checks) + len(found.values)
+        assert all(row.cell_length <= shown.room for item in shown.items for row in item.rows)
+        started = time.perf_counter()
+        shown.render_line(5)
+        assert time.perf_counter() - started < 0.05

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero compare`: text, JSON, exit codes, and what is wrong with both files at once."""
+
+import json
+import re
+from typing import Any
+
+import pytest
+
+from assistant.cli import main
+from assistant.commands.compare import column_names
+
+from .conftest import DESIGNS, GAMMA
+from .test_cli import run
+from .test_imports import HEAVY, loaded
+
+BETA = DESIGNS / "r753ie4_beta.toml"
+
+
+def said(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int, str, str]:
+    code = main(["compare", *map(str, arguments)])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+@pytest.fixture(scope="module")
+def found() -> dict[str, Any]:
+    done = run("compare", BETA, GAMMA, "--json")
+    assert done.returncode == 0 and done.stderr == ""
+    return json.loads(done.stdout)
+
+
+def test_what_differs_stands_first(capsys, found) -> None:
+    code, out, err = said(capsys, BETA, GAMMA)
+    assert code == 0 and err == ""
+    heads = [
+        "inputs differ.",
+        "Inputs that differ",
+        "Verdicts of the steps",
+        "Checks whose verdict moved",
+        "Counter-shaft: values that differ most",
+    ]
+    places = [out.index(head) for head in heads]
+    assert places == sorted(places)
+    assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
+    assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
+    assert re.search(r"Counter-shaft +✓ pass +▲ warn: 2 warn\n", out)
+    assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
+    assert re.search(r"bearings\.rear\.transition .*≥ 3253 rpm → ≥ 1383 rpm", out)
+    assert f"{len(found['inputs'])} inputs differ." in out
+    assert "more values differ (--all lists them)" in out
+    assert max(map(len, out.splitlines())) <= 140
+    shown = sum(1 for line in out.splitlines() if line.startswith("  bearings.rear.") and " % " in line)
+    assert shown < 30 < sum(1 for v in found["values"] if v["id"].startswith("bearings."))
+
+
+def test_all_of_it(capsys, found) -> None:
+    code, out, _ = said(capsys, BETA, GAMMA, "--all")
+    assert code == 0 and "--all" not in out
+    for kind in ("values", "checks"):
+        assert all(re.search(rf"^  {re.escape(v['id'])}  ", out, re.MULTILINE) for v in found[kind])
+    assert "thread = M10x1.5" in out
+
+
+def test_json_has_both_sides(found) -> None:
+    assert (found["schema"], found["program"], found["equal"]) == (1, "contralbero", False)
+    assert [d["name"] for d in found["designs"]] == [f"R753IE4 counter-shaft, solution {name}" for name in ("beta", "gamma")]
+    assert all(len(d["sha256"]) == 64 for d in found["designs"])
+    length = next(d for d in found["inputs"] if d["key"] == "bearings.front.length_mm")
+    assert length == {"key": "bearings.front.length_mm", "label": "Length", "unit": "mm", "a": 26.0, "b": 27.5}
+    assert found["steps"]["countershaft"] == {"a": "pass", "b": "warn", "moved": True}
+    edge = next(c for c in found["checks"] if c["id"] == "bearings.rear.film_edge")
+    assert edge["moved"] and edge["in"] == "both" and (edge["a"]["verdict"], edge["b"]["verdict"]) == ("fail", "pass")
+    assert edge["a"]["limit"] == 9.0 and edge["a"]["margin"] < 0 < edge["b"]["margin"]
+    alone = next(c for c in found["checks"] if c["in"] == "b")
+    assert alone["a"] is None and alone["b"]["verdict"]
+    assert {v["in"] for v in found["values"]} == {"both", "b"}
+
+
+def test_a_design_and_itself(capsys) -> None:
+    code, out, err = said(capsys, GAMMA, GAMMA)
+    assert code == 0 and err == "" and "The two designs are equal" in out and out.startswith("A  ")
+    code, out, _ = said(capsys, GAMMA, GAMMA, "--json")
+    assert code == 0 and json.loads(out)["equal"] is True
+
+
+def test_a_step_that_is_missing_is_not_asked(capsys) -> None:
+    code, out, _ = said(capsys, DESIGNS / "timing_pair.toml", GAMMA)
+    assert code == 0
+    assert re.search(r"\n  bearings +not asked +11 keys\n", out)
+    assert re.search(r"\n  Bearings +· not asked +✗ FAIL", out)
+    assert re.search(r"\nBearings\n  \d+ values stand in r753ie4_gamma only", out)
+    assert "bearings.front.film_edge" not in out  # the step says it
+
+
+def test_both_files_are_wrong_at_once(capsys, tmp_path) -> None:
+    bad = tmp_path / "bad.toml"
+    bad.write_text(GAMMA.read_text(encoding="utf-8").replace("bore_mm = 94.0", "bore_mm = -1.0"), encoding="utf-8")
+    code, out, err = said(capsys, bad, tmp_path / "none.toml")
+    assert code == 2 and out == ""
+    lines = err.splitlines()
+    assert len(lines) == 2 and "engine.bore_mm: -1.0" in lines[0] and re.match(rf"{re.escape(str(bad))}:\d+: ", lines[0])
+    assert "none.toml: cannot be read" in lines[1]
+    code, _, err = said(capsys, bad, bad)
+    assert code == 2 and len(err.splitlines()) == 1
+    code, out, err = said(capsys, GAMMA, bad)
+    assert code == 2 and out == "" and "engine.bore_mm" in err
+
+
+def test_usage(capsys) -> None:
+    assert said(capsys, GAMMA)[0] == 2
+    assert said(capsys, GAMMA, BETA, "--json", "--all")[0] == 2
+
+
+def test_names_above_the_columns() -> None:
+    assert column_names("beta", "gamma") == ("beta", "gamma")
+    assert column_names("same", "same") == ("A", "B")
+    assert column_names("short", "a-name-that-is-much-too-long") == ("A", "B")
+
+
+def test_it_loads_numpy_and_no_more() -> None:
+    found = loaded(f"from assistant.cli import main; main({['compare', str(BETA), str(GAMMA)]!r})")
+    assert "numpy" in found and not found & set(HEAVY)
