@@ -11,6 +11,7 @@ from typing import Any, ClassVar
 os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
 
 from textual.app import App, SystemCommand
+from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.screen import Screen
 
@@ -70,6 +71,10 @@ class ContralberoApp(App[int]):
         if isinstance(self.screen, Workbench):
             await self.screen.speak()
 
+    def pop_screen(self) -> AwaitComplete:
+        """The main screen stays, also where a key that repeats closes the palette twice."""
+        return super().pop_screen() if len(self.screen_stack) > 1 else AwaitComplete()
+
     async def enter(self, session: Session) -> None:
         """Go on with another design; unsaved edits of this one are kept aside."""
         self.session.autosave()
@@ -102,6 +107,10 @@ class ContralberoApp(App[int]):
             if code != say.code:
                 yield SystemCommand(f"{say('Language')}: {name}", say("The session in this language"), partial(self.speak, code))
 
+    def on_unmount(self) -> None:
+        """However the program ends, a closed page of a browser too: edits are kept aside."""
+        self.session.autosave()
+
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails is there something to ask."""
         self.session.autosave()
@@ -110,7 +119,7 @@ class ContralberoApp(App[int]):
             return
         from .screens.ask import Ask
 
-        why = self.session.autosave_failure or "an entry is not valid, and what is not valid is not kept"
+        why = self.session.autosave_failure or "what was added last is not complete, and such a part is not kept"
         if not isinstance(self.screen, Ask):
             self.push_screen(
                 Ask(

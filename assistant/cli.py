@@ -25,6 +25,7 @@ COMMANDS = {
     "compare": "two designs side by side, differences first",
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
+    "serve": "the guided session in a browser, on this machine only",
     "scenarios": "a train under several conditions side by side: the friction thesis' three, or a design's own",
     "validate": "published reference values beside ours",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
@@ -120,6 +121,9 @@ def parser() -> argparse.ArgumentParser:
         "--chord-error", type=float, metavar="UM", help="how far a tooth's straight pieces may stand off (default: 1 µm)"
     )
     add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
+
+    add["serve"].add_argument("file", nargs="?")
+    add["serve"].add_argument("--port", type=int, default=8000, metavar="N", help="of the address 127.0.0.1:N (default: %(default)s)")
 
     add["scenarios"].add_argument(
         "files", nargs="*", metavar="FILE", help="designs with [[friction.scenarios]] (default: those of the thesis)"

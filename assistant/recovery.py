@@ -5,13 +5,17 @@ import contextlib
 import hashlib
 import os
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
+from typing import Any
 
-from calc.design_file import Table
+from calc.design_file import Table, changed
 
-from .saving import SaveError, fresh_text, write_atomic
+from . import numbers
+from .history import State
+from .places import Place, described
+from .saving import SaveError, differences, fresh_text, write_atomic
 
 FOLDER = "contralbero"
 
@@ -29,11 +33,46 @@ def state_dir() -> Path:
 
 @dataclass(frozen=True)
 class Edits:
-    """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they started from."""
+    """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they started from.
+
+    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.
+    """
 
     data: Table
     time: datetime
     sha256: str
+    typed: dict[Place, str] = field(default_factory=dict)
+
+    def state(self) -> State:
+        """The state that they make; an entry that has no field any more is left out."""
+        data, texts = self.data, {}
+        for where, text in self.typed.items():
+            try:
+                about = described(where)
+                if about.table is None:
+                    data = changed(data, where, numbers.value(text, about))
+            except numbers.NotUnderstood as no:
+                texts[where] = (text, str(no))
+            except (KeyError, TypeError, AttributeError, ValueError):
+                continue
+        return State(data, texts)
+
+
+def not_accepted(valid: Table, state: State) -> dict[Place, str]:
+    """The entries by which a state differs from the last valid design, as texts of their fields."""
+    found: dict[Place, str] = {}
+
+    def leaves(where: Place, content: Any) -> None:
+        if isinstance(content, dict):
+            for key, inner in content.items():
+                leaves((*where, key), inner)
+        elif not (isinstance(content, list) and any(isinstance(item, dict) for item in content)):
+            found[where] = numbers.written(content, described(where))
+
+    if state.data is not valid:
+        for where, content in differences(valid, state.data):
+            leaves(where, content)
+    return found | {where: text for where, (text, _) in state.texts.items()}
 
 
 class Memory:
@@ -64,14 +103,17 @@ class Memory:
     def keep(self, path: Path, edits: Edits) -> None:
         """Put the edits of a design aside.  Raises SaveError."""
         head = {"path": str(path.absolute()), "sha256": edits.sha256, "time": edits.time.isoformat(timespec="seconds")}
-        self._write(self._file(path), fresh_text({"unsaved": head, "design": edits.data}))
+        typed = [{"place": list(where), "text": text} for where, text in edits.typed.items()]
+        self._write(self._file(path), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
 
     def kept(self, path: Path) -> Edits | None:
         """The edits that were put aside for a design; a file that is damaged counts as none."""
         try:
             found = tomllib.loads(self._file(path).read_text(encoding="utf-8"))
-            return Edits(found["design"], datetime.fromisoformat(found["unsaved"]["time"]), str(found["unsaved"]["sha256"]))
-        except (OSError, ValueError, KeyError, TypeError):
+            head = found["unsaved"]
+            typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
+            return Edits(found["design"], datetime.fromisoformat(head["time"]), str(head["sha256"]), typed)
+        except (OSError, ValueError, KeyError, TypeError, AttributeError):
             return None
 
     def drop(self, path: Path) -> None:

@@ -165,6 +165,8 @@ def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
     """
     path = Path(os.path.realpath(path))
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
+    with contextlib.suppress(OSError):
+        draft.unlink(missing_ok=True)  # of a program that was killed at it and had the same number
     try:
         with open(draft, "xb") as file:
             file.write(data)

@@ -6,6 +6,7 @@ field while the last valid design and its results stay as they were.
 """
 
 import os
+import threading
 from collections.abc import Callable, Iterable
 from dataclasses import replace
 from datetime import datetime
@@ -21,7 +22,7 @@ from . import numbers
 from .changes import applied
 from .history import History, State
 from .places import Place, content_at, described, error_place, optional_table, without_empty
-from .recovery import Edits, Memory
+from .recovery import Edits, Memory, not_accepted
 from .saving import ChangedOnDisk, SaveError, differences, edited_text, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 
@@ -45,18 +46,18 @@ class Session:
         self.design: Design = design(self.document)
         self.errors: tuple[InputError, ...] = ()
         self.results: Results | None = None
-        self.seconds = 0.0
-        self.failure = ""
+        self.seconds, self.failure = 0.0, ""
         self.generation = 1
         self.solved = 0  # the generation of the results
         self.autosaved: datetime | None = None
         self.autosave_failure = ""
+        self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
         self.history = History(State(self.document.data, {}))
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self._valid: Table = self.document.data  # the last tables that were a valid design
-        self._kept: Table | None = None
+        self._kept: Edits | None = None
 
     # --- opening
     @classmethod
@@ -92,7 +93,7 @@ class Session:
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
         kept = self.memory.kept(self.home)
-        if kept is None or kept.data == self.saved:
+        if kept is None or (kept.data == self.saved and not kept.typed):
             return
         when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
@@ -100,19 +101,19 @@ class Session:
                 f"Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette."
             )
             return
-        self.restore()
-        self.message = f"Edits of {when} that were not saved are back. Undo returns to the file."
+        if self.restore():
+            self.message = f"Edits of {when} that were not saved are back. Undo returns to the file."
 
     def restore(self) -> bool:
-        """Put back the edits that were kept for this design, as one step of the undo."""
+        """Put back the edits that were kept, as one step of the undo."""
         kept = self.memory.kept(self.home)
-        if kept is None or kept.data == self._state.data:
+        if kept is None or (state := kept.state()) == self._state:
             return False
         try:
             design(replace(self.document, data=kept.data))
         except BadInput:
             return False
-        self._step(State(kept.data, {}), None)
+        self._step(state, None)
         return True
 
     # --- what is shown
@@ -149,10 +150,8 @@ class Session:
     @property
     def read_only(self) -> bool:
         """The file itself, or its folder, can not be written; a first save beside it would fail too."""
-        if self.path is None:
-            return False
-        target = Path(os.path.realpath(self.path))
-        return not (os.access(target.parent, os.W_OK) and (os.access(target, os.W_OK) or not target.exists()))
+        target = Path(os.path.realpath(self.home))
+        return self.path is not None and not (os.access(target.parent, os.W_OK) and (os.access(target, os.W_OK) or not target.exists()))
 
     @property
     def current(self) -> bool:
@@ -193,8 +192,7 @@ class Session:
         found: dict[Place, str] = {}
         for error in self.errors:
             found.setdefault(error_place(self._state.data, error.key), error.reason)
-        found.update({where: reason for where, (_, reason) in self._state.texts.items()})
-        return found
+        return found | {where: reason for where, (_, reason) in self._state.texts.items()}
 
     # --- editing
     def edit(self, key: str | Place, text: str) -> str:
@@ -354,7 +352,7 @@ class Session:
     def save_as(self, path: Path) -> Path:
         """Save under another name; the session goes on with that file.  A file that is there is overwritten, and kept as .bak."""
         path = path.expanduser()
-        if not path.suffix:
+        if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
         if _shipped(path):
             raise SaveError(f"{path.name} is the shipped example; give another name")
@@ -368,40 +366,42 @@ class Session:
             raise SaveError(f"not saved: {'.'.join(map(str, where)) or 'the design'} {reason}")
         raw = self.bytes()
         write_atomic(path, raw)
-        self.memory.drop(self.home)
-        self.memory.drop(path)
-        self.path, self._raw, self._kept = path, raw, None
-        self.document = parse(raw, str(path))
-        self.saved = self._valid = self.document.data
-        self.history.state = State(self.document.data, {})
-        self.autosaved = None
-        self.autosave_failure = ""
+        with self._keeping:
+            self.memory.drop(self.home)
+            self.memory.drop(path)
+            self.path, self._raw, self._kept = path, raw, None
+            self.document = parse(raw, str(path))
+            self.saved = self._valid = self.document.data
+            self.history.state = State(self.document.data, {})
+            self.autosaved, self.autosave_failure = None, ""
         self.seal()
         self.memory.remember(path)
         return path
 
     def autosave(self) -> None:
-        """Keep the last valid state aside, so that neither a crash nor a closed window loses it; a failure is remembered."""
-        data, path = self._valid, self.home
-        if data == self.saved:
-            if self._kept is not None:
-                self.memory.drop(path)
-                self._kept, self.autosaved = None, None
-            return
-        if data is self._kept:
-            return
-        now = self.now()
-        try:
-            self.memory.keep(path, Edits(data, now, self.document.sha256))
-        except SaveError as error:
-            self.autosave_failure = str(error)
-            return
-        self._kept, self.autosaved, self.autosave_failure = data, now, ""
+        """Keep aside the last valid state and the entries that are not accepted; a failure is remembered."""
+        with self._keeping:
+            state, data = self._state, self._valid
+            typed = not_accepted(data, state)
+            if data == self.saved and not typed:
+                if self._kept is not None:
+                    self.memory.drop(self.home)
+                    self._kept, self.autosaved = None, None
+                return
+            edits = Edits(data, self.now(), self.document.sha256, typed)
+            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed):
+                return
+            try:
+                self.memory.keep(self.home, edits)
+            except SaveError as error:
+                self.autosave_failure = str(error)
+                return
+            self._kept, self.autosaved, self.autosave_failure = edits, edits.time, ""
 
     @property
     def safe(self) -> bool:
         """Nothing is lost if the program ends now."""
-        return not self.dirty or (self._kept is not None and self._kept == self._state.data and not self.autosave_failure)
+        return not self.dirty or (self._kept is not None and self._kept.state() == self._state and not self.autosave_failure)
 
 
 def _shipped(path: Path) -> bool:

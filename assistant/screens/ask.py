@@ -10,8 +10,10 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
+from .once import Once
 
-class Ask(ModalScreen[bool]):
+
+class Ask(Once, ModalScreen[bool]):
     """`y` or Enter gives True, `n` or Esc False."""
 
     BINDINGS: ClassVar[list[BindingType]] = [

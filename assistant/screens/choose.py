@@ -12,8 +12,10 @@ from textual.screen import ModalScreen
 from textual.widgets import OptionList
 from textual.widgets.option_list import Option
 
+from .once import Once
 
-class Choose(ModalScreen[str | None]):
+
+class Choose(Once, ModalScreen[str | None]):
     """Gives the word, an empty one for "let the program choose", None when nothing was chosen."""
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]

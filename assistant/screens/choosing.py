@@ -28,6 +28,7 @@ from ..solving import Answer, Job, run
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
 from ..widgets.wrap import wrap
+from .once import Once
 
 if TYPE_CHECKING:
     from calc.solve import Results
@@ -49,7 +50,7 @@ class Preview:
     why: str = ""
 
 
-class Choosing(ModalScreen[tuple[str, ...] | None]):
+class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
     """Gives the changes of the row that was taken, as KEY=VALUE."""
 
     app: "ContralberoApp"

@@ -21,6 +21,7 @@ from ..solving import Job, run
 from ..widgets.comparison import SECTIONS, ComparisonList
 from ..widgets.item_list import ItemList
 from ..widgets.wrap import fit
+from .once import Once
 
 if TYPE_CHECKING:
     from calc.compare import Comparison
@@ -49,7 +50,7 @@ async def compare(bench: "Workbench") -> None:
         await bench.to_value(id)
 
 
-class CompareScreen(Screen[str | None]):
+class CompareScreen(Once, Screen[str | None]):
     """Gives the id of what the user wants to go to; None: back to where the session was."""
 
     app: "ContralberoApp"

@@ -17,6 +17,7 @@ from calc.shipped import DESIGNS
 
 from ..others import Chosen, Other, kept, of_file, of_session, past
 from ..session import Session
+from .once import Once
 from .path_dialog import PathDialog
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
 SHOWN_ERRORS = 4
 
 
-class CompareWith(ModalScreen[Chosen | None]):
+class CompareWith(Once, ModalScreen[Chosen | None]):
     """Gives the design that was chosen, solved by nobody yet."""
 
     app: "ContralberoApp"

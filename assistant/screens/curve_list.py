@@ -15,6 +15,7 @@ from textual.widgets.option_list import Option
 from calc.sheet.step import Curve, Table
 
 from ..widgets.wrap import wrap
+from .once import Once
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
@@ -30,7 +31,7 @@ def found(leaves: tuple[Curve | Table, ...], typed: str) -> list[Curve | Table]:
     return [leaf for leaf in leaves if all(word in leaf.title.casefold() for word in words)]
 
 
-class CurveList(ModalScreen[str | None]):
+class CurveList(Once, ModalScreen[str | None]):
     """Gives the id of what was chosen.  The words are typed and the list is moved through without a change of the focus."""
 
     app: "ContralberoApp"

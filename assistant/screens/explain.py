@@ -19,6 +19,7 @@ from ..session import Session
 from ..widgets.chain_list import INPUT, ChainList
 from ..widgets.item_list import ItemList
 from ..widgets.wrap import wrap
+from .once import Once
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
 HINT = "Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes"
 
 
-class Explain(ModalScreen[str | None]):
+class Explain(Once, ModalScreen[str | None]):
     """Gives the key of an input that is to be gone to, None where there is none."""
 
     app: "ContralberoApp"

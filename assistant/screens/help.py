@@ -21,6 +21,7 @@ from ..widgets.checks import Checks
 from ..widgets.field_help import meaning
 from ..widgets.table_heading import TableHeading
 from ..widgets.wrap import wrap
+from .once import Once
 
 if TYPE_CHECKING:
     from ..app import ContralberoApp
@@ -42,7 +43,7 @@ SCREEN = (
 INDENT = 27  # cells for the keys
 
 
-class HelpScreen(ModalScreen[None]):
+class HelpScreen(Once, ModalScreen[None]):
     app: "ContralberoApp"
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q,f1,question_mark,enter", "dismiss_help", "Close", show=False)]
 

@@ -12,14 +12,17 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
+from .once import Once
+
 if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 Found = TypeVar("Found")
 MOST = 200  # names in the list
+NO_PATH = (OSError, ValueError, RuntimeError)  # too long, with a sign that no name may have, of a user that there is not
 
 
-class PathDialog(ModalScreen[Found]):
+class PathDialog(Once, ModalScreen[Found]):
     """Subclasses say what becomes of the path that was given."""
 
     app: "ContralberoApp"
@@ -57,16 +60,16 @@ class PathDialog(ModalScreen[Found]):
     def fill(self) -> None:
         """The folders and designs beside what is typed."""
         text = self.query_one("#path", Input).value.strip()
-        path = self.path()
-        folder, begin = (path, "") if not text or text.endswith(("/", "\\")) else (path.parent, path.name.lower())
-        names: list[str] = []
+        folder, names = self.folder, []
         try:
+            path = self.path()
+            folder, begin = (path, "") if not text or text.endswith(("/", "\\")) else (path.parent, path.name.lower())
             for item in sorted(folder.iterdir(), key=lambda p: (p.is_dir(), p.name.lower())):
                 if item.name.startswith(".") or not item.name.lower().startswith(begin):
                     continue
                 if item.suffix == ".toml" or item.is_dir():
                     names.append(item.name + ("/" if item.is_dir() else ""))
-        except OSError:
+        except NO_PATH:
             pass
         self._names = [str(folder / name) + ("/" if name.endswith("/") else "") for name in names[:MOST]]
         options = self.query_one("#names", OptionList)
@@ -81,7 +84,12 @@ class PathDialog(ModalScreen[Found]):
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         event.stop()
-        self.take(self.path())
+        try:
+            path = self.path()
+            path.resolve()
+            self.take(path)
+        except NO_PATH as error:
+            self.say(f"No file can have this name: {getattr(error, 'strerror', None) or error}.")
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()
@@ -94,6 +102,7 @@ class PathDialog(ModalScreen[Found]):
             self.take(Path(name))
 
     def take(self, path: Path) -> None:
+        """What becomes of the path.  May raise what a path that can not be one raises."""
         raise NotImplementedError
 
     def say(self, text: str) -> None:
@@ -101,6 +110,8 @@ class PathDialog(ModalScreen[Found]):
         self.query_one("#wrong", Static).update(Content(self.app.say(text)))
 
     def action_list(self, by: int) -> None:
+        if not self.is_mounted:  # a key that came before there is a list
+            return
         options = self.query_one("#names", OptionList)
         if by > 0 and options.display and self.focused is not options:
             options.focus()

@@ -21,7 +21,7 @@ class SaveDialog(PathDialog[Path | None]):
         self._asked: Path | None = None
 
     def take(self, path: Path) -> None:
-        if not path.suffix:
+        if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
         if path.is_dir():
             self.say("This is a folder; give a file name in it.")

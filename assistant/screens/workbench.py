@@ -44,7 +44,7 @@ from .live import Live
 if TYPE_CHECKING:
     from ..app import ContralberoApp
 
-KEEP = 1.5  # seconds after the last edit until it is kept aside
+KEEP = 1.5  # seconds after the first edit that is not kept aside until all of them are: typing does not put it off
 COMPLAIN = 0.6  # seconds until a field that is being typed into says what is wrong with it
 PANES = ("steps", "inputs", "checks", "calculation", "curve")
 
@@ -96,6 +96,7 @@ class Workbench(Doing, Live):
         for timer in (self._debounce, self._keep, self._complain, self._ahead):
             if timer is not None:
                 timer.stop()
+        self._keep = None
         self._begin(session)
         await self.recompose()
         self.on_mount()
@@ -170,9 +171,8 @@ class Workbench(Doing, Live):
         """The design has changed: say what is not accepted, solve, and keep the edit aside, each in its time."""
         self.show_state()
         self.solve_soon()
-        if self._keep is not None:
-            self._keep.stop()
-        self._keep = self.set_timer(KEEP, self.keep)
+        if self._keep is None:
+            self._keep = self.set_timer(KEEP, self.keep)
 
     def show_state(self) -> None:
         """Everything but the results.  A field that is being typed into gets a moment before it complains."""
@@ -197,6 +197,7 @@ class Workbench(Doing, Live):
 
     def keep(self) -> None:
         """Put the edits aside, in another thread; a disk may be slow."""
+        self._keep = None
         self._keep_aside()
 
     @work(thread=True, exclusive=True, group="keep", exit_on_error=False)

@@ -12,6 +12,7 @@ from textual.widget import Widget
 
 from ..places import content_at
 from ..session import Session
+from .entry import LEAVING
 from .rows import Row
 from .wrap import fit
 
@@ -24,6 +25,7 @@ class ArrayHeading(Widget, can_focus=True):
 
     app: "ContralberoApp"
     BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
         Binding("left", "leaf(-1)", "Element before", show=False),
         Binding("right,space", "leaf(1)", "Next element", show=False),
         Binding("plus", "add", "Add an element", show=False),

@@ -11,7 +11,7 @@ from .item_list import Item, ItemList
 from .wrap import pad, wrap
 
 ORDER = {"fail": 0, "warn": 1, "pass": 2}
-VERDICT, MARGIN = 7, 8  # cells
+MARGIN = 8  # cells
 GAP = 2
 
 
@@ -41,16 +41,16 @@ class Checks(ItemList):
             texts = {"not_asked": "This design does not ask for this step.", "solved": "This step has no limits of its own."}
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, width)])]
-        checks = sorted_checks(outcome.checks)
+        checks, indent = sorted_checks(outcome.checks), self._indent
         value_width = max(len(say("Value")), *(len(short(c.value)) for c in checks))
         limit_width = max(len(say("Limit")), *(len(c.limit_text()) for c in checks))
-        name_width = width - VERDICT - value_width - limit_width - MARGIN - 2 * GAP
+        name_width = width - indent - value_width - limit_width - MARGIN - 2 * GAP
         roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
         if roomy:
-            start = " " * VERDICT + say("Check").ljust(name_width)
+            start = " " * indent + say("Check").ljust(name_width)
             head = f"{start}{'':{GAP}}{say('Value'):>{value_width}}{'':{GAP}}{say('Limit'):<{limit_width}}{say('Margin'):>{MARGIN}}"
         else:
-            head = f"{'':<{VERDICT}}{say('Check, value and limit'):<{width - VERDICT - MARGIN}}{say('Margin'):>{MARGIN}}"
+            head = f"{'':<{indent}}{say('Check, value and limit'):<{width - indent - MARGIN}}{say('Margin'):>{MARGIN}}"
         items = [Item("", [Content.styled(head, "dim")])]
         for check in checks:
             rows = self._wide(check, name_width, value_width, limit_width) if roomy else self._two(check, width)
@@ -60,30 +60,37 @@ class Checks(ItemList):
             items.append(Item(check.id, rows, value, line))
         return items
 
+    @property
+    def _indent(self) -> int:
+        """The cells of the verdict: a sign and the longest word."""
+        return 3 + max(len(self.app.signs.word(verdict)) for verdict in ORDER)
+
     def _start(self, check: Check) -> tuple[str, str]:
         signs = self.app.signs
-        return pad(f"{signs.mark(check.verdict)} {signs.word(check.verdict)}", VERDICT), signs.style(check.verdict)
+        return pad(f"{signs.mark(check.verdict)} {signs.word(check.verdict)}", self._indent), signs.style(check.verdict)
 
     def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int) -> list[Content]:
         """One row, where the names fit beside the numbers."""
         start, style = self._start(check)
+        indent = self._indent
         names = wrap(check.name, name_width)
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble(
             (start, style), pad(names[0], name_width), " " * GAP, (f"{short(check.value):>{value_width}}", loud), " " * GAP,
             (f"{check.limit_text():<{limit_width}}", "dim"), (f"{check.margin_text():>{MARGIN}}", style),
         )  # fmt: skip
-        return [first, *(Content(" " * VERDICT + name) for name in names[1:])]
+        return [first, *(Content(" " * indent + name) for name in names[1:])]
 
     def _two(self, check: Check, width: int) -> list[Content]:
         """The name in one row, the numbers in the next."""
         start, style = self._start(check)
-        room = width - VERDICT - MARGIN
+        indent = self._indent
+        room = width - indent - MARGIN
         names = wrap(check.name, room - 1)
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble((start, style), pad(names[0], room), (f"{check.margin_text():>{MARGIN}}", style))
         limit = check.limit_text()
         numbers = Content.assemble(
-            " " * VERDICT, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim")
+            " " * indent, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim")
         )
-        return [first, *(Content(" " * VERDICT + name) for name in names[1:]), numbers]
+        return [first, *(Content(" " * indent + name) for name in names[1:]), numbers]

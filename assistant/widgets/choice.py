@@ -10,6 +10,7 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 
+from .entry import LEAVING
 from .wrap import fit
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ class Choice(Widget, can_focus=True):
     """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
 
     app: "ContralberoApp"
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("enter,space", "open", "Show the list", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter,space", "open", "Show the list", show=False)]
 
     @dataclass
     class Changed(Message):

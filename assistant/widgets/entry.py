@@ -1,10 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """The place where a value is typed.  What it means is the session's business: `3,5` must not become 35."""
 
+from typing import ClassVar
+
+from textual.binding import Binding, BindingType
 from textual.geometry import Size
 from textual.reactive import Reactive
 from textual.widgets import Input
 from textual.widgets.input import Selection
+
+# Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the next key is
+# looked at, so that of keys that come in one burst (a slow line, a busy machine) none ends up in the field that was left.
+LEAVING: tuple[Binding, ...] = (
+    Binding("tab", "app.focus_next", "Next field", show=False, priority=True),
+    Binding("shift+tab", "app.focus_previous", "Previous field", show=False, priority=True),
+    Binding("down", "screen.down", "Next field", show=False, priority=True),
+    Binding("up", "screen.up", "Previous field", show=False, priority=True),
+)
 
 
 class Entry(Input):
@@ -14,6 +26,7 @@ class Entry(Input):
     which would style the field anew and report the first text as an edit.
     """
 
+    BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter", "accept", "Accept, go on", show=False, priority=True)]
     virtual_size = Reactive(Size(0, 0), layout=False)  # the box keeps its size whatever is typed; nothing else has to move
 
     def __init__(self, value: str, placeholder: str = "") -> None:
@@ -27,6 +40,12 @@ class Entry(Input):
 
     def on_mount(self) -> None:
         self.virtual_size = Size(self.content_width, 1)
+
+    async def action_accept(self) -> None:
+        """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""
+        await self.run_action("screen.go_on")
+        if self.screen.focused is self:
+            self.call_later(self.action_submit)
 
     def show(self, text: str) -> None:
         """Put a text in, with the cursor behind it; nobody is told."""

@@ -232,7 +232,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if focused in stops:
             i = stops.index(focused) + by
             if 0 <= i < len(stops):
-                stops[i].focus()
+                self.screen.set_focus(stops[i])  # now, and not after the keys that are waiting
         else:
             self.focus_place(None)
 

@@ -264,7 +264,7 @@ def _distance(digits: Digits, y: float, name: str, limit: float) -> str:
     away = digits.write(abs(y - limit))
     if not any(char in "123456789" for char in away):
         return f"on {name}"
-    return f"{away} over {name}" if y > limit else f"{away} under {name}"
+    return f"{away} above {name}" if y > limit else f"{away} below {name}"
 
 
 def finite_limits(curve: Curve) -> list[tuple[str, float]]:

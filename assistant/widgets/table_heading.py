@@ -13,6 +13,7 @@ from textual.widget import Widget
 
 from ..places import content_at
 from ..session import Session
+from .entry import LEAVING
 from .rows import Row
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
 class TableHeading(Widget, can_focus=True):
     app: "ContralberoApp"
     BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
         Binding("plus", "add", "Add the table", show=False),
         Binding("minus,delete", "remove", "Remove the table", show=False),
     ]

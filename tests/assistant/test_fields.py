@@ -3,6 +3,7 @@
 
 from typing import Any
 
+import pytest
 from textual import events
 
 from assistant.session import Session
@@ -44,6 +45,31 @@ async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
         await solved(pilot)
         assert work(pilot).session.value("countershaft.masses.front.mass_kg") == 2.691
         assert not box.has_focus and box.value == "2.691"
+
+
+@pytest.mark.parametrize("key", ["tab", "down", "enter"])
+async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_for(screen: Screen, key: str) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        for name in ("9", "6", key, "5", "4", key, "1", "6", "0", "shift+tab", "5", "5"):
+            pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
+        await settled(pilot)
+        await solved(pilot)
+        engine = work(pilot).session.data["engine"]
+        assert (engine["bore_mm"], engine["crank_radius_mm"], engine["rod_length_mm"]) == (96.0, 55.0, 160.0)
+        assert isinstance(box, Entry) and box.value == "96"
+
+
+async def test_a_burst_passes_over_what_is_no_text(screen: Screen) -> None:
+    """Over the layout, which is a choice, and over the heading of a table that may be left out."""
+    async with screen() as pilot:
+        await go_to(pilot, "engine.name")
+        for name in ("A", "down", "down", "4", "tab", "2"):
+            pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
+        await settled(pilot)
+        await solved(pilot)
+        engine = work(pilot).session.data["engine"]
+        assert (engine["name"], engine["cylinders"], engine["strokes"]) == ("A", 4, 2)
 
 
 async def test_a_comma_is_a_decimal_sign_and_the_field_is_rewritten(screen: Screen) -> None:

@@ -106,7 +106,7 @@ async def test_edits_are_kept_when_the_program_ends(screen: Screen, light: Sessi
 async def test_only_what_can_not_be_kept_is_asked_about(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
-        await type_in(pilot, "0")
+        work(pilot).session.put_table(("engine", "throw"), True)
         await strike(pilot, "ctrl+q")
         await pilot.pause()
         assert not isinstance(pilot.app.screen, Workbench)

@@ -1,14 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is remembered between two runs: unsaved edits, the last design, the user's keys."""
 
+import asyncio
+import threading
+import time
 from datetime import datetime
 from pathlib import Path
 
 import pytest
+from textual.messages import ExitApp
 
 from assistant.recovery import Edits, Memory, state_dir
+from assistant.screens.workbench import KEEP
 from assistant.session import Session
 from calc.sheet.errors import BadInput
+
+from .conftest import Screen
+from .driving import go_to, type_in, until
 
 BORE = "engine.bore_mm"
 
@@ -56,13 +64,99 @@ def test_edits_of_another_version_are_not_put_back_by_themselves(session: Sessio
     assert other.restore() and other.value(BORE) == 95.0
 
 
-def test_of_invalid_input_the_last_valid_state_is_kept(session: Session) -> None:
+@pytest.mark.parametrize("text", ["-1", "12x", "1,234.5", ""])
+def test_entries_that_are_not_accepted_come_back_too(session: Session, text: str) -> None:
     session.edit("engine.rod_length_mm", "170")
-    session.edit(BORE, "-1")
+    session.edit(BORE, text)
+    reason = session.reason(BORE)
+    assert reason and not session.safe
     session.autosave()
-    assert not session.safe
+    assert session.safe
     other = reopened(session)
-    assert other.value("engine.rod_length_mm") == 170.0 and other.value(BORE) == 94.0
+    assert other.value("engine.rod_length_mm") == 170.0
+    assert (other.text(BORE), other.reason(BORE)) == (text, reason)
+    other.undo()
+    assert not other.dirty and other.valid
+
+
+def test_an_entry_of_a_table_that_is_not_complete_comes_back(session: Session) -> None:
+    session.put_table(("engine", "throw"), True)
+    session.edit(("engine", "throw", "pin_diameter_mm"), "60")
+    session.autosave()
+    other = reopened(session)
+    assert other.text(("engine", "throw", "pin_diameter_mm")) == "60" and other.reasons() == session.reasons() != {}
+
+
+def test_a_part_that_is_not_complete_and_has_no_entry_is_not_called_safe(session: Session) -> None:
+    session.put_table(("engine", "throw"), True)
+    session.autosave()
+    assert session.dirty and not session.safe
+
+
+def test_an_entry_that_was_mended_is_no_more_kept(session: Session) -> None:
+    session.edit(BORE, "12x")
+    session.autosave()
+    session.edit(BORE, "94")
+    session.autosave()
+    assert session.memory.kept(session.home) is None
+
+
+def test_kept_entries_that_have_no_field_are_left_out(session: Session) -> None:
+    odd = {("engine", "no_such_key"): "1", ("engine", "bench", 99, "speed_rpm"): "1", ("bearings", 3): "1", (BORE,): "1", (): "1"}
+    data = {**session.data, "name": "kept"}
+    session.memory.keep(session.home, Edits(data, datetime(2026, 1, 1), session.document.sha256, odd))
+    other = reopened(session)
+    assert other.data["name"] == "kept" and other.valid and other.data["engine"] == session.data["engine"]
+
+
+def test_edits_are_kept_while_others_are_made_and_saved(session: Session) -> None:
+    """A slow disk: keeping is still at work when the design is saved, or the program ends and keeps once more."""
+    ends: list[str] = []
+
+    def keep() -> None:
+        for _ in range(30):
+            session.autosave()
+            ends.append(session.autosave_failure)
+
+    others = [threading.Thread(target=keep) for _ in range(2)]
+    for other in others:
+        other.start()
+    for n in range(20):
+        session.edit(BORE, str(95 + n))
+        if n % 5 == 4:
+            session.save()
+    for other in others:
+        other.join()
+    assert ends == [""] * 60 and session.valid
+    session.save()
+    assert session.memory.kept(session.home) is None
+    assert list(session.home.parent.glob(".*")) == []
+
+
+async def test_edits_are_kept_in_the_middle_of_typing(screen: Screen, light: Session) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.name")
+        end = time.perf_counter() + 3 * KEEP
+        typed, kept = "", []
+        while time.perf_counter() < end and len(kept) < 2:
+            typed += "x"
+            await type_in(pilot, "x")
+            await asyncio.sleep(0.1)  # oftener than KEEP
+            found = light.memory.kept(light.home)
+            if found is not None and found.data["engine"]["name"] not in kept:
+                kept.append(found.data["engine"]["name"])
+        assert len(kept) == 2 and len(kept[0]) < len(kept[1]) <= len(typed)
+
+
+async def test_edits_are_kept_however_the_program_ends(screen: Screen, light: Session) -> None:
+    """As when the page of a browser is closed."""
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "95")
+        await until(pilot, lambda: light.value("engine.bore_mm") == 95.0)
+        pilot.app.post_message(ExitApp())
+    kept = light.memory.kept(light.home)
+    assert kept is not None and kept.data["engine"]["bore_mm"] == 95.0
 
 
 def test_a_state_folder_that_can_not_be_written_is_said(session: Session, tmp_path: Path) -> None:
@@ -86,7 +180,8 @@ def test_damaged_memory_is_no_memory(session: Session) -> None:
 
 def test_kept_edits_that_are_no_design_any_more_are_left_alone(session: Session) -> None:
     session.memory.keep(session.home, Edits({"schema": 1, "name": 3}, datetime(2026, 1, 1), session.document.sha256))
-    assert not reopened(session).dirty
+    other = reopened(session)
+    assert not other.dirty and not other.message
 
 
 def test_the_last_design_is_opened(session: Session) -> None:

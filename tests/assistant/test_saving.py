@@ -141,6 +141,14 @@ def test_a_crash_at_the_rename_leaves_the_old_file(tmp_path: Path, monkeypatch: 
     assert not [p for p in tmp_path.iterdir() if p.name.endswith(".new")]
 
 
+def test_a_draft_that_a_killed_program_left_is_no_obstacle(tmp_path: Path) -> None:
+    path = tmp_path / "a.toml"
+    path.write_text("old")
+    path.with_name(f".a.toml.{os.getpid()}.new").write_text("half")
+    write_atomic(path, b"new")
+    assert path.read_text() == "new" and sorted(p.name for p in tmp_path.iterdir()) == ["a.toml", "a.toml.bak"]
+
+
 def test_rights_and_links_are_kept(tmp_path: Path) -> None:
     path, link = tmp_path / "a.toml", tmp_path / "link.toml"
     path.write_bytes(b"old")

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Keys that come faster than the screen, as over a slow line: what blind striking has found."""
+
+import os
+
+import pytest
+from textual import events
+from textual.command import CommandPalette
+from textual.pilot import Pilot
+from textual.widgets import Input, Static
+
+from assistant.actions import BY_ID
+from assistant.screens.choose import Choose
+from assistant.screens.open_dialog import OpenDialog
+from assistant.screens.save_dialog import SaveDialog
+from assistant.session import Session
+from assistant.widgets.form import Form
+
+from .conftest import Screen
+from .driving import go_to, settled, strike, type_in, until, work
+
+
+def burst(pilot: Pilot[int], *keys: str) -> None:
+    """All at once, with no turn of the loop in between."""
+    for key in keys:
+        pilot.app.post_message(events.Key(key, key if len(key) == 1 else None))
+
+
+@pytest.mark.parametrize("key", ["ctrl+o", "f12"])
+async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key: str) -> None:
+    async with screen() as pilot:
+        burst(pilot, key, "down", "up", "down")
+        await until(pilot, lambda: isinstance(pilot.app.screen, (OpenDialog, SaveDialog)))
+        await pilot.pause()
+        assert pilot.app.is_running and pilot.app._exception is None
+
+
+async def test_enter_twice_in_the_palette(screen: Screen) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "ctrl+p")
+        await until(pilot, lambda: isinstance(pilot.app.screen, CommandPalette))
+        await type_in(pilot, BY_ID["next"].title)
+        palette = pilot.app.screen
+        await until(pilot, lambda: palette.query_one("CommandList").option_count == 1)  # type: ignore[attr-defined]
+        await strike(pilot, "down")
+        palette.query_one("CommandList").action_select()  # type: ignore[attr-defined]
+        palette.query_one("CommandList").action_select()  # type: ignore[attr-defined]
+        await until(pilot, lambda: pilot.app.screen is not palette)
+        await until(pilot, lambda: work(pilot).number > 1)
+        assert pilot.app.is_running and pilot.app._exception is None
+
+
+async def test_enter_twice_in_a_list_of_words(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.layout")
+        await strike(pilot, "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Choose) and pilot.app.focused is not None)
+        burst(pilot, "down", "enter", "enter", "enter")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, Choose))
+        await settled(pilot)
+        assert work(pilot).session.value("engine.layout") == "vee"
+        assert pilot.app.is_running and pilot.app._exception is None
+
+
+ODD = ["x" * 5000, "a\0b", "~nobody-of-this-name/x.toml", "/", ".", "..", "", "x/" * 3000, "\ud800"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="what a name may be is another thing elsewhere")
+@pytest.mark.parametrize("key, dialog", [("ctrl+o", OpenDialog), ("f12", SaveDialog)])
+async def test_what_can_be_no_path_is_said_in_the_dialog(screen: Screen, light: Session, key: str, dialog: type) -> None:
+    async with screen() as pilot:
+        before = {path.name for path in light.home.parent.iterdir()}
+        await strike(pilot, key)
+        await until(pilot, lambda: isinstance(pilot.app.screen, dialog) and pilot.app.focused is not None)
+        there = pilot.app.screen
+        for text in ODD:
+            there.query_one("#path", Input).value = text
+            await strike(pilot, "enter")
+            await pilot.pause()
+            assert pilot.app.screen is there, text[:50]
+            assert str(there.query_one("#wrong", Static).content), text[:50]
+        await strike(pilot, "escape")
+        assert {path.name for path in light.home.parent.iterdir()} == before
+
+
+async def test_keys_for_a_form_that_is_being_made(screen: Screen) -> None:
+    """Nothing that is typed at once behind a step's key is lost in a crash; the form stands whole in the end."""
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        burst(pilot, "f3", "4", "f3", "f2", "tab", "5", "escape", "1", "3", "2", "f3")
+        await settled(pilot)
+        await until(pilot, lambda: bool(work(pilot).form.stops()))
+        assert isinstance(work(pilot).form, Form) and pilot.app._exception is None

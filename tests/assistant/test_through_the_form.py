@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every shipped replay typed into the form: the same numbers as without a screen."""
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+from textual.pilot import Pilot
+
+from assistant.app import ContralberoApp
+from assistant.numbers import written
+from assistant.places import described
+from assistant.recovery import Memory
+from assistant.screens import live
+from assistant.session import Session
+from assistant.widgets.choice import Choice
+from assistant.widgets.entry import Entry
+from calc.design_file import design as checked
+from calc.replay import Script, compare, load
+from calc.solve import Results, solve
+
+from ..conftest import ROOT
+from .conftest import solved
+from .driving import go_to, settled, strike, type_in, until, work
+
+REPLAYS = sorted((ROOT / "tests" / "replays").glob("*.toml"))
+
+
+async def enter(pilot: Pilot[int], key: str, value: Any) -> None:
+    """Type a value into the field of a key, or choose it from the list that the field opens."""
+    session = work(pilot).session
+    text = written(value, described(session.place(key)))
+    box = await go_to(pilot, key)
+    if isinstance(box, Choice):
+        await strike(pilot, "enter")
+        await pilot.pause()
+        await type_in(pilot, text)  # letters find a word
+        await strike(pilot, "enter")
+        await pilot.pause()
+    else:
+        assert isinstance(box, Entry)
+        await type_in(pilot, text)
+        await strike(pilot, "enter")
+    await until(pilot, lambda: session.text(key) == text)
+    assert not session.reasons()
+
+
+def same(ours: Results, theirs: Results) -> None:
+    """Every value and every verdict."""
+    a, b = ours.values(), theirs.values()
+    assert a.keys() == b.keys()
+    for id, value in a.items():
+        other = b[id]
+        assert value.unit == other.unit, id
+        assert value.shown == pytest.approx(other.shown, rel=1e-12, abs=0, nan_ok=True), id
+    assert {c.id: c.verdict for c in ours.checks()} == {c.id: c.verdict for c in theirs.checks()}
+
+
+def agree(script: Script, session: Session, number: int) -> int:
+    """What the replay expects after this many steps; gives how many expectations that were."""
+    assert session.current and session.results is not None
+    rows = [row for row in script.expects if row.get("after", len(script.steps)) == number]
+    missed = [found.text for row in rows if not (found := compare(session.results, row)).agrees]
+    assert not missed, missed
+    return len(rows)
+
+
+@pytest.mark.parametrize("path", REPLAYS, ids=lambda path: path.stem)
+async def test_a_replay_is_typed_into_the_form(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(live, "AHEAD", 1000.0)
+    script = load(path)
+    file = tmp_path / "replayed.toml"
+    file.write_bytes(script.start.raw)
+    session = Session.open(file, memory=Memory(tmp_path / "state"))
+    headless = [script.start]
+    expected, awaited = 0, {len(script.steps), *(row.get("after", 0) for row in script.expects)}
+    async with ContralberoApp(session).run_test(size=(120, 40)) as pilot:
+        await solved(pilot)
+        expected += agree(script, session, 0)
+        for number, step in enumerate(script.steps, 1):
+            if "set" in step:
+                await enter(pilot, step["set"], step["to"])
+                headless.append(headless[-1].with_value(step["set"], step["to"]))
+            elif "undo" in step:
+                await strike(pilot, "ctrl+z")
+                await settled(pilot)
+                headless.pop()
+            else:
+                continue  # paper has tests of its own
+            assert session.data == headless[-1].data
+            if number in awaited:
+                await solved(pilot)
+                expected += agree(script, session, number)
+        assert session.results is not None
+        same(session.results, solve(checked(headless[-1])))
+    assert expected == len(script.expects) > 0
