@@ -34,7 +34,7 @@ class Terminal:
         self.pid, self.file = pty.fork()
         if self.pid == 0:
             os.chdir(ROOT)
-            environment = {**os.environ, "TERM": "xterm-256color", "XDG_STATE_HOME": str(state)}
+            environment = {**os.environ, "TERM": "xterm-256color", "COLUMNS": "110", "LINES": "30", "XDG_STATE_HOME": str(state)}
             os.execve(sys.executable, [sys.executable, "-m", "assistant", str(path)], environment)
         fcntl.ioctl(self.file, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 110, 0, 0))
         self.seen = b""

@@ -56,8 +56,8 @@ def test_a_function_is_read_between_its_points(speed: float) -> None:
 
 def test_distances_name_the_limits_the_nearest_first() -> None:
     middle, edge = read(FILM, 2600.0).reads
-    assert middle.value == "10.20 µm" and middle.distances == ("1.20 above Kreisle", "2.74 over Trumpler")
-    assert edge.value == "7.40 µm" and edge.distances == ("0.06 under Trumpler", "1.60 below Kreisle")
+    assert middle.value == "10.20 µm" and middle.distances == ("1.20 above Kreisle", "2.74 above Trumpler")
+    assert edge.value == "7.40 µm" and edge.distances == ("0.06 below Trumpler", "1.60 below Kreisle")
     on = replace(FILM, series=(Series("flat", SPEED, [9.0] * 4),), limits=(("Kreisle", 9.0), ("none", math.nan)))
     assert read(on, 1000.0).reads[0].distances == ("on Kreisle",)
 
@@ -148,7 +148,7 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         await strike(pilot, "end")
         await drawn(pilot)
         said = legend(pane)
-        assert "speed 2600 rpm" in said and "mid-bearing 10.20 µm, 1.20 above Kreisle" in said and "under Trumpler" in said
+        assert "speed 2600 rpm" in said and "mid-bearing 10.20 µm, 1.20 above Kreisle" in said and "below Trumpler" in said
         assert all(len(row) <= pane.size.width for row in said.splitlines())
         await strike(pilot, "left", "shift+left")
         await drawn(pilot)
@@ -166,7 +166,7 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         await strike(pilot, "Y")
         copied = pilot.app.clipboard
         assert copied.startswith("Smallest film over speed: speed 2545 rpm; mid-bearing ") and "; at the edge " in copied
-        assert "over Kreisle" in copied and "Trumpler" in copied
+        assert "above Kreisle" in copied and "Trumpler" in copied
         await strike(pilot, "escape")
         await drawn(pilot)
         assert pane.cursor is None and "speed 2545" not in legend(pane) and mark not in "".join(picture(pane))
