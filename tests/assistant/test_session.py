@@ -13,9 +13,10 @@ import pytest
 
 from assistant.recovery import Memory
 from assistant.saving import ChangedOnDisk, SaveError
-from assistant.session import EXAMPLE, SHIPPED, Session
+from assistant.session import EXAMPLE, Session
 from assistant.solving import Answer, run
 from calc.design_file import load
+from calc.shipped import DESIGNS
 
 BORE = "engine.bore_mm"
 
@@ -244,7 +245,7 @@ def test_the_shipped_file_is_never_overwritten(memory: Memory, tmp_path: Path, m
     session = Session.open(EXAMPLE, memory=memory)
     session.edit(BORE, "95")
     with pytest.raises(SaveError, match="shipped"):
-        session.save_as(SHIPPED / "other.toml")
+        session.save_as(DESIGNS / "other.toml")
     assert session.save().parent == tmp_path
 
 

@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the parts of the main screen's actions have in common."""
+
+from typing import TYPE_CHECKING
+
+from ..session import Session
+
+if TYPE_CHECKING:
+    from .workbench import Workbench
+
+
+class Part:
+    """Some of the actions.  Mixed into the main screen, and so able to reach all of it."""
+
+    session: Session
+
+    @property
+    def _me(self) -> "Workbench":
+        return self  # type: ignore[return-value]
