@@ -20,6 +20,7 @@ from . import numbers
 from .changes import applied
 from .history import History, State
 from .places import Place, content_at, described, error_place, optional_table, without_empty
+from .recording import Recording
 
 
 class Editing:
@@ -32,6 +33,7 @@ class Editing:
         self.generation = 1
         self.history = History(State(self.document.data, {}))
         self._valid: Table = self.document.data  # the last tables that were a valid design
+        self.recording: Recording | None = None  # follows the edits, if it was asked for
 
     # --- what is shown
     @property
@@ -158,16 +160,18 @@ class Editing:
     def _travelled(self, travel: Callable[[], Place | None]) -> Place | None:
         before = self._state
         where = travel()
-        self._entered(before)
+        self._entered(before, back=travel == self.history.undo)
         return where
 
     def _step(self, state: State, where: Place | None) -> None:
         before = self._state
         if self.history.go(state, where):
+            if self.recording is not None and not self.history.joined:
+                self.recording.close()
             self._entered(before)
 
-    def _entered(self, before: State) -> None:
-        """The design is another one than before: check it whole."""
+    def _entered(self, before: State, back: bool = False) -> None:
+        """The design is another one than before: check it whole.  `back`: by an undo."""
         data = self._state.data
         if data == before.data:
             return
@@ -179,3 +183,14 @@ class Editing:
             self._valid = data
         except BadInput as bad:
             self.errors = tuple(bad.errors)
+            return
+        if self.recording is not None and back:
+            self.recording.undone(data)
+        elif self.recording is not None:
+            self.recording.edited(data)
+
+    # --- recording
+    def record(self) -> None:
+        """Begin to record a replay, at the last valid state."""
+        self.seal()
+        self.recording = Recording(self._valid)
