@@ -16,6 +16,7 @@ from textual.screen import Screen
 from calc.sheet.errors import BadInput
 
 from .actions import BY_ID, key_name
+from .recovery import Settings
 from .screens.workbench import Workbench
 from .session import Session
 from .widgets.signs import Signs
@@ -27,22 +28,33 @@ def _palette() -> Any:
     return Palette
 
 
+LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
+
+
 class ContralberoApp(App[int]):
-    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids."""
+    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what the user chose in earlier sessions."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
     COMMANDS = App.COMMANDS | {_palette}
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
 
-    def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None) -> None:
+    def __init__(
+        self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+    ) -> None:
         self.ascii = ascii
         self.signs = Signs(ascii)
         self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
         super().__init__()
         self.session = session
         self.warned_of: Path | None = None  # the file of which was said that another program has changed it
-        self.guiding = True  # each form begins with what is to be decided in its step
+        self.writing = ""  # a file that is being written, and how far it is
+        settings = settings or Settings()
+        self.language: str = settings.language
+        self.guiding = settings.guide  # each form begins with what is to be decided in its step
+        if settings.theme in self.available_themes:
+            self.theme = settings.theme
+        self._theme_kept = self.theme
         self.solves = 0  # results that were shown; for whoever waits for them
 
     def on_mount(self) -> None:
@@ -50,6 +62,7 @@ class ContralberoApp(App[int]):
             self.set_keymap(self.key_map)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
+        self.set_interval(LOOK, self.look)
 
     def get_default_screen(self) -> Screen[None]:
         """The main screen from the start: there is no other one below it that would be styled and painted for nothing."""
@@ -59,10 +72,24 @@ class ContralberoApp(App[int]):
         self.signs = Signs(self.ascii, theme.dark, not self.no_color)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
+        if theme.name != self._theme_kept:
+            self._theme_kept = theme.name
+            self.session.memory.set_setting("theme", theme.name)
+
+    def on_app_focus(self) -> None:
+        self.look()
+
+    def look(self) -> None:
+        """Say, once, that another program has changed the file."""
+        if self.session.look():
+            text = f"{self.session.name} was changed by another program: {self.shown_key('reload')} takes it over, and undo would return."
+            self.tell(text, "warning")
 
     async def enter(self, session: Session) -> None:
         """Go on with another design; unsaved edits of this one are kept aside."""
         self.session.autosave()
+        if self.session.recording is not None:
+            self.tell("The recording is given up: it was one of the design before.", "warning")
         self.session = session
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
@@ -87,14 +114,19 @@ class ContralberoApp(App[int]):
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails is there something to ask."""
         self.session.autosave()
-        if self.session.safe:
+        if self.session.safe and self.session.recording is None:
             self.exit(0)
             return
         from .screens.ask import Ask
 
         why = self.session.autosave_failure or "an entry is not valid, and what is not valid is not kept"
+        question = (
+            f"The edits are not saved: {why}.\nEnd all the same?"
+            if not self.session.safe
+            else "The recorded replay is not written.\nEnd all the same?"
+        )
         if not isinstance(self.screen, Ask):
-            self.push_screen(Ask(f"The edits are not saved: {why}.\nEnd all the same?", "end", "go back"), self._quit_anyway)
+            self.push_screen(Ask(question, "end", "go back"), self._quit_anyway)
 
     def _quit_anyway(self, yes: bool | None) -> None:
         if yes:
@@ -115,7 +147,7 @@ def run(path: Path | None, ascii: bool = False) -> int:
         print(bad, file=sys.stderr)
         return 2
     encoding = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "")
-    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys())
+    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), settings=memory.settings())
     result = app.run()
     return app.return_code or result or 0
 

@@ -1,15 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a design gives to other programs: its results as JSON or CSV, its shaft or its gears as a DXF drawing."""
+"""What a design gives to other programs: its results as JSON or CSV, its shaft or its gears as a DXF drawing.  And its report."""
 
 import csv
 import json
 import math
 from io import StringIO
+from pathlib import Path
 from typing import TYPE_CHECKING
 
+from assistant.draft import Draft
 from assistant.plain import results_json
+from assistant.saving import write_asked
 from calc.design_file import Document
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.progress import Progress
 from calc.solve import Results
 
 if TYPE_CHECKING:
@@ -18,6 +22,17 @@ if TYPE_CHECKING:
 
 KINDS = {"dxf": "a drawing of the shaft or of the gears", "csv": "the values", "json": "all results"}
 HOW = "give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])"
+
+
+def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None) -> None:
+    """Write the file that its ending says: the report as .pdf, else one of the kinds.  Raises BadInput, OSError, Cancelled."""
+    document, results = draft.solved()
+    if path.suffix.lower() == ".pdf":
+        from reports.report import write
+
+        write(document, results, document.raw, path, depth="engineer", progress=progress)
+    else:
+        write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears))
 
 
 def exported(kind: str, document: Document, results: Results, gears: bool = False) -> str:

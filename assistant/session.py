@@ -12,14 +12,15 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from calc.design_file import Table, design, parse, read
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.shipped import DESIGNS, EXAMPLE
 
+from .draft import Draft
 from .editing import Editing
 from .history import State
 from .recovery import Edits, Memory
-from .saving import ChangedOnDisk, SaveError, differences, edited_text, free_name, fresh_text, write_atomic
+from .saving import ChangedOnDisk, SaveError, free_name, write_atomic
 from .solving import Answer, Job, run
 
 if TYPE_CHECKING:
@@ -46,6 +47,7 @@ class Session(Editing):
         self._raw = raw
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
         self._kept: Table | None = None
+        self._stamp: tuple[int, int] | None = None  # when the file was changed and how long it is, as far as it was looked at
 
     # --- opening
     @classmethod
@@ -165,16 +167,18 @@ class Session(Editing):
             self.accept(run(job))
 
     # --- keeping
+    def draft(self, data: Table | None = None) -> Draft:
+        """The design as it would be saved now, or with these tables, to be written out in another thread while the editing goes on."""
+        now = self._state.data
+        results = self.results if self.current and (data is None or data == now) else None
+        return Draft(self._raw, self.saved, now if data is None else data, self.home, results)
+
     def bytes(self) -> bytes:
         """The design file as it would be saved now."""
-        changes = differences(self.saved, self._state.data)
-        if not changes:
-            return self._raw
-        try:
-            return edited_text(self._raw.decode("utf-8"), changes).encode("utf-8")
-        except SaveError:  # a notation that can not be edited in place
+        raw, kept = self.draft().bytes()
+        if not kept:
             self.message = "The comments of the file could not be kept; the old file stays as .bak."
-            return fresh_text(self._state.data).encode("utf-8")
+        return raw
 
     def save(self, *, force: bool = False) -> Path:
         """Save; the example under its own name in the current folder, never over another file.  Raises SaveError with what to do.
@@ -213,7 +217,7 @@ class Session(Editing):
         write_atomic(path, raw)
         self.memory.drop(self.home)
         self.memory.drop(path)
-        self.path, self._raw, self._kept = path, raw, None
+        self.path, self._raw, self._kept, self._stamp = path, raw, None, None
         self.document = parse(raw, str(path))
         self.saved = self._valid = self.document.data
         self.history.state = State(self.document.data, {})
@@ -222,6 +226,39 @@ class Session(Editing):
         self.seal()
         self.memory.remember(path)
         return path
+
+    def look(self) -> bool:
+        """Whether another program has changed the file; True once for each change."""
+        if self.path is None:
+            return False
+        try:
+            there = self.path.stat()
+            stamp = (there.st_mtime_ns, there.st_size)
+            if stamp == self._stamp:
+                return False
+            self._stamp = stamp
+            return self.path.read_bytes() != self._raw
+        except OSError:  # it is gone, or just being replaced; a save says what is wrong
+            return False
+
+    def reload(self) -> bool:
+        """Take the file as it is now, as one step of the undo; False where that changes nothing.  Raises BadInput, and then takes nothing.
+
+        The edits stay behind the undo; saving them then overwrites what the other program wrote, with its comments kept.
+        """
+        path = self.path
+        if path is None:
+            raise BadInput(self.name, [InputError(0, "", "", "is the shipped example, which has no file of its own yet")])
+        document = read(path)
+        design(document)
+        if document.raw == self._raw and not self.dirty:
+            return False
+        self._raw, self.saved = document.raw, document.data
+        self.document = replace(document, data=self._state.data)
+        self.seal()
+        self._step(State(document.data, {}), None)
+        self.seal()
+        return True
 
     def autosave(self) -> None:
         """Keep the last valid state aside, so that neither a crash nor a closed window loses it; a failure is remembered."""

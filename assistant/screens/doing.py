@@ -240,13 +240,9 @@ class Doing(DoingCurves, DoingFiles):
 
     def _apply(self, changes: Iterable[str], said: str) -> None:
         """Make changes as one step of the undo, and say so."""
-        me = self._me
         self.session.apply(changes)
-        if (field := me.form.field) is not None:
-            field.rewrite()
-        me.edited()
-        me.form.rebuild(me.form.here())
-        me.app.tell(said)
+        self.rebuilt()
+        self._me.app.tell(said)
 
     def action_choose(self) -> None:
         """The ranked table of what can be chosen for this step."""
@@ -270,6 +266,7 @@ class Doing(DoingCurves, DoingFiles):
         """Show what is to be decided in each step, or leave it out."""
         me = self._me
         me.app.guiding = not me.app.guiding
+        self.session.memory.set_setting("guide", me.app.guiding)
         for form in me.query(Form):
             form.refresh_taken()
 

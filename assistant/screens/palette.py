@@ -28,6 +28,9 @@ class Palette(Provider):
             if action.id not in HIDDEN:
                 keys = key_names(action.binding)
                 yield f"{action.title}  ({keys})" if keys else action.title, action.help, partial(work.run_action, action.does)
+        for path in work.session.memory.recent():
+            if path != work.session.path:
+                yield f"Open recent: {path}", "Opens this design again.", partial(work.open_path, path)
         yield "Put back unsaved edits", "Edits that were kept aside for another version of this file.", work.action_restore
 
     async def discover(self) -> Hits:

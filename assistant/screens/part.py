@@ -17,3 +17,11 @@ class Part:
     @property
     def _me(self) -> "Workbench":
         return self  # type: ignore[return-value]
+
+    def rebuilt(self) -> None:
+        """Show a design that has changed in more than one place."""
+        me = self._me
+        if (field := me.form.field) is not None:
+            field.rewrite()
+        me.edited()
+        me.form.rebuild(me.form.here())

@@ -30,6 +30,8 @@ class TopLine(Widget):
         """The state of the file."""
         session, signs = self.session, self.app.signs
         parts = []
+        if session.recording is not None:
+            parts.append(f"{signs.mark('recording')} rec")
         if session.dirty:
             parts.append(f"{signs.mark('edited')} edited")
             if session.autosave_failure:
@@ -63,6 +65,8 @@ class TopLine(Widget):
             time = f"solved in {session.seconds * 1000:.0f} ms"
         if width < FEWEST:
             time = f"needs {FEWEST} columns"
+        if self.app.writing:
+            right += [(self.app.writing, "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))
         end = Content.assemble(*right, " ")
         state = self.state(short)
