@@ -74,8 +74,16 @@ class Recording:
         """The replay file.  `results` are those of the design as it is now."""
         import tomli_w
 
-        head = {"schema": 1, "name": results.design.name}
-        return tomli_w.dumps({**head, "design": self.start, "step": self.steps(), "expect": list(expected(results))})
+        head = tomli_w.dumps({"schema": 1, "name": results.design.name, "design": self.start})
+        rows = [*(("step", row) for row in self.steps()), *(("expect", row) for row in expected(results))]
+        return "\n".join([head, *(_row(key, row) for key, row in rows)])
+
+
+def _row(key: str, row: dict[str, Any]) -> str:
+    """One element of an array of tables, each under a header of its own."""
+    import tomli_w
+
+    return f"[[{key}]]\n" + tomli_w.dumps({key: row}).removeprefix(f"[{key}]\n")
 
 
 # --- steps ----------------------------------------------------------------------------------------------------------------

@@ -166,3 +166,20 @@ def test_the_file_is_whole_toml_with_every_number(session: Session) -> None:
     values = {row["value"]: row for row in found["expect"] if "value" in row}
     stroke = session.values()["engine.stroke"]
     assert values["engine.stroke"] == {"value": "engine.stroke", "is": stroke.shown, "unit": stroke.unit, "rel": 1e-6, "kind": "recorded"}
+
+
+def test_every_step_stands_under_its_own_header(session: Session) -> None:
+    session.record()
+    session.edit(ROD, "170")
+    session.put_table(("countershaft", "holes"), False)
+    session.apply(["bearings.oil=SAE 50", "bearings.front.clearance_factor=0.64"])
+    session.remove("gears.meshes", 0)
+    session.ask("friction")
+    session.undo()
+    session.solve()
+    assert session.recording is not None and session.results is not None
+    text = session.recording.text(session.results)
+    found = tomllib.loads(text)
+    assert found["step"] == session.recording.steps() and found["design"] == session.recording.start
+    assert text.count("[[step]]\n") == len(found["step"]) and text.count("[[expect]]\n") == len(found["expect"])
+    assert '[[step]]\nset = "engine.rod_length_mm"\nto = 170.0\n' in text
