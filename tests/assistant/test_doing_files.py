@@ -34,6 +34,15 @@ SIZES = [(120, 40), (80, 24)]
 BORE, ROD = "engine.bore_mm", "engine.rod_length_mm"
 
 
+@pytest.fixture
+def small(light: Session, memory: Memory) -> Session:
+    """The first two steps: what files need, and sooner solved and reported."""
+    path = light.home.with_name("small.toml")
+    path.write_text(light.home.read_text(encoding="utf-8").partition("\n[countershaft]")[0] + "\n", encoding="utf-8")
+    light.home.unlink()
+    return Session.open(path, memory=memory, now=light.now)
+
+
 def top(pilot: Any) -> str:
     return rows(pilot).splitlines()[0]
 
@@ -124,26 +133,22 @@ async def test_a_replay_that_can_not_be_written_leaves_the_recording(
 
 
 # --- export
-@pytest.mark.parametrize("size", SIZES)
-async def test_values_and_results_are_exported(screen: Screen, light: Session, tmp_path: Path, size: tuple[int, int]) -> None:
-    async with screen(size=size) as pilot:
-        for kind in ("csv", "json"):
-            path = tmp_path / f"out.{kind}"
-            await pilot.press("escape", "E")
-            asked = await dialog(pilot)
-            assert asked.query_one("#path", Input).value == str(light.home.with_suffix(".dxf"))
-            if kind == "csv":
-                await strike(pilot, "escape")
-                await pilot.press("E")
-            await give(pilot, path)
-            await until(pilot, lambda path=path: f"Exported: {path}" in told(pilot))  # type: ignore[misc]
-    assert "engine.stroke,107" in (tmp_path / "out.csv").read_text(encoding="utf-8")
-    assert json.loads((tmp_path / "out.json").read_text(encoding="utf-8"))["steps"]["engine"] == "pass"
+@pytest.mark.parametrize(("size", "kind"), [((120, 40), "csv"), ((80, 24), "json")])
+async def test_values_and_results_are_exported(screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int], kind: str) -> None:
+    path = tmp_path / f"out.{kind}"
+    async with screen(size=size, session=small) as pilot:
+        await pilot.press("escape", "E")
+        asked = await dialog(pilot)
+        assert asked.query_one("#path", Input).value == str(small.home.with_suffix(".dxf"))
+        await give(pilot, path)
+        await until(pilot, lambda: f"Exported: {path}" in told(pilot))
+    text = path.read_text(encoding="utf-8")
+    assert "\nengine.stroke,107" in text if kind == "csv" else json.loads(text)["steps"]["engine"] == "pass"
 
 
-async def test_an_ending_that_says_nothing_and_a_file_that_is_there(screen: Screen, tmp_path: Path) -> None:
+async def test_an_ending_that_says_nothing_and_a_file_that_is_there(screen: Screen, small: Session, tmp_path: Path) -> None:
     (tmp_path / "there.csv").write_text("theirs", encoding="utf-8")
-    async with screen(size=(80, 24)) as pilot:
+    async with screen(size=(80, 24), session=small) as pilot:
         await pilot.press("escape", "E")
         await give(pilot, tmp_path / "out.step")
         assert "ending .step is not known" in str(pilot.app.screen.query_one("#wrong").render())
@@ -192,19 +197,19 @@ async def test_shaft_and_gears_are_drawn(
 # --- report
 @pytest.mark.parametrize("size", SIZES)
 async def test_the_report_says_how_far_it_is_and_lets_go_on(
-    screen: Screen, light: Session, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]
+    screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]
 ) -> None:
     shown: list[str] = []
     show = Workbench._show_top
     monkeypatch.setattr(Workbench, "_show_top", lambda self: (show(self), shown.append(self.query_one(TopLine).render().plain)))
-    path = light.home.with_suffix(".pdf")
-    async with screen(size=size) as pilot:
+    path = small.home.with_suffix(".pdf")
+    async with screen(size=size, session=small) as pilot:
         await go_to(pilot, BORE)
         await strike(pilot, "f8", "f8")
         await until(pilot, lambda: "Still being written: PDF" in told(pilot))
         await type_in(pilot, "95")
         await until(pilot, lambda: f"PDF report: {path}" in told(pilot))
-        assert light.value(BORE) == 95.0 and "PDF" not in top(pilot)
+        assert small.value(BORE) == 95.0 and "PDF" not in top(pilot)
     shares = [int(line.partition("PDF ")[2].partition(" %")[0]) for line in shown if " %" in line]
     assert len(shares) > 20 and shares == sorted(shares) and shares[0] == 0 and shares[-1] == 100
     assert all(len(line) == size[0] for line in shown)
@@ -212,7 +217,7 @@ async def test_the_report_says_how_far_it_is_and_lets_go_on(
     assert b"bore_mm = 94.0" in PdfReader(path).attachments["design.toml"][0]  # the design of when it was asked for
 
 
-async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen, light: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     half, ended = threading.Event(), threading.Event()
     after: list[BaseException | None] = []
 
@@ -231,7 +236,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
             raise
 
     monkeypatch.setattr("assistant.exporting.write_draft", write)
-    async with screen() as pilot:
+    async with screen(session=small) as pilot:
         await strike(pilot, "f8")
         await until(pilot, half.is_set)
         await strike(pilot, "ctrl+q")
@@ -241,20 +246,20 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
     while not after:
         await asyncio.sleep(0.01)
     assert isinstance(after[0], Cancelled)
-    assert not [p for p in light.home.parent.iterdir() if p.suffix in (".pdf", ".part")]
+    assert not [p for p in small.home.parent.iterdir() if p.suffix in (".pdf", ".part")]
 
 
 # --- changed on disk
 @pytest.mark.parametrize("size", SIZES)
 async def test_a_change_on_disk_is_said_once_and_taken_over(
-    screen: Screen, light: Session, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]
+    screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]
 ) -> None:
     monkeypatch.setattr(app_module, "LOOK", 0.05)
-    async with screen(size=size) as pilot:
+    async with screen(size=size, session=small) as pilot:
         await go_to(pilot, BORE)
         await type_in(pilot, "95")
-        text = light.home.read_text(encoding="utf-8")
-        light.home.write_text(text.replace("rod_length_mm = 163.0", "rod_length_mm = 170.0") + "# theirs\n", encoding="utf-8")
+        text = small.home.read_text(encoding="utf-8")
+        small.home.write_text(text.replace("rod_length_mm = 163.0", "rod_length_mm = 170.0") + "# theirs\n", encoding="utf-8")
         await until(pilot, lambda: "changed by another program: L takes it" in told(pilot))
         pilot.app.clear_notifications()
         await asyncio.sleep(0.2)
@@ -265,37 +270,37 @@ async def test_a_change_on_disk_is_said_once_and_taken_over(
         assert "once more to overwrite" in told(pilot)  # as ever
         await pilot.press("escape", "L")
         await solved(pilot)
-        assert light.value(ROD) == 170.0 and light.value(BORE) == 94.0 and not light.dirty
+        assert small.value(ROD) == 170.0 and small.value(BORE) == 94.0 and not small.dirty
         assert "Undo returns to your edits" in told(pilot) and "170" in rows(pilot)
         await strike(pilot, "ctrl+z")
         await solved(pilot)
-        assert light.value(ROD) == 163.0 and light.value(BORE) == 95.0 and light.dirty
+        assert small.value(ROD) == 163.0 and small.value(BORE) == 95.0 and small.dirty
         await strike(pilot, "ctrl+s")
         await until(pilot, lambda: "Saved:" in told(pilot))
-    assert light.home.read_text(encoding="utf-8") == text.replace("bore_mm = 94.0", "bore_mm = 95.0") + "# theirs\n"
+    assert small.home.read_text(encoding="utf-8") == text.replace("bore_mm = 94.0", "bore_mm = 95.0") + "# theirs\n"
 
 
-async def test_a_file_that_is_no_design_any_more_is_not_taken(screen: Screen, light: Session) -> None:
-    async with screen(size=(80, 24)) as pilot:
+async def test_a_file_that_is_no_design_any_more_is_not_taken(screen: Screen, small: Session) -> None:
+    async with screen(size=(80, 24), session=small) as pilot:
         await pilot.press("escape", "L")
         await pilot.pause()
         assert "as its file has it" in told(pilot)
-        light.home.write_text("name = 3\n", encoding="utf-8")
+        small.home.write_text("name = 3\n", encoding="utf-8")
         await pilot.press("L")
         await pilot.pause()
-        assert "The file is not taken: light.toml:1: schema: is missing" in told(pilot) and light.value(BORE) == 94.0
+        assert "The file is not taken: small.toml:1: schema: is missing" in told(pilot) and small.value(BORE) == 94.0
 
 
 # --- opening again
 @pytest.mark.parametrize("size", SIZES)
-async def test_recent_designs_are_listed_first(screen: Screen, light: Session, tmp_path: Path, size: tuple[int, int]) -> None:
+async def test_recent_designs_are_listed_first(screen: Screen, small: Session, tmp_path: Path, size: tuple[int, int]) -> None:
     deep = tmp_path / ("a-very-long-name-of-a-folder-" * 4)
     deep.mkdir()
     other, gone = deep / "other.toml", tmp_path / "gone.toml"
-    other.write_bytes(light.home.read_bytes().replace(b"bore_mm = 94.0", b"bore_mm = 99.0"))
-    for path in (light.home, gone, other, light.home):
-        light.memory.remember(path)
-    async with screen(size=size) as pilot:
+    other.write_bytes(small.home.read_bytes().replace(b"bore_mm = 94.0", b"bore_mm = 99.0"))
+    for path in (small.home, gone, other, small.home):
+        small.memory.remember(path)
+    async with screen(size=size, session=small) as pilot:
         await strike(pilot, "ctrl+o")
         asked = await dialog(pilot)
         assert isinstance(asked, OpenDialog)
@@ -304,8 +309,8 @@ async def test_recent_designs_are_listed_first(screen: Screen, light: Session, t
         assert shown[0] == "Opened last" and shown[2] == "Examples"
         assert shown[1].startswith(str(tmp_path)[:10]) and shown[1].endswith("/other.toml") and "…" in shown[1]
         assert len(shown[1]) <= size[0] * 0.9 - 6 and any(row.endswith(EXAMPLE.name) for row in shown)
-        assert "light.toml" in shown  # of the folder, after the others
-        asked.query_one("#path", Input).value = str(tmp_path) + "/li"
+        assert "small.toml" in shown  # of the folder, after the others
+        asked.query_one("#path", Input).value = str(tmp_path) + "/sm"
         await pilot.pause()
         assert options.option_count == 1
         asked.query_one("#path", Input).value = asked.start
@@ -317,12 +322,12 @@ async def test_recent_designs_are_listed_first(screen: Screen, light: Session, t
         assert work(pilot).session.value(BORE) == 99.0
 
 
-async def test_recent_designs_are_in_the_palette(screen: Screen, light: Session, design: Path) -> None:
-    light.memory.remember(design)
-    light.memory.remember(light.home)
-    async with screen(size=(80, 24)) as pilot:
+async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session, design: Path) -> None:
+    small.memory.remember(design)
+    small.memory.remember(small.home)
+    async with screen(size=(80, 24), session=small) as pilot:
         found = {str(hit.text): hit async for hit in Palette(work(pilot)).discover()}
-        assert f"Open recent: {design}" in found and f"Open recent: {light.home}" not in found
+        assert f"Open recent: {design}" in found and f"Open recent: {small.home}" not in found
         await work(pilot).open_path(design.with_name("none.toml"))
         await pilot.pause()
         assert "cannot be read" in told(pilot)
@@ -332,8 +337,8 @@ async def test_recent_designs_are_in_the_palette(screen: Screen, light: Session,
 
 
 # --- settings
-async def test_theme_and_guide_are_kept(light: Session, memory: Memory) -> None:
-    app = ContralberoApp(light)
+async def test_theme_and_guide_are_kept(small: Session, memory: Memory) -> None:
+    app = ContralberoApp(small)
     async with app.run_test(size=(80, 24)) as pilot:
         await solved(pilot)
         assert app.guiding and app.language == "en" and not (memory.folder / "settings.toml").exists()
@@ -342,14 +347,13 @@ async def test_theme_and_guide_are_kept(light: Session, memory: Memory) -> None:
         await until(pilot, lambda: memory.settings().theme == "nord")
     assert memory.settings() == Settings("en", "nord", False)
     memory.set_setting("language", "it")
-    app = ContralberoApp(Session.open(light.home, memory=memory), settings=memory.settings())
+    app = ContralberoApp(Session.open(small.home, memory=memory), settings=memory.settings())
     async with app.run_test(size=(120, 40)) as pilot:
         await solved(pilot)
         assert app.theme == "nord" and not app.guiding and app.language == "it"
         assert "Decide:" not in rows(pilot)
 
 
-async def test_a_theme_that_there_is_not_is_left_alone(light: Session) -> None:
-    app = ContralberoApp(light, settings=Settings(theme="no such theme"))
-    async with app.run_test(size=(80, 24)):
-        assert app.theme in app.available_themes
+async def test_a_theme_that_there_is_not_is_left_alone(small: Session) -> None:
+    app = ContralberoApp(small, settings=Settings(theme="no such theme"))
+    assert app.theme in app.available_themes
