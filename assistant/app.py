@@ -4,6 +4,7 @@
 import os
 import sys
 from collections.abc import Iterable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
@@ -19,6 +20,7 @@ from calc.languages import LANGUAGES, language
 from calc.sheet.errors import BadInput
 
 from .actions import BY_ID, key_name
+from .recovery import Settings
 from .screens.workbench import Workbench
 from .session import Session
 from .widgets.signs import Signs
@@ -30,23 +32,33 @@ def _palette() -> Any:
     return Palette
 
 
+LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
+
+
 class ContralberoApp(App[int]):
-    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids."""
+    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what the user chose in earlier sessions."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
     COMMANDS = App.COMMANDS | {_palette}
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
 
-    def __init__(self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, lang: str = "en") -> None:
+    def __init__(
+        self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+    ) -> None:
         self.ascii = ascii
-        self.say = language(lang)
+        settings = settings or Settings()
+        self.say = language(settings.language if settings.language in LANGUAGES else "en")
         self.signs = Signs(ascii, say=self.say)
         self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
         super().__init__()
         self.session = session
         self.warned_of: Path | None = None  # the file of which was said that another program has changed it
-        self.guiding = True  # each form begins with what is to be decided in its step
+        self.writing = ""  # a file that is being written, and how far it is
+        self.guiding = settings.guide  # each form begins with what is to be decided in its step
+        if settings.theme in self.available_themes:
+            self.theme = settings.theme
+        self._theme_kept = self.theme
         self.solves = 0  # results that were shown; for whoever waits for them
 
     def on_mount(self) -> None:
@@ -54,6 +66,7 @@ class ContralberoApp(App[int]):
             self.set_keymap(self.key_map)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         self.theme_changed_signal.subscribe(self, self._theme_changed)
+        self.set_interval(LOOK, self.look)
 
     def get_default_screen(self) -> Screen[None]:
         """The main screen from the start: there is no other one below it that would be styled and painted for nothing."""
@@ -63,10 +76,23 @@ class ContralberoApp(App[int]):
         self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
+        if theme.name != self._theme_kept:
+            self._theme_kept = theme.name
+            self.session.memory.set_setting("theme", theme.name)
+
+    def on_app_focus(self) -> None:
+        self.look()
+
+    def look(self) -> None:
+        """Say, once, that another program has changed the file."""
+        if self.session.look():
+            text = f"{self.session.name} was changed by another program: {self.shown_key('reload')} takes it over, and undo would return."
+            self.tell(text, "warning")
 
     async def speak(self, code: str) -> None:
         """Go on in another language."""
         self.say = language(code)
+        self.session.memory.set_setting("language", code)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
         if isinstance(self.screen, Workbench):
             await self.screen.speak()
@@ -78,6 +104,8 @@ class ContralberoApp(App[int]):
     async def enter(self, session: Session) -> None:
         """Go on with another design; unsaved edits of this one are kept aside."""
         self.session.autosave()
+        if self.session.recording is not None:
+            self.tell("The recording is given up: it was one of the design before.", "warning")
         self.session = session
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
@@ -114,19 +142,16 @@ class ContralberoApp(App[int]):
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails is there something to ask."""
         self.session.autosave()
-        if self.session.safe:
+        if self.session.safe and self.session.recording is None:
             self.exit(0)
             return
         from .screens.ask import Ask
 
         why = self.session.autosave_failure or "what was added last is not complete, and such a part is not kept"
+        question = "The recorded replay is not written." if self.session.safe else f"The edits are not saved: {why}."
         if not isinstance(self.screen, Ask):
-            self.push_screen(
-                Ask(
-                    f"{self.say(f'The edits are not saved: {why}.')}\n{self.say('End all the same?')}", self.say("end"), self.say("go back")
-                ),
-                self._quit_anyway,
-            )
+            say = self.say
+            self.push_screen(Ask(f"{say(question)}\n{say('End all the same?')}", say("end"), say("go back")), self._quit_anyway)
 
     def _quit_anyway(self, yes: bool | None) -> None:
         if yes:
@@ -147,7 +172,11 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         print(bad, file=sys.stderr)
         return 2
     encoding = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "")
-    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), lang=lang or "en")
+    settings = memory.settings()
+    if lang is not None and lang != settings.language:
+        memory.set_setting("language", lang)
+        settings = replace(settings, language=lang)
+    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), settings=settings)
     result = app.run()
     return app.return_code or result or 0
 

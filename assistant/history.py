@@ -27,12 +27,14 @@ class History:
         self._undo: list[tuple[State, Place | None]] = []
         self._redo: list[tuple[State, Place | None]] = []
         self._editing: Place | None = None
+        self.joined = False  # the last edit went on with the one before it
 
     def go(self, state: State, where: Place | None) -> bool:
         """A new state, reached by an edit at a place; False where nothing has changed."""
         if state == self.state:
             return False
-        if where is None or where != self._editing:
+        self.joined = where is not None and where == self._editing
+        if not self.joined:
             self._undo.append((self.state, where))
             del self._undo[:-DEEPEST]
         self._redo.clear()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the program remembers between two runs: the last design, and edits that were not saved."""
+"""What the program remembers between two runs: the last designs, edits that were not saved, and the user's settings."""
 
 import contextlib
 import hashlib
@@ -15,9 +15,10 @@ from calc.design_file import Table, changed
 from . import numbers
 from .history import State
 from .places import Place, described
-from .saving import SaveError, differences, fresh_text, write_atomic
+from .saving import SaveError, differences, edited_text, fresh_text, write_atomic
 
 FOLDER = "contralbero"
+RECENT = 10  # designs that are offered to be opened again
 
 
 def state_dir() -> Path:
@@ -75,25 +76,44 @@ def not_accepted(valid: Table, state: State) -> dict[Place, str]:
     return found | {where: text for where, (text, _) in state.texts.items()}
 
 
+@dataclass(frozen=True)
+class Settings:
+    """What the user has chosen.  `theme`: the name of one of textual's; empty: its own choice.  `guide`: the forms say what to decide."""
+
+    language: str = "en"
+    theme: str = ""
+    guide: bool = True
+
+
 class Memory:
     """The state folder.  A folder that can not be read is an empty one; one that can not be written says so by SaveError."""
 
     def __init__(self, folder: Path | None = None) -> None:
         self.folder = folder or state_dir()
 
-    # --- the last design
+    # --- the last designs
+    def _opened(self) -> list[Path]:
+        """What was open, the last first: a path in each line of the file `last`."""
+        try:
+            lines = (self.folder / "last").read_text(encoding="utf-8").splitlines()
+        except (OSError, ValueError):
+            return []
+        return [path for line in lines if (path := Path(line.strip())).is_absolute()]
+
     def last(self) -> Path | None:
         """The design that was open last, if it is still there."""
-        try:
-            path = Path((self.folder / "last").read_text(encoding="utf-8").strip())
-            return path if path.is_absolute() and path.is_file() else None
-        except (OSError, ValueError):
-            return None
+        return next((path for path in self._opened()[:1] if _is_file(path)), None)
+
+    def recent(self) -> list[Path]:
+        """The designs that were open last and are still there, the last first."""
+        return [path for path in self._opened() if _is_file(path)][:RECENT]
 
     def remember(self, path: Path) -> None:
         """Nothing depends on this being kept."""
-        with contextlib.suppress(SaveError, OSError):
-            self._write(self.folder / "last", str(path.absolute()))
+        path = path.absolute()
+        paths = [path, *(other for other in self._opened() if other != path)]
+        with contextlib.suppress(SaveError, OSError, ValueError):  # a name that is no text in UTF-8 is not remembered
+            self._write(self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT])))  # some may be back later: a drive
 
     # --- unsaved edits
     def _file(self, path: Path) -> Path:
@@ -129,9 +149,40 @@ class Memory:
             return {}
         return {str(id): keys for id, keys in found.items() if isinstance(keys, str)}
 
+    def settings(self) -> Settings:
+        """`settings.toml` in this folder; what is not understood in it is left at its own choice."""
+        found = self._settings()
+        kinds = {"language": str, "theme": str, "guide": bool}
+        return Settings(**{name: found[name] for name, kind in kinds.items() if isinstance(found.get(name), kind)})
+
+    def set_setting(self, name: str, value: str | bool) -> None:
+        """Keep a choice; comments stay.  Nothing depends on this being kept."""
+        if self._settings().get(name) == value:
+            return
+        file = self.folder / "settings.toml"
+        with contextlib.suppress(SaveError, OSError):
+            try:
+                text = edited_text(file.read_text(encoding="utf-8"), {name: value})
+            except (OSError, ValueError, SaveError):  # there is none, or it is damaged
+                text = fresh_text({**self._settings(), name: value})
+            self._write(file, text)
+
+    def _settings(self) -> Table:
+        try:
+            return tomllib.loads((self.folder / "settings.toml").read_text(encoding="utf-8"))
+        except (OSError, ValueError):
+            return {}
+
     def _write(self, file: Path, text: str) -> None:
         try:
             file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         except OSError as error:
             raise SaveError(f"{file.parent} can not be made: {error.strerror or error}") from None
         write_atomic(file, text.encode("utf-8"), backup=False)
+
+
+def _is_file(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except (OSError, ValueError):  # a name that the system does not know
+        return False

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from assistant.commands.export import gears_text
+from assistant.exporting import gears_text
 from bench.film import best
 from calc.catalogue import materials
 from calc.design_file import design, read

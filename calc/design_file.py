@@ -38,8 +38,12 @@ class Document:
         return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
 
     def with_value(self, key: str, value: Any) -> "Document":
-        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`)."""
-        return replace(self, data=changed(self.data, address(self.data, key), value), lines={**self.lines, key: 0})
+        """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
+
+        A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
+        """
+        whole = value is None or isinstance(value, dict) or (isinstance(value, list) and all(isinstance(item, dict) for item in value))
+        return replace(self, data=changed(self.data, address(self.data, key, whole), value), lines={**self.lines, key: 0})
 
 
 # --- reading --------------------------------------------------------------------------------------------------------------
@@ -246,8 +250,11 @@ def load(path: Path | str) -> tuple[Document, Design]:
 
 
 # --- addresses and edits ----------------------------------------------------------------------------------------------------
-def address(data: Table, key: str) -> tuple[str | int, ...]:
-    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the nearest key."""
+def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]:
+    """Where a dotted key stands in the data: elements of arrays by name, else by index.  Raises BadInput with the nearest key.
+
+    With `whole` the key may be that of a table, which else has to be one of a value in it.
+    """
     found: list[str | int] = []
     here: Any = data
     cls: type | None = Design
@@ -277,7 +284,7 @@ def address(data: Table, key: str) -> tuple[str | int, ...]:
         here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
         if about.kind in ("series", "integers") and isinstance(here, list):
             here = tuple(here)
-    if cls is not None:
+    if cls is not None and not whole:
         raise _no_such(key, "is a table; name one of its keys: " + ", ".join(keys(cls)))
     return tuple(found)
 
@@ -294,10 +301,10 @@ def quantity_of(data: Table, key: str) -> Quantity:
     return about
 
 
-def value_at(data: Table, key: str) -> Any:
-    """The value at a dotted key as it stands in the file, None where it is left out."""
+def value_at(data: Table, key: str, whole: bool = False) -> Any:
+    """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
     here: Any = data
-    for part in address(data, key):
+    for part in address(data, key, whole):
         here = here[part] if isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
     return here
 
@@ -308,7 +315,8 @@ def changed(here: Any, where: tuple[str | int, ...], value: Any) -> Any:
         return value
     first, rest = where[0], where[1:]
     if isinstance(here, list):
-        return [changed(item, rest, value) if n == first else item for n, item in enumerate(here)]
+        gone = not rest and value is None
+        return [changed(item, rest, value) if n == first else item for n, item in enumerate(here) if not (gone and n == first)]
     made = dict(here)
     if rest or value is not None:
         made[first] = changed(here.get(first, {}), rest, value)

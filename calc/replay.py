@@ -7,14 +7,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .design_file import Document, design, read
+from .design_file import Document, design, read, value_at
 from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
 from .sheet.number import short
 from .solve import Results, solve
 
-STEP_KEYS = {"set", "to", "undo", "report"}
+STEP_KEYS = {"set", "to", "unset", "undo", "report"}
 EXPECT_KEYS = {"value", "check", "step", "is", "unit", "rel", "abs", "verdict", "kind", "source", "after"}
+STEP = (
+    'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for several at once, '
+    'or undo = true, or report = "out.pdf"'
+)
 KINDS = ("reference", "recorded")
 Report = Callable[[Document, Results, Path], None]
 
@@ -92,11 +96,16 @@ def load(path: Path | str) -> Script:
 
 def _check_step(key: str, row: dict[str, Any], error: Callable[[str, str], None]) -> None:
     for unknown in set(row) - STEP_KEYS:
-        error(f"{key}.{unknown}", "is not known; a step has set and to, or undo, or report")
-    wrong = sum(name in row for name in ("set", "undo", "report")) != 1 or ("set" in row) != ("to" in row)
-    texts = all(isinstance(row.get(name, ""), str) for name in ("set", "report"))
-    if wrong or not texts or row.get("undo", True) is not True:
-        error(key, 'must be set = "KEY", to = VALUE, or undo = true, or report = "out.pdf"')
+        error(f"{key}.{unknown}", "is not known; a step has set and to, or unset, or undo, or report")
+    one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
+    gone = row.get("unset")
+    several = isinstance(gone, list) and bool(gone) and all(isinstance(name, str) for name in gone)
+    kinds = ("set" in row or "unset" in row) + ("undo" in row) + ("report" in row)
+    wrong = kinds != 1 or one != ("to" in row) or ("set" in row and not one and not many)
+    if "unset" in row:
+        wrong |= one or not (isinstance(gone, str) or several)
+    if wrong or not isinstance(row.get("report", ""), str) or row.get("undo", True) is not True:
+        error(key, STEP)
 
 
 def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, str], None]) -> None:
@@ -134,7 +143,7 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
     for number in range(len(script.steps) + 1):
         if number:
             step = script.steps[number - 1]
-            if "set" in step:
+            if "set" in step or "unset" in step:
                 history.append(_edited(script, number, history[-1], step))
             elif "undo" in step and len(history) > 1:
                 history.pop()
@@ -147,10 +156,26 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
     return compared
 
 
+def changes(step: dict[str, Any]) -> list[tuple[str, Any]]:
+    """What one step changes, in the order in which it is done: keys that it takes out (None), then keys that it sets."""
+    gone, given = step.get("unset", []), step.get("set", {})
+    taken = [(key, None) for key in ([gone] if isinstance(gone, str) else gone)]
+    return [*taken, *([(given, step["to"])] if isinstance(given, str) else given.items())]
+
+
+def played(document: Document, step: dict[str, Any]) -> Document:
+    """The document with the changes of one step.  Raises BadInput where there is no such key; the design is not checked."""
+    for key, value in changes(step):
+        if value is None and value_at(document.data, key, whole=True) is None:
+            raise BadInput(document.place, [InputError(0, key, "", "is not there, so it can not be taken out")])
+        document = document.with_value(key, value)
+    return document
+
+
 def _edited(script: Script, number: int, document: Document, step: dict[str, Any]) -> Document:
     """The document after one step; an edit that can not be made is an error of the replay file, at that step."""
     try:
-        edited = document.with_value(step["set"], step["to"])
+        edited = played(document, step)
         design(edited)
     except BadInput as bad:
         line = script.lines.get(f"step.{number - 1}", 0)

@@ -8,6 +8,8 @@ from collections.abc import Callable, Mapping
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfgen.canvas import Canvas
 
+from calc.sheet.progress import Progress, tell
+
 from .boxes import BLACK, FAINT, GREY, Box, Colour, Mark
 from .flow import LEFT, PAGE, TOP, WIDTH, Page
 from .prose import NOTE, one_line
@@ -127,12 +129,15 @@ def _utf16(words: str) -> str:
     return ("\ufeff" + words).encode("utf-16-be").hex().upper()
 
 
-def paint(canvas: Canvas, pages: list[Page], head: tuple[str, str], foot: tuple[str, str], counted: str) -> None:
+def paint(
+    canvas: Canvas, pages: list[Page], head: tuple[str, str], foot: tuple[str, str], counted: str, progress: Progress | None = None
+) -> None:
     """All pages with running head, foot and outline.  `counted` holds {page} and {pages}."""
     numbers = {block.anchor: n for n, page in enumerate(pages, 1) for _, block in page.blocks if block.anchor}
     upper = PAGE[1] - TOP
     strings: dict[tuple[str, str], list[tuple[str, str]]] = {}
     for n, page in enumerate(pages, 1):
+        tell(progress, (n - 1) / len(pages), counted.format(page=n, pages=len(pages)))
         pen = Pen(canvas, numbers, strings)
         _running(pen, n, len(pages), head, foot, counted)
         for at, block in page.blocks:

@@ -10,12 +10,14 @@ import hashlib
 import io
 import os
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from reportlab import rl_config
 from reportlab.pdfgen.canvas import Canvas
 
 from calc.design_file import Document
+from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
 
@@ -40,13 +42,20 @@ LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures
 NEED = 0.36 * PAGE[1]  # a step begins on a new page unless so much is left
 
 
-def write(document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en") -> Path:
+# How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to be written
+WHOLE, MADE, WRITTEN = 0.06, 0.55, 0.98
+
+
+def write(
+    document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en",
+    progress: Progress | None = None,
+) -> Path:  # fmt: skip
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
     `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
-    or a language that there is not.
+    or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
     """
-    made = render(document, results, raw, depth=depth, lang=lang)
+    made = render(document, results, raw, depth=depth, lang=lang, progress=progress)
     path = Path(path)
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}-", suffix=".part")
     try:
@@ -57,20 +66,25 @@ def write(document: Document, results: Results, raw: bytes, path: Path, *, depth
     except BaseException:
         os.unlink(name)
         raise
+    tell(progress, 1.0, path.name)
     return path
 
 
-def render(document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en") -> bytes:
+def render(
+    document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", progress: Progress | None = None
+) -> bytes:
     """The report as the bytes of a PDF."""
     if depth not in DEPTHS:
         raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
     if lang not in WORDS:
         raise ValueError(f"lang {lang!r}: must be one of {', '.join(WORDS)}")
+    tell(progress, 0.0, results.design.name)
     for face in FACES:
         widths(face)
     results = results.whole()
+    tell(progress, WHOLE, results.design.name)
     context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, WORDS[lang])
-    pages = paginate(blocks(context))
+    pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     design, w = results.design, context.words
     out = io.BytesIO()
     dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
@@ -85,14 +99,14 @@ def render(document: Document, results: Results, raw: bytes, *, depth: str = "en
         canvas.showOutline()
         head = (design.name, " · ".join(x for x in (w["report"], design.revision) if x))
         foot = (PROGRAM, f"sha256 {context.sha256[:SHORT_HASH]}")
-        paint(canvas, pages, head, foot, w["page"])
+        paint(canvas, pages, head, foot, w["page"], part(progress, MADE, WRITTEN))
         canvas.save()
     finally:
         rl_config.useA85 = dense
     return out.getvalue()
 
 
-def blocks(context: Context) -> list[Block]:
+def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     """Everything that the report holds, in its order."""
     summary = summary_blocks(context)
     if context.depth == "summary":
@@ -100,8 +114,10 @@ def blocks(context: Context) -> list[Block]:
     entries: list[Entry] = []
     body: list[Block] = []
     plots = Plots()
-    for number, step, outcome in context.steps():
-        body += _step(context, number, step, outcome, entries, plots)
+    steps = context.steps()
+    for number, step, outcome in steps:
+        done = part(progress, (number - 1) / len(steps), number / len(steps))
+        body += _step(context, number, step, outcome, entries, plots, done)
     w = context.words
     number = len(entries) + 1
     if materials := material_blocks(context):
@@ -123,7 +139,9 @@ def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> l
     return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
-def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots) -> list[Block]:
+def _step(
+    context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots, progress: Progress | None
+) -> list[Block]:
     """One step: inputs, assumptions, formulas, results, tables, checks, figures; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
@@ -139,23 +157,23 @@ def _step(context: Context, number: int, step: Step, outcome: Outcome, entries: 
             context.cite(check.source, step)
     for erratum in outcome.errata:
         context.cite(erratum.source, step)
-    notes = [block for note in outcome.notes for block in bullet(note)]
-    parts = (
-        ("inputs", input_blocks(context, step)),
-        ("notes", notes),
-        ("formulas", derivation(context, step, outcome.lines)),
-        ("results", value_blocks(context, outcome)),
-        ("proposals", [block for proposal in outcome.proposals for block in bullet(proposal)]),
-        ("tables", table_blocks(context, outcome.tables)),
-        ("checks", check_blocks(context, outcome.checks)),
-        ("figures", figure_blocks(context.number(outcome.curves), w["figure"], plots)),
-        ("errata", errata_blocks(context, outcome.errata)),
+    parts: tuple[tuple[str, Callable[[], list[Block]]], ...] = (
+        ("inputs", lambda: input_blocks(context, step)),
+        ("notes", lambda: [block for note in outcome.notes for block in bullet(note)]),
+        ("formulas", lambda: derivation(context, step, outcome.lines)),
+        ("results", lambda: value_blocks(context, outcome)),
+        ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
+        ("tables", lambda: table_blocks(context, outcome.tables)),
+        ("checks", lambda: check_blocks(context, outcome.checks)),
+        ("figures", lambda: figure_blocks(context.number(outcome.curves), w["figure"], plots)),
+        ("errata", lambda: errata_blocks(context, outcome.errata)),
     )
-    for key, part in parts:
-        if part:
+    for n, (key, make) in enumerate(parts):
+        tell(progress, n / len(parts), f"{step.title}: {w[key]}")
+        if section := make():
             anchor = f"{step.key}-{key}"
             made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)
-            made += part
+            made += section
             if key in LISTED:
                 entries[-1].parts[w[key]] = anchor
     return made

@@ -2,7 +2,6 @@
 """What the keys of the main screen do, one method for each action of the table."""
 
 from collections.abc import Iterable
-from pathlib import Path
 from typing import Any
 
 from textual import work
@@ -14,10 +13,7 @@ from ..actions import BY_ID
 from ..changes import told
 from ..offers.offer import CHOICES
 from ..places import Place
-from ..saving import SaveError
-from ..session import Session
 from ..sheets import VALUES
-from ..solving import run
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks, sorted_checks
@@ -31,15 +27,14 @@ from ..widgets.pane import Pane
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
 from .doing_curves import DoingCurves
+from .doing_files import DoingFiles
 
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
 FIRST, LAST = "This is the first step.", "This is the last step."
 
 
-class Doing(DoingCurves):
+class Doing(DoingCurves, DoingFiles):
     """The actions.  Mixed into the main screen, which has the parts."""
-
-    session: Session
 
     # --- steps
     async def action_step(self, n: int) -> None:
@@ -227,108 +222,6 @@ class Doing(DoingCurves):
             if (there := me.form.field) is not None:
                 there.rewrite()
 
-    # --- files
-    def action_save(self) -> None:
-        me = self._me
-        if self.session.read_only:
-            me.app.tell(f"{self.session.name} is read-only; give another name.", "warning")
-            self.action_save_as()
-            return
-        try:
-            path = self.session.save(force=me.app.warned_of == self.session.home)
-        except SaveError as error:
-            from ..saving import ChangedOnDisk
-
-            me.app.warned_of = self.session.home if isinstance(error, ChangedOnDisk) else None
-            me.app.tell(str(error), "error")
-            return
-        self._saved(path)
-
-    def _saved(self, path: Path) -> None:
-        me = self._me
-        me.app.warned_of = None
-        me.app.tell(f"Saved: {path}")
-        if self.session.message:
-            me.app.tell(self.session.message, "warning")
-            self.session.message = ""
-        me.show_state()
-
-    @work
-    async def action_save_as(self) -> None:
-        from .save_dialog import SaveDialog
-
-        me = self._me
-        path = await me.app.push_screen_wait(SaveDialog(self.session))
-        if path is None:
-            return
-        try:
-            self._saved(self.session.save_as(path))
-        except SaveError as error:
-            me.app.tell(str(error), "error")
-
-    @work
-    async def action_open(self) -> None:
-        from .open_dialog import OpenDialog
-
-        me = self._me
-        session = await me.app.push_screen_wait(OpenDialog(self.session))
-        if session is not None:
-            await me.app.enter(session)
-
-    def action_restore(self) -> None:
-        """Put back edits that were kept aside for another version of the file."""
-        me = self._me
-        if self.session.restore():
-            me.edited()
-        else:
-            me.app.tell("No unsaved edits are kept for this design.")
-
-    @work
-    async def action_compare(self) -> None:
-        from .compare import compare
-
-        await compare(self._me)
-
-    # --- report
-    def action_report(self) -> None:
-        me = self._me
-        if not self.session.valid:
-            place, reason = next(iter(self.session.reasons().items()))
-            me.app.tell(f"No report while the input is not valid: {'.'.join(map(str, place))} {reason}", "error")
-            return
-        me.app.tell("Writing the report …")
-        self._report()
-
-    @work(thread=True, exclusive=True, group="report", exit_on_error=False)
-    def _report(self) -> None:
-        me = self._me
-        session = self.session
-        try:
-            from calc.design_file import design, parse
-
-            raw = session.bytes()
-            folder = session.path.parent if session.path is not None else Path.cwd()
-            path = folder / (session.home.stem + ".pdf")
-            document = parse(raw, str(session.home))
-            results = session.results
-            if not session.current or results is None:
-                from ..solving import Job
-
-                answer = run(Job(0, design(document), results))
-                results = answer.results
-                if results is None:
-                    raise RuntimeError(answer.failure)
-            from reports.report import write
-
-            write(document, results, raw, path, depth="engineer")
-        except ImportError as error:
-            me.app.call_from_thread(me.app.tell, f"The report can not be written: {error.name or error} is not installed.", "error")
-        except Exception as error:  # whatever goes wrong on paper, the session goes on
-            reason = getattr(error, "strerror", None) or error
-            me.app.call_from_thread(me.app.tell, f"The report can not be written: {reason}", "error")
-        else:
-            me.app.call_from_thread(me.app.tell, f"PDF report: {path}")
-
     # --- mending and choosing
     def action_mend(self) -> None:
         """Apply the remedy of the step that fails."""
@@ -349,13 +242,9 @@ class Doing(DoingCurves):
 
     def _apply(self, changes: Iterable[str], said: str) -> None:
         """Make changes as one step of the undo, and say so."""
-        me = self._me
         self.session.apply(changes)
-        if (field := me.form.field) is not None:
-            field.rewrite()
-        me.edited()
-        me.form.rebuild(me.form.here())
-        me.app.tell(said)
+        self.rebuilt()
+        self._me.app.tell(said)
 
     def action_choose(self) -> None:
         """The ranked table of what can be chosen for this step."""
@@ -380,10 +269,17 @@ class Doing(DoingCurves):
         """Show what is to be decided in each step, or leave it out."""
         me = self._me
         me.app.guiding = not me.app.guiding
+        self.session.memory.set_setting("guide", me.app.guiding)
         for form in me.query(Form):
             form.refresh_taken()
 
-    # --- explaining
+    # --- comparing and explaining
+    @work
+    async def action_compare(self) -> None:
+        from .compare import compare
+
+        await compare(self._me)
+
     def action_explain(self) -> None:
         """Where the number comes from that the cursor is on; then, if one was chosen, to the field of an input."""
         me = self._me

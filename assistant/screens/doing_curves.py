@@ -1,22 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the keys do in the pane of curves and tables, one method for each action of the table."""
 
-from typing import TYPE_CHECKING
-
 from textual import work
 
 from ..widgets.curve_pane import CurvePane
-
-if TYPE_CHECKING:
-    from .workbench import Workbench
+from .part import Part
 
 
-class DoingCurves:
+class DoingCurves(Part):
     """The actions on what is shown of a step.  A part of `Doing`."""
-
-    @property
-    def _me(self) -> "Workbench":
-        return self  # type: ignore[return-value]
 
     # --- which curve, and what of it
     def action_curve(self) -> None:

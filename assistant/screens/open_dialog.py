@@ -4,9 +4,11 @@
 from pathlib import Path
 
 from calc.sheet.errors import BadInput
+from calc.shipped import DESIGNS
 
 from ..session import Session
 from .path_dialog import PathDialog
+from .save_dialog import folder_of
 
 
 class OpenDialog(PathDialog[Session | None]):
@@ -16,16 +18,13 @@ class OpenDialog(PathDialog[Session | None]):
     HINT = "Enter opens, ↓ goes to the list, Esc goes back. Unsaved edits of this design are kept."
 
     def __init__(self, session: Session) -> None:
-        super().__init__("", session.path.parent if session.path is not None else Path.cwd())
+        folder = folder_of(session)
+        super().__init__(f"{str(folder).rstrip('/')}/", folder)
         self.session = session
 
-    def on_mount(self) -> None:
-        self.start = str(self.folder) + "/"
-        super().on_mount()
-        box = self.query_one("#path")
-        box.value = self.start  # type: ignore[attr-defined]
-        box.cursor_position = len(self.start)  # type: ignore[attr-defined]
-        self.fill()
+    def offered(self) -> list[tuple[str, list[Path]]]:
+        recent = [path for path in self.session.memory.recent() if path != self.session.path]
+        return [("Opened last", recent), ("Examples", sorted(DESIGNS.glob("*.toml")))]
 
     def take(self, path: Path) -> None:
         if path.is_dir():

@@ -30,6 +30,9 @@ class Palette(Provider):
                 keys = key_names(action.binding)
                 title = say(action.title)
                 yield f"{title}  ({keys})" if keys else title, say(action.help), partial(work.run_action, action.does)
+        for path in work.session.memory.recent():
+            if path != work.session.path:
+                yield f"{say('Open recent')}: {path}", say("Opens this design again."), partial(work.open_path, path)
         yield say("Put back unsaved edits"), say("Edits that were kept aside for another version of this file."), work.action_restore
 
     async def discover(self) -> Hits:

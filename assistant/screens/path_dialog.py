@@ -4,6 +4,7 @@
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar, TypeVar
 
+from rich.cells import cell_len
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 Found = TypeVar("Found")
 MOST = 200  # names in the list
 NO_PATH = (OSError, ValueError, RuntimeError)  # too long, with a sign that no name may have, of a user that there is not
+WIDEST, SHARE, FRAME = 110, 0.9, 9  # columns of a dialog, its share of the screen, and what frame and scroll bar take of it
 
 
 class PathDialog(Once, ModalScreen[Found]):
@@ -28,6 +30,7 @@ class PathDialog(Once, ModalScreen[Found]):
     app: "ContralberoApp"
     TITLE_TEXT = ""
     HINT = ""
+    ENDINGS: tuple[str, ...] = (".toml",)  # of the files that are listed
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "cancel", "Cancel", show=False),
         Binding("down", "list(1)", "To the list", show=False),
@@ -52,14 +55,23 @@ class PathDialog(Once, ModalScreen[Found]):
         self.query_one("#path", Input).cursor_position = len(self.start)
         self.fill()
 
+    def text(self) -> str:
+        return self.query_one("#path", Input).value.strip()
+
     def path(self) -> Path:
-        text = self.query_one("#path", Input).value.strip()
-        path = Path(text).expanduser()
+        path = Path(self.text()).expanduser()
         return path if path.is_absolute() else self.folder / path
 
+    def offered(self) -> list[tuple[str, list[Path]]]:
+        """Files from elsewhere, under their headings, that are listed as long as the path is untouched."""
+        return []
+
     def fill(self) -> None:
-        """The folders and designs beside what is typed."""
-        text = self.query_one("#path", Input).value.strip()
+        """What is offered, and the folders and files beside what is typed."""
+        text = self.text()
+        rows: list[tuple[str, str]] = []  # what is shown, and the path that it stands for; none for a heading
+        for heading, paths in self.offered() if text == self.start else ():
+            rows += [(self.app.say(heading), ""), *((self.cut(str(one)), str(one)) for one in paths)] if paths else []
         folder, names = self.folder, []
         try:
             path = self.path()
@@ -67,15 +79,27 @@ class PathDialog(Once, ModalScreen[Found]):
             for item in sorted(folder.iterdir(), key=lambda p: (p.is_dir(), p.name.lower())):
                 if item.name.startswith(".") or not item.name.lower().startswith(begin):
                     continue
-                if item.suffix == ".toml" or item.is_dir():
+                if item.suffix.lower() in self.ENDINGS or item.is_dir():
                     names.append(item.name + ("/" if item.is_dir() else ""))
         except NO_PATH:
             pass
-        self._names = [str(folder / name) + ("/" if name.endswith("/") else "") for name in names[:MOST]]
+        if rows and names:
+            rows.append((self.cut(str(folder)), ""))
+        rows += [(name, str(folder / name) + ("/" if name.endswith("/") else "")) for name in names[:MOST]]
+        self._names = [path for _, path in rows]
         options = self.query_one("#names", OptionList)
         options.clear_options()
-        options.add_options([Option(Content(name)) for name in names[:MOST]])
-        options.display = bool(names)
+        options.add_options([Option(Content.styled(shown, "" if path else "bold"), disabled=not path) for shown, path in rows])
+        options.display = bool(rows)
+
+    def cut(self, path: str) -> str:
+        """A path that is too long for the list, without its middle: where it begins and what it is called stay."""
+        room = max(20, min(WIDEST, int(SHARE * self.app.size.width)) - FRAME)
+        if cell_len(path) <= room:
+            return path
+        more = self.app.signs.mark("more")
+        end = (room - len(more)) * 2 // 3
+        return path[: room - len(more) - end] + more + path[-end:]
 
     def on_input_changed(self, event: Input.Changed) -> None:
         event.stop()
@@ -115,7 +139,7 @@ class PathDialog(Once, ModalScreen[Found]):
         options = self.query_one("#names", OptionList)
         if by > 0 and options.display and self.focused is not options:
             options.focus()
-            options.highlighted = 0
+            options.action_first()
 
     def action_cancel(self) -> None:
         self.dismiss(None)

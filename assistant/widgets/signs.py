@@ -9,12 +9,12 @@ from calc.sheet.check import SIGNS
 WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
 MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
-    "then": "→",
+    "then": "→", "recording": "●",
 }  # fmt: skip
 ASCII = {
     "pass": "+", "warn": "!", "fail": "x", "blocked": "o", "not_asked": ".", "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
-    "then": "->",
+    "then": "->", "recording": "@",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background

@@ -29,6 +29,8 @@ class TopLine(Widget):
         """The state of the file."""
         session, signs, say = self.session, self.app.signs, self.app.say
         parts = []
+        if session.recording is not None:
+            parts.append(f"{signs.mark('recording')} rec")
         if session.dirty:
             parts.append(f"{signs.mark('edited')} {say('edited')}")
             if session.autosave_failure:
@@ -62,6 +64,8 @@ class TopLine(Widget):
             time = say(f"solved in {session.seconds * 1000:.0f} ms")
         if width < FEWEST:
             time = say(f"needs {FEWEST} columns")
+        if self.app.writing:
+            right += [(say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))
         end = Content.assemble(*right, " ")
         state = self.state(short)

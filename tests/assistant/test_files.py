@@ -136,7 +136,7 @@ async def test_the_report(screen: Screen, light: Session, monkeypatch: pytest.Mo
 
     stub = ModuleType("reports.report")
 
-    def write(document: Any, results: Any, raw: bytes, path: Path, depth: str = "") -> None:
+    def write(document: Any, results: Any, raw: bytes, path: Path, depth: str = "", **_: Any) -> None:
         assert document.data["engine"]["bore_mm"] == 95.0 and b"bore_mm = 95.0" in raw and results.design.engine.bore == 0.095
         path.write_bytes(b"%PDF-" + depth.encode())
 

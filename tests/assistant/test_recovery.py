@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 from textual.messages import ExitApp
 
-from assistant.recovery import Edits, Memory, state_dir
+from assistant.recovery import RECENT, Edits, Memory, Settings, state_dir
 from assistant.screens.workbench import KEEP
 from assistant.session import Session
 from calc.sheet.errors import BadInput
@@ -218,3 +218,67 @@ def test_the_user_s_own_keys(memory: Memory) -> None:
     memory.folder.mkdir()
     (memory.folder / "keys.toml").write_text('save = "ctrl+w"\nodd = 3\n')
     assert memory.keys() == {"save": "ctrl+w"}
+
+
+# --- recent designs
+def test_recent_designs_newest_first_and_only_those_that_are_there(memory: Memory, tmp_path: Path) -> None:
+    assert memory.recent() == []
+    paths = [tmp_path / f"{n}.toml" for n in range(RECENT + 3)]
+    for path in paths:
+        path.write_text("x")
+        memory.remember(path)
+    memory.remember(paths[4])
+    paths[RECENT].unlink()
+    expected = [paths[4], *(path for path in reversed(paths) if path not in (paths[4], paths[RECENT]))][:RECENT]
+    assert memory.recent() == expected and memory.last() == paths[4]
+    paths[RECENT].write_text("x")  # it is back
+    assert paths[RECENT] in memory.recent()
+
+
+def test_a_list_of_recent_designs_that_is_damaged_is_none(memory: Memory, tmp_path: Path) -> None:
+    memory.folder.mkdir()
+    (memory.folder / "last").write_text("relative.toml\n\0\n" + "/x" * 5000 + "\n" + str(tmp_path) + "\n", encoding="utf-8")
+    assert memory.recent() == [] and memory.last() is None
+    (memory.folder / "last").write_bytes(b"\xff\xfe")
+    (tmp_path / "a.toml").write_text("x")
+    memory.remember(tmp_path / "a.toml")
+    assert memory.recent() == [tmp_path / "a.toml"]
+
+
+# --- settings
+def test_settings_are_kept_with_their_comments(memory: Memory) -> None:
+    assert memory.settings() == Settings()
+    memory.set_setting("guide", False)
+    memory.set_setting("theme", "nord")
+    assert memory.settings() == Settings("en", "nord", False)
+    file = memory.folder / "settings.toml"
+    file.write_text("# mine\n" + file.read_text(encoding="utf-8") + "other = 3\n", encoding="utf-8")
+    memory.set_setting("language", "it")
+    memory.set_setting("guide", True)
+    assert Memory(memory.folder).settings() == Settings("it", "nord", True)
+    assert file.read_text(encoding="utf-8").startswith("# mine\n") and "other = 3" in file.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("text", "found"),
+    [
+        ("theme = \n", Settings()),
+        ('guide = "no"\ntheme = 5\nlanguage = "it"\n', Settings("it")),
+        ("\xff", Settings()),
+        ("[theme]\na = 1\n", Settings()),
+    ],
+)
+def test_damaged_settings_are_left_alone(memory: Memory, text: str, found: Settings) -> None:
+    memory.folder.mkdir()
+    (memory.folder / "settings.toml").write_bytes(text.encode("latin-1"))
+    assert memory.settings() == found
+    memory.set_setting("theme", "nord")
+    assert memory.settings().theme == "nord" and memory.settings().language == found.language
+
+
+def test_settings_that_can_not_be_kept_stop_nothing(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("")
+    memory = Memory(tmp_path / "file" / "state")
+    memory.set_setting("theme", "nord")
+    memory.remember(tmp_path / "a.toml")
+    assert memory.settings() == Settings() and memory.recent() == []

@@ -13,9 +13,11 @@ import pytest
 
 from assistant.recovery import Memory
 from assistant.saving import ChangedOnDisk, SaveError
-from assistant.session import EXAMPLE, SHIPPED, Session
+from assistant.session import EXAMPLE, Session
 from assistant.solving import Answer, run
 from calc.design_file import load
+from calc.sheet.errors import BadInput
+from calc.shipped import DESIGNS
 
 BORE = "engine.bore_mm"
 
@@ -244,7 +246,7 @@ def test_the_shipped_file_is_never_overwritten(memory: Memory, tmp_path: Path, m
     session = Session.open(EXAMPLE, memory=memory)
     session.edit(BORE, "95")
     with pytest.raises(SaveError, match="shipped"):
-        session.save_as(SHIPPED / "other.toml")
+        session.save_as(DESIGNS / "other.toml")
     assert session.save().parent == tmp_path
 
 
@@ -288,7 +290,7 @@ def test_a_notation_that_can_not_be_edited_is_written_anew_and_said(session: Ses
     def refuse(*_: object) -> str:
         raise SaveError("no")
 
-    monkeypatch.setattr("assistant.session.edited_text", refuse)
+    monkeypatch.setattr("assistant.draft.edited_text", refuse)
     session.edit(BORE, "95")
     assert load(session.save())[0].data["engine"]["bore_mm"] == 95.0
     assert "comments" in session.message
@@ -299,3 +301,82 @@ def test_bytes_are_what_would_be_saved(session: Session) -> None:
     session.edit(BORE, "95")
     assert tomllib.loads(session.bytes().decode())["engine"]["bore_mm"] == 95.0
     assert replace(session.document).data == session.data
+
+
+# --- changed on disk
+def changed(session: Session, old: str, new: str) -> None:
+    text = session.home.read_text(encoding="utf-8")
+    assert old in text
+    session.home.write_text(text.replace(old, new), encoding="utf-8")
+
+
+def test_a_change_on_disk_is_seen_once(session: Session) -> None:
+    assert not session.look() and not session.look()
+    changed(session, "bore_mm = 94.0", "bore_mm = 94.5")
+    assert session.look() and not session.look()
+    changed(session, "bore_mm = 94.5", "bore_mm = 94.25")
+    assert session.look()
+    changed(session, "bore_mm = 94.25", "bore_mm = 94.0")
+    assert not session.look()  # as it was read
+    os.utime(session.home, (1, 1))
+    assert not session.look()
+    session.edit(BORE, "95")
+    session.save()
+    assert not session.look()
+    session.home.unlink()
+    assert not session.look()
+
+
+def test_reading_anew_is_one_step_that_can_be_undone(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.edit("engine.rod_length_mm", "x")
+    session.solve()
+    changed(session, "rod_length_mm = 163.0", "rod_length_mm = 170.0  # theirs")
+    assert session.reload() and not session.reload()
+    assert session.value(BORE) == 94.0 and session.value("engine.rod_length_mm") == 170.0
+    assert session.valid and not session.dirty and session.design.engine is not None and session.design.engine.rod_length == 0.17
+    assert session.document.sha256 == Session.open(session.home, memory=session.memory).document.sha256
+    session.undo()
+    assert session.text("engine.rod_length_mm") == "x"
+    session.undo()
+    assert session.value(BORE) == 95.0 and session.dirty
+    session.redo()
+    session.redo()
+    assert session.value("engine.rod_length_mm") == 170.0 and not session.dirty
+    session.edit(BORE, "96")
+    session.save()  # not over something unseen
+    text = session.home.read_text(encoding="utf-8")
+    assert "bore_mm = 96.0" in text and "# theirs" in text
+
+
+def test_comments_alone_are_taken_over_too(session: Session) -> None:
+    changed(session, "bore_mm = 94.0", "bore_mm = 94.0  # measured")
+    assert session.look() and session.reload() and not session.dirty
+    session.edit(BORE, "95")
+    session.save()
+    assert "bore_mm = 95.0  # measured" in session.home.read_text(encoding="utf-8")
+
+
+def test_a_file_that_is_no_design_is_not_taken(session: Session, memory: Memory) -> None:
+    session.edit(BORE, "95")
+    before = session.data
+    changed(session, "cylinders = 3", "cylinders = 99")
+    with pytest.raises(BadInput, match="cylinders"):
+        session.reload()
+    assert session.data is before and session.valid
+    with pytest.raises(ChangedOnDisk):
+        session.save()
+    session.home.unlink()
+    with pytest.raises(BadInput, match="cannot be read"):
+        session.reload()
+    with pytest.raises(BadInput, match="no file of its own"):
+        Session.open(EXAMPLE, memory=memory).reload()
+
+
+def test_a_read_only_file_can_be_read_anew_and_saved_elsewhere(session: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    home = session.home
+    monkeypatch.setattr(os, "access", lambda path, mode: Path(path) != home)
+    changed(session, "bore_mm = 94.0", "bore_mm = 94.5")
+    assert session.read_only and session.reload() and session.value(BORE) == 94.5
+    session.save_as(tmp_path / "elsewhere.toml")
+    assert not session.read_only

@@ -28,7 +28,10 @@ def test_edits_undo_and_moments(tmp_path):
     EXPECT.replace("abs = 1e-4", 'rel = "x"\nabs = 1'), EXPECT.replace("0.3282", "1" + "0" * 400), EXPECT + 'after = "x"\n',
     EXPECT + "after = 0.5\n", EXPECT + "after = 7\n", EXPECT.replace("abs = 1e-4", "rel = inf"), EXPECT.replace('"engine.lambda"', '["a"]'),
     EXPECT.replace('kind = "recorded"', 'kind = "reference"'), EXPECT.replace('unit = ""', 'units = ""'),
-    '[[step]]\nset = 5\nto = 1\n' + EXPECT, "[[step]]\nreport = 5\n" + EXPECT, "[[step]]\nundo = false\n" + EXPECT, '[[step]]\nset = "a"\n' + EXPECT,
+    '[[step]]\nset = 5\nto = 1\n' + EXPECT, "[[step]]\nreport = 5\n" + EXPECT, "[[step]]\nundo = false\n" + EXPECT, '[[step]]\nunset = "a"\nto = 1\n' + EXPECT,
+    '[[step]]\nunset = []\n' + EXPECT, '[[step]]\nset = {}\n' + EXPECT, '[[step]]\nunset = "a"\nundo = true\n' + EXPECT,
+    '[[step]]\nset = { "a" = 1 }\nto = 2\n' + EXPECT, '[[step]]\nset = "a"\nto = 1\nunset = "b"\n' + EXPECT, '[[step]]\nunset = [1]\n' + EXPECT,
+    '[[step]]\nset = "a"\n' + EXPECT,
     '[[expect]]\ncheck = "x"\nverdict = "bogus"\n', "", "expect = 3\n", "surprise = 1\n" + EXPECT,
 ])  # fmt: skip
 def test_what_is_no_replay_is_refused(tmp_path, bad):
@@ -40,6 +43,47 @@ def test_an_edit_that_can_not_be_made_is_named_in_the_replay(tmp_path):
     path = written(tmp_path, HEAD + '[[step]]\nset = "engine.bore_mm"\nto = -1\n' + EXPECT)
     with pytest.raises(BadInput, match=r"r\.toml:3: engine\.bore_mm"):
         replay.run(replay.load(path))
+
+
+def test_tables_are_set_and_taken_out_whole(tmp_path):
+    gone = '[[step]]\nunset = "countershaft.holes"\n[[step]]\nunset = ["countershaft.support", "friction"]\n'
+    row = gone + '[[step]]\nset = "gears.wheels"\nto = []\n'  # refused below: there must be wheels
+    script = replay.load(written(tmp_path, HEAD + gone + '[[expect]]\nstep = "friction"\nverdict = "not_asked"\n'))
+    assert [c.agrees for c in replay.run(script)] == [True]
+    data = script.start.data
+    for step in script.steps:
+        data = replay.played(replay.Document(data), step).data
+    assert "holes" not in data["countershaft"] and "support" not in data["countershaft"] and "friction" not in data
+    with pytest.raises(BadInput, match=r"r\.toml:7: gears"):
+        replay.run(replay.load(written(tmp_path, HEAD + row + EXPECT)))
+
+
+def test_an_element_is_set_and_taken_out_by_its_name(tmp_path):
+    steps = '[[step]]\nset = "gears.wheels.shaft"\nto = { name = "shaft", teeth = 40 }\n[[step]]\nunset = "engine.bench.0"\n'
+    script = replay.load(written(tmp_path, HEAD + steps + EXPECT))
+    one = replay.played(script.start, script.steps[0])
+    assert next(w for w in one.data["gears"]["wheels"] if w["name"] == "shaft") == {"name": "shaft", "teeth": 40}
+    two = replay.played(one, script.steps[1])
+    assert two.data["engine"]["bench"] == script.start.data["engine"]["bench"][1:]
+    assert script.start.data["engine"]["bench"] != two.data["engine"]["bench"]  # nothing is changed in place
+
+
+@pytest.mark.parametrize(("step", "said"), [
+    ('unset = "engine.gas"', "engine.gas: is not there"), ('unset = "engine.gas.peak_pressure_bar"', "is not there"), ('unset = "engine.bore"', "did you mean"),
+    ('set = "engine"\nto = 3', "is a table; name one of its keys"), ('set = "engine.bore_mm"\nto = { a = 1 }', "a table: must be"),
+    ('unset = "engine.bore_mm"', "is missing"), ('set = { "engine.bore_mm" = -1, "engine.rod_length_mm" = 150.0 }', "must be"),
+    ('set = "engine.gas"\nto = [{ peak_pressure_bar = 85.0 }]', "must be a table"), ('set = "engine.gas"\nto = { peak = 85.0 }', "engine.gas.peak: is not known"),
+])  # fmt: skip
+def test_what_can_not_be_set_or_taken_out_is_said(tmp_path, step, said):
+    with pytest.raises(BadInput) as bad:
+        replay.run(replay.load(written(tmp_path, HEAD + f"[[step]]\n{step}\n" + EXPECT)))
+    assert said in str(bad.value) and "r.toml:3: " in str(bad.value)
+
+
+def test_several_keys_are_one_step_of_the_undo(tmp_path):
+    both = '[[step]]\nset = { "engine.rod_length_mm" = 200.0, "engine.bore_mm" = 95.0 }\n[[step]]\nundo = true\n'
+    compared = replay.run(replay.load(written(tmp_path, HEAD + both + EXPECT + EXPECT.replace("0.3282", "0.2675") + "after = 1\n")))
+    assert [c.agrees for c in compared] == [True, True]
 
 
 def test_every_shipped_design_has_a_replay():
