@@ -141,7 +141,7 @@ class GearsInputs:
     speed_irregularity: float = quantity(
         "Irregularity of the first driver's speed", optional=True, low=0, high=1, symbol="delta_s", step=0.005, usual=(0, 0.05),
         source="machine handbooks",
-        help="Its swing over its mean. Left out: the engine's.",
+        help="Swing over mean. Left out: the engine's.",
     )  # fmt: skip
     irregularity_order: float = quantity(
         "Order of the irregularity", optional=True, above=0, high=50, symbol="i",
