@@ -213,7 +213,8 @@ class FrictionInputs:
         help="What the engine burns for its power.",
     )  # fmt: skip
     co2_per_fuel: float = quantity(
-        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2", usual=(2.7, 3.2), source="carbon in gas and diesel fuel",
+        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2", usual=(2.7, 3.2),
+        source="carbon share, natural gas to diesel",
         help="Of complete combustion; diesel, petrol 3.17.",
     )  # fmt: skip
     map_temperatures: tuple[float, ...] | None = series(
