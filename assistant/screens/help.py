@@ -18,7 +18,7 @@ from ..guide import GUIDES
 from ..places import Place
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import Checks
-from ..widgets.field_help import meaning
+from ..widgets.field_help import allowed, meaning
 from ..widgets.table_heading import TableHeading
 from ..widgets.wrap import wrap
 from .once import Once
@@ -110,7 +110,10 @@ class HelpScreen(Once, ModalScreen[None]):
         from calc.sheet.expression import plain, symbol
 
         sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
-        lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(meaning(about, say))]
+        said = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
+        lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(said)]
+        if about.source:
+            lines.append(Content.styled(f"{say('Source')}: {say(about.source)}", "dim"))
         if about.kind in ("choice", "text"):
             lines.append(Content(f"{say('Allowed')}: {say(about.allowed())}."))
         if about.optional:

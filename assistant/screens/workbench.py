@@ -26,7 +26,7 @@ from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
-from ..widgets.field_help import FieldHelp, meaning
+from ..widgets.field_help import FieldHelp, allowed, meaning
 from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
@@ -328,7 +328,7 @@ class Workbench(Doing, Live):
         shown, say = self.query_one(FieldHelp), self.app.say
         field = self.form.field
         if field is not None:
-            shown.show(field.about.label, meaning(field.about, say))
+            shown.show(field.about.label, meaning(field.about, say), allowed(field.about, say))
         elif isinstance(self.focused, (ArrayHeading, TableHeading)):
             heading = self.focused
             text = f"{heading.row.about.help} {say(heading.HELP)}".strip()

@@ -136,7 +136,7 @@ class Field(Widget):
         typed = self.box.value if isinstance(self.box, Entry) else text
         if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
             return f"= {text}", "muted"
-        if (usual := self.about.usual) and isinstance(content, (int, float)) and not usual[0] <= content <= usual[1]:
+        if (usual := self.about.usual) and not all(usual[0] <= one <= usual[1] for one in _numbers(content)):
             return f"{self.app.signs.mark('warn')} {short(usual[0])}–{short(usual[1])}", "warn"
         return "", ""
 
@@ -176,6 +176,11 @@ class Field(Widget):
         lines = [first, *(Content(" " + text) for text in labels[1:])]
         lines += [Content.styled("  " + text, signs.style("invalid")) for text in errors]
         return Content("\n").join(lines)
+
+
+def _numbers(content: object) -> list[int | float]:
+    """The numbers that a field holds; what is not one yet is left out."""
+    return [one for one in (content if isinstance(content, list) else [content]) if isinstance(one, (int, float))]
 
 
 def default_of(row: Row) -> str:

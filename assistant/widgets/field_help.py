@@ -16,12 +16,34 @@ if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 
-def meaning(about: Quantity, say: Language) -> str:
-    """What is said about a quantity, in one paragraph."""
-    usual = say(f"Usual {short(about.usual[0])} to {short(about.usual[1])}") + f" {about.unit}".rstrip() + "." if about.usual else ""
-    allowed = "" if about.kind in ("text", "choice") else say(about.allowed())
-    allowed = f"{allowed[:1].upper()}{allowed[1:]}." if allowed else ""
-    return " ".join(part for part in (say(about.help), usual, allowed) if part)
+def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
+    """What a quantity means and what is usual; `sourced`: with the source in brackets, behind the usual range or else the meaning."""
+    source = f" ({say(about.source)})" if sourced and about.source else ""
+    said, usual = say(about.help), ""
+    if about.usual:
+        usual = say(f"Usual {short(about.usual[0])} to {short(about.usual[1])}") + f" {about.unit}".rstrip() + f"{source}."
+    elif said and source:
+        said = f"{said.removesuffix('.')}{source}."
+    return " ".join(part for part in (said, usual) if part)
+
+
+def allowed(about: Quantity, say: Language) -> str:
+    """What a number may be, as a sentence."""
+    words = "" if about.kind in ("text", "choice") else say(about.allowed())
+    return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+def foot(said: str, rest: str, more: str, width: int, height: int) -> list[str]:
+    """What is said in so many rows; `rest` behind it where all of it has room, `more` where the last row has."""
+    rows = wrap(said, width)
+    if rest and len(longer := wrap(f"{said} {rest}", width)) <= height:
+        rows = longer
+    if len(rows) > height:
+        rows = rows[:height]
+        rows[-1] = fit(rows[-1] + " …", width - len(more))
+    if len(rows[-1]) + len(more) <= width:
+        rows[-1] += more
+    return rows
 
 
 class FieldHelp(Widget):
@@ -31,20 +53,16 @@ class FieldHelp(Widget):
         super().__init__(id="field-help")
         self.title = ""
         self.text = ""
+        self.rest = ""
 
-    def show(self, title: str, text: str) -> None:
-        self.title, self.text = title, text
+    def show(self, title: str, text: str, rest: str = "") -> None:
+        """`rest` stands behind the text where there is room for all of it."""
+        self.title, self.text, self.rest = title, text, rest
         self.refresh()
 
     def render(self) -> Content:
-        width, height = max(10, self.size.width - 2), self.size.height
         if not self.title:
             return Content("")
-        more = f"  {self.app.say('F1 more')}"
-        rows = wrap(f"{self.title}: {self.text}" if self.text else self.title, width)
-        if len(rows) > height:
-            rows = rows[:height]
-            rows[-1] = fit(rows[-1] + " …", width - len(more))
-        if len(rows[-1]) + len(more) <= width:
-            rows[-1] += more
+        said = f"{self.title}: {self.text}" if self.text else self.title
+        rows = foot(said, self.rest, f"  {self.app.say('F1 more')}", max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")

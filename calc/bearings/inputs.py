@@ -5,7 +5,7 @@ from collections.abc import Iterable
 from math import pi
 
 from .. import fits
-from ..sheet.quantity import choice, inputs, quantity, series, table, text
+from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from .pairing.data import DEFAULT_APPLICATION
 
 ASSUMED_FIT = "IT7"
@@ -16,35 +16,34 @@ LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at hal
 class BearingInputs:
     """One journal in its seat."""
 
-    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5)
+    diameter: float = quantity(
+        "Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5,
+        help="Diameter of the journal; a larger one carries more and rubs more.",
+    )  # fmt: skip
     length: float = quantity(
-        "Length",
-        "mm",
-        above=0,
-        high=1000,
-        symbol="l",
-        step=0.5,
-        help="Usual l/d 0.25 to 0.75. More length: lower specific load, thicker film.",
-    )
+        "Length", "mm", above=0, high=1000, symbol="l", step=0.5, source="Finotti 2013, 5.5.2",
+        help="Along the shaft; usual l/d 0.25 to 0.75. More length: lower specific load, thicker film.",
+    )  # fmt: skip
     clearance: float = quantity(
-        "Clearance (diametral)", "µm", optional=True, low=0.1, high=5000, symbol="g", step=1,
+        "Clearance (diametral)", "µm", optional=True, low=0.1, high=5000, symbol="g", step=1, source=THUMB,
         help="Bore minus journal at the reference temperature; mostly 0.5 to 1.5 ‰ of d. Left out: by clearance_factor or the fits.",
     )  # fmt: skip
     clearance_factor: float = quantity(
-        "Clearance factor K",
-        optional=True,
-        low=0.01,
-        high=10,
-        usual=(0.4, 0.8),
-        symbol="K",
-        step=0.05,
-        help="g = K·d·u^¼ in mm, m and m/s; 0.4 to 0.8.",
-    )
+        "Clearance factor K", optional=True, low=0.01, high=10, symbol="K", step=0.05, usual=(0.4, 0.8), source="Finotti 2013, 5.5.2",
+        help="Clearance g = K·d·u^¼ in mm, m and m/s.",
+    )  # fmt: skip
     load: float = quantity(
-        "Load", "N", optional=True, above=0, high=1e7, symbol="F", step=50, help="Left out: the reaction of the counter-shaft."
-    )
-    journal_roughness: float = quantity("Roughness Ra, journal", "µm", low=0, high=50, symbol="Ra_1", step=0.1)
-    housing_roughness: float = quantity("Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1)
+        "Load", "N", optional=True, above=0, high=1e7, symbol="F", step=50,
+        help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
+    )  # fmt: skip
+    journal_roughness: float = quantity(
+        "Roughness Ra, journal", "µm", low=0, high=50, symbol="Ra_1", step=0.1, usual=(0.1, 0.8), source=THUMB,
+        help="Mean roughness; the film must clear its peaks.",
+    )  # fmt: skip
+    housing_roughness: float = quantity(
+        "Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1, usual=(0.1, 1.6), source=THUMB,
+        help="Mean roughness; the film must clear its peaks.",
+    )  # fmt: skip
 
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.clearance is not None and self.clearance_factor is not None:
@@ -59,9 +58,13 @@ class BearingsInputs:
 
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
     supply_temperature: float = quantity(
-        "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, help="In the gallery before the bearing."
-    )
-    supply_pressure: float = quantity("Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, help="Above ambient.")
+        "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, usual=(70, 130), source=THUMB,
+        help="Of the oil in the gallery before the bearing.",
+    )  # fmt: skip
+    supply_pressure: float = quantity(
+        "Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, usual=(1, 6), source=THUMB,
+        help="Of the oil in the gallery, above ambient.",
+    )  # fmt: skip
     supply: str = choice(
         "Oil supply",
         "hole",
@@ -70,18 +73,27 @@ class BearingsInputs:
         "shaft",
         help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.",
     )
-    hole_diameter: float = quantity("Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H")
+    hole_diameter: float = quantity(
+        "Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H", source="DIN 31652-2",
+        help="Diameter of the oil hole; 0.05 to 0.7 of the bearing's length.",
+    )  # fmt: skip
     housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
-    groove_width: float = quantity("Groove width", "mm", optional=True, low=0, high=500, symbol="b_G")
-    pocket_width: float = quantity("Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", help="Along the shaft.")
+    groove_width: float = quantity(
+        "Groove width", "mm", optional=True, low=0, high=500, symbol="b_G", source="DIN 31652-2",
+        help="Width of the oil groove along the shaft; it carries no load.",
+    )  # fmt: skip
+    pocket_width: float = quantity(
+        "Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", source="DIN 31652-2",
+        help="Along the shaft; 0.05 to 0.7 of the bearing's length.",
+    )  # fmt: skip
     groove_arc: tuple[float, ...] | None = series(
-        "Groove from and to", "°", optional=True, count=(2, 2), low=0, high=360, symbol="delta_G",
+        "Groove from and to", "°", optional=True, count=(2, 2), low=0, high=360, symbol="delta_G", source="DIN 31652-2",
         help="Angles from the load, 180 opposite to it. Left out: all round.",
     )  # fmt: skip
     supply_angle: float = quantity(
-        "Angle from load to supply", "°", default=pi, low=0, high=180, symbol="delta", step=5,
+        "Angle from load to supply", "°", default=pi, low=0, high=180, symbol="delta", step=5, source="Finotti 2013, Table 5.1",
         help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
     )  # fmt: skip
     pocket_length: float = quantity(
@@ -101,43 +113,57 @@ class BearingsInputs:
     )
     journal_material: str | None = text("Journal material", optional=True, help="Left out: that of the counter-shaft.")
     application: str = text("Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against.")
-    clearance_reference_temperature: float = quantity("Clearance given at", "°C", default=20.0, low=-60, high=250, symbol="T_ref")
+    clearance_reference_temperature: float = quantity(
+        "Clearance given at", "°C", default=20.0, low=-60, high=250, symbol="T_ref", source="ISO 1: 20 °C",
+        help="Temperature at which bore and journal have their measures.",
+    )  # fmt: skip
     lowest_temperature: float = quantity(
-        "Lowest temperature", "°C", default=-20.0, low=-60, high=60, symbol="T_low", help="Cold start: the clearance must still be there."
-    )
+        "Lowest temperature", "°C", default=-20.0, low=-60, high=60, symbol="T_low", usual=(-40, 0), source=THUMB,
+        help="Cold start: the clearance must still be there.",
+    )  # fmt: skip
     outlet_temperature_limit: float = quantity(
-        "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", help="Trumpler allows 121 °C."
-    )
+        "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", usual=(121, 135),
+        source="Finotti 2013, 5.6: Trumpler, engine manual",
+        help="Highest temperature of the oil that leaves.",
+    )  # fmt: skip
     journal_fit: str = text(
         "Journal fit", default=ASSUMED_FIT, help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance."
     )
     seat_fit: str = text("Seat fit", default=ASSUMED_FIT, help="ISO 286: H7 and the like, or a bare field, IT7.")
     viscosity_tolerance: float = quantity(
-        "Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, help="ISO 3448 allows a grade ±10 % at 40 °C."
-    )
+        "Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, usual=(0, 10),
+        source="ISO 3448: a grade ±10 % at 40 °C",
+        help="How far the oil may be from its own viscosity.",
+    )  # fmt: skip
     speed: float = quantity(
-        "Journal speed", "rpm", optional=True, above=0, high=1e5, symbol="n", step=50, help="Left out: that of the counter-shaft."
-    )
+        "Journal speed", "rpm", optional=True, above=0, high=1e5, symbol="n", step=50,
+        help="Speed of the journal. Left out: that of the counter-shaft.",
+    )  # fmt: skip
     load_speed_ratio: float = quantity(
         "Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
+        source="ISO 7902-1, as generally published",
         help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.",
     )  # fmt: skip
     bush_speed_ratio: float = quantity(
-        "Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5, help="0: the seat stands."
-    )
+        "Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5,
+        source="ISO 7902-1, as generally published",
+        help="How fast the bush turns with the journal; 0: the seat stands.",
+    )  # fmt: skip
     speed_range: tuple[float, ...] | None = series(
         "Speed range", "rpm", optional=True, count=(2, 2), above=0, high=1e5, symbol="n",
         help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
     )  # fmt: skip
     roughness_ratio: float = quantity(
-        "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", help="Peak-to-valley over mean roughness; 6 to 7.5."
-    )
+        "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", usual=(6, 7.5), source="Kreisle, after Finotti 2013, 5.6",
+        help="Peak-to-valley over mean roughness of both surfaces.",
+    )  # fmt: skip
     viscosity_law: str = choice(
         "Viscosity law", "walther", "d341", default="walther", help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341."
     )
     slope: tuple[float, ...] | None = series(
-        "Slope of the journals", "mrad", optional=True, count=(1, 2), low=0, high=20, symbol="theta",
-        help="One for both, or [front, rear]. Left out: that of the counter-shaft's bending; where it is not known zero.",
+        "Slope of the journals", "mrad", optional=True, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, 0.25),
+        source="Finotti 2013, ch. 6",
+        help="One, or [front, rear]. Left out: by bending, else 0.",
     )  # fmt: skip
 
     @property

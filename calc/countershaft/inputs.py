@@ -5,7 +5,7 @@ import math
 from collections.abc import Iterable
 from itertools import pairwise
 
-from ..sheet.quantity import choice, inputs, integer, quantity, series, table, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from .making.inputs import Bolts, Cost, OilDrain, Support
 
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
@@ -19,8 +19,11 @@ class EccentricMass:
     """One eccentric mass of the shaft."""
 
     name: str = text("Name")
-    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e")
+    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this eccentric part of the shaft.")
+    radius: float = quantity(
+        "Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e",
+        help="Distance of its centre of gravity from the shaft's axis.",
+    )  # fmt: skip
     angle: float = quantity("Angle", "°", low=-720, high=720, symbol="gamma", step=1, help=ANGLE)
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
 
@@ -30,8 +33,13 @@ class Extra:
     """An element beside the main masses: a hole in a journal (mass below zero), material ahead of the gear."""
 
     name: str = text("Name")
-    mass: float = quantity("Mass", "kg", low=-1000, high=1000, symbol="m", help="Below zero: removed, as by a hole.")
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e")
+    mass: float = quantity(
+        "Mass", "kg", low=-1000, high=1000, symbol="m", help="Mass of the element; below zero it is removed, as by a hole."
+    )
+    radius: float = quantity(
+        "Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e",
+        help="Distance of its centre of gravity from the shaft's axis.",
+    )  # fmt: skip
     angle: float = quantity("Angle", "°", low=-720, high=720, symbol="gamma", step=1, help=ANGLE)
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
 
@@ -42,13 +50,16 @@ class Section:
 
     from_: float = quantity("From", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
     to: float = quantity("To", "mm", low=-5000, high=5000, help=FROM_MID_SHAFT)
-    outer_radius: float = quantity("Outer radius", "mm", above=0, high=1000, symbol="R")
+    outer_radius: float = quantity(
+        "Outer radius", "mm", above=0, high=1000, symbol="R", help="Radius of the cylinder, or outer radius of the sector."
+    )
     core_radius: float | None = quantity(
-        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", help="Of a sector; left out: 0."
+        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", help="Radius of the core inside a sector. Left out: 0."
     )
     half_angle: float | None = quantity(
-        "Half-angle of the sector", "°", optional=True, above=0, high=180, symbol="gamma", help="Left out: a full cylinder."
-    )
+        "Half-angle of the sector", "°", optional=True, above=0, high=180, symbol="gamma",
+        help="Half of the angle that the sector spans. Left out: a full cylinder.",
+    )  # fmt: skip
     angle: float | None = quantity("Angle of the sector's middle", "°", optional=True, low=-720, high=720, help=ANGLE)
 
     def problems(self) -> Iterable[tuple[str, str]]:
@@ -68,18 +79,28 @@ class Section:
 class Journal:
     """The size of one journal, for a shaft whose bearings are not part of the design."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d")
-    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l")
+    diameter: float = quantity(
+        "Diameter", "mm", above=0, high=1000, symbol="d", source="Finotti 2013, 3.2.3.1",
+        help="Diameter of the journal, for its specific load.",
+    )  # fmt: skip
+    length: float = quantity(
+        "Length", "mm", above=0, high=1000, symbol="l", source="Finotti 2013, 3.2.3.1",
+        help="Length of the journal in its seat, 0.2 to 1 of its diameter.",
+    )  # fmt: skip
 
 
 @inputs
 class Holes:
     """Radial holes drilled into the eccentric masses to calibrate the shaft."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=200, symbol="d_c")
+    diameter: float = quantity(
+        "Diameter", "mm", above=0, high=200, symbol="d_c", source="Finotti 2013, 3.2",
+        help="Diameter of a radial hole by which the shaft is calibrated.",
+    )  # fmt: skip
     depth: float = quantity(
-        "Greatest depth", "mm", above=0, high=500, symbol="h_c", help="From the outer radius; the drill's cone is left out."
-    )
+        "Greatest depth", "mm", above=0, high=500, symbol="h_c", source="Finotti 2013, 3.2",
+        help="From the outer radius; the drill's cone is left out.",
+    )  # fmt: skip
     count: int = integer("Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses.")
 
 
@@ -87,13 +108,22 @@ class Holes:
 class Scatter:
     """What production makes of the drawing: standard deviations."""
 
-    mass: float = quantity("Mass of each eccentric mass", "g", low=0, high=1e5)
-    radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=100)
-    angle: float = quantity("Its angle", "°", low=0, high=90)
-    z: float = quantity("Its position", "mm", low=0, high=1000)
-    timing: float = quantity("Timing of the whole shaft by its teeth", "°", default=0.0, low=0, high=90, help="Common to all its masses.")
-    shafts: int = integer("Shafts to try", default=10_000, low=100, high=1_000_000)
-    seed: int = integer("Seed of the random numbers", default=1, low=0, high=2**31)
+    mass: float = quantity("Mass of each eccentric mass", "g", low=0, high=1e5, help="Standard deviation of the mass, for each by itself.")
+    radius: float = quantity(
+        "Radius of its centre of gravity", "mm", low=0, high=100, help="Standard deviation of the radius, for each mass by itself."
+    )
+    angle: float = quantity("Its angle", "°", low=0, high=90, help="Standard deviation of the angle, for each mass by itself.")
+    z: float = quantity(
+        "Its position", "mm", low=0, high=1000, help="Standard deviation of the place along the shaft, for each mass by itself."
+    )
+    timing: float = quantity(
+        "Timing of the whole shaft by its teeth", "°", default=0.0, low=0, high=90,
+        help="Standard deviation of an angle that is common to all its masses.",
+    )  # fmt: skip
+    shafts: int = integer(
+        "Shafts to try", default=10_000, low=100, high=1_000_000, help="How many shafts are drawn by chance; more give steadier results."
+    )
+    seed: int = integer("Seed of the random numbers", default=1, low=0, high=2**31, help="The same seed draws the same shafts again.")
 
 
 @inputs
@@ -106,7 +136,7 @@ class CountershaftInputs:
     )  # fmt: skip
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
     speed_ratio: float = quantity(
-        "Speed ratio to the crank", default=-1.0, low=-2, high=2, symbol="i",
+        "Speed ratio to the crank", default=-1.0, low=-2, high=2, symbol="i", source="Finotti 2013, 2.3.3",
         help="−1: crank speed, opposite sense. 1, 2 and −2 for shafts without [bearings] and [gears].",
     )  # fmt: skip
     pair: str = choice(
@@ -127,37 +157,36 @@ class CountershaftInputs:
         help="What may still be threaded through the largest seat. Needed for mode size; else the largest journal less the clearance.",
     )  # fmt: skip
     core_radius: float | None = quantity(
-        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", step=0.5, help="The shaft between and inside the sectors."
-    )
+        "Core radius", "mm", optional=True, low=0, high=1000, symbol="r_0", step=0.5,
+        help="Radius of the shaft between and inside the sectors.",
+    )  # fmt: skip
     half_length: float | None = quantity(
         "Half-length", "mm", optional=True, above=0, high=5000, symbol="z_max", step=1,
         help="Outer faces of the sectors from mid-shaft. Needed for mode size.",
     )  # fmt: skip
     overdesign: float = quantity(
-        "Couple beyond the required one", "%", default=0.0, low=-50, high=50, symbol="x_o",
-        help="Mode size: what drilling takes away again; half of its range is usual.",
+        "Couple beyond the required one", "%", default=0.0, low=-50, high=50, symbol="x_o", usual=(0, 5),
+        source="rule of this program, by the holes",
+        help="Mode size: what drilling takes away again.",
     )  # fmt: skip
     radial_clearance: float | None = quantity(
-        "Clearance for threading in", "mm", optional=True, low=0, high=50, symbol="c_R",
+        "Clearance for threading in", "mm", optional=True, low=0, high=50, symbol="c_R", source="Finotti 2013, 4.1",
         help="Between sectors and largest seat. Left out: none asked; in mode given the shaft is not threaded through a seat.",
     )  # fmt: skip
     sections: tuple[Section, ...] = tables("Outline for bending", Section, optional=True)
     fillet_radius: float | None = quantity(
-        "Fillet at the shoulders", "mm", optional=True, above=0, high=100, symbol="rho_f", help="Left out: no notch stress."
-    )
+        "Fillet at the shoulders", "mm", optional=True, above=0, high=100, symbol="rho_f", usual=(0.5, 5), source=THUMB,
+        help="Its radius. Left out: no notch stress.",
+    )  # fmt: skip
     sector_effectiveness: float = quantity(
-        "Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05,
-        help="How much of their full section's stiffness the sectors lend the shaft; 1 is optimistic, 0.2 honest.",
+        "Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05, usual=(0.2, 0.4),
+        source="Finotti 2013, ch. 6, by fit to its slopes",
+        help="Of their full section; 1 is optimistic, 0.2 honest.",
     )  # fmt: skip
     gear_z: float | None = quantity(
-        "Middle of the gear",
-        "mm",
-        optional=True,
-        low=-5000,
-        high=5000,
-        symbol="z_G",
-        help="Left out: ahead of the front journal, against it.",
-    )
+        "Middle of the gear", "mm", optional=True, low=-5000, high=5000, symbol="z_G",
+        help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.",
+    )  # fmt: skip
     journals: tuple[Journal, ...] = tables("Journals", Journal, optional=True)
     balance_grade: str = choice(
         "Balance quality grade", *GRADES, default="G6.3", help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40."

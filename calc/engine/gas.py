@@ -4,7 +4,7 @@
 from collections.abc import Iterable, Iterator
 from math import pi
 
-from ..sheet.quantity import inputs, quantity, tables
+from ..sheet.quantity import THUMB, inputs, quantity, tables
 
 FEWEST_POINTS = 8  # of a pressure table
 SAME_ANGLE = 1e-9  # rad: two points nearer than this are one
@@ -18,8 +18,10 @@ HELD = 10 * pi / 180  # rad
 class PressurePoint:
     """One row of a table of indicated pressure."""
 
-    angle: float = quantity("Crank angle", "°", low=-360, high=720, symbol="epsilon", help="0: TDC at which this cylinder fires.")
-    pressure: float = quantity("Pressure", "bar", low=0, high=1000, symbol="p", help="Absolute.")
+    angle: float = quantity(
+        "Crank angle", "°", low=-360, high=720, symbol="epsilon", help="Crank angle after the TDC at which this cylinder fires."
+    )
+    pressure: float = quantity("Pressure", "bar", low=0, high=1000, symbol="p", help="Pressure in the cylinder at this angle, absolute.")
 
 
 @inputs
@@ -27,31 +29,37 @@ class GasInputs:
     """The gas of one cylinder over its cycle; all cylinders have the same.  Pressures are absolute."""
 
     peak_pressure: float | None = quantity(
-        "Peak pressure",
-        "bar",
-        optional=True,
-        above=0,
-        high=1000,
-        symbol="p_max",
-        help="With the compression ratio: a mixed (Sabathé) cycle.",
-    )
-    compression_ratio: float | None = quantity("Compression ratio", optional=True, above=1, high=50, symbol="epsilon_c")
+        "Peak pressure", "bar", optional=True, above=0, high=1000, symbol="p_max", usual=(40, 220), source=THUMB,
+        help="Highest in the mixed (Sabathé) cycle, absolute.",
+    )  # fmt: skip
+    compression_ratio: float | None = quantity(
+        "Compression ratio", optional=True, above=1, high=50, symbol="epsilon_c", usual=(7, 23), source=THUMB,
+        help="Largest over smallest volume of a cylinder.",
+    )  # fmt: skip
     intake_pressure: float | None = quantity(
-        "Intake pressure", "bar", optional=True, above=0, high=100, symbol="p_in", help="Left out: 1.0 bar."
-    )
+        "Intake pressure", "bar", optional=True, above=0, high=100, symbol="p_in", usual=(0.3, 3.5), source=THUMB,
+        help="Absolute, as compression begins. Left out: 1.0 bar.",
+    )  # fmt: skip
     exhaust_pressure: float | None = quantity(
-        "Exhaust pressure", "bar", optional=True, above=0, high=100, symbol="p_ex", help="Left out: 1.1 bar. Four-stroke engines only."
-    )
+        "Exhaust pressure", "bar", optional=True, above=0, high=100, symbol="p_ex", usual=(1, 4), source=THUMB,
+        help="In a four-stroke's exhaust, absolute. Left out: 1.1 bar.",
+    )  # fmt: skip
     crankcase_pressure: float | None = quantity(
-        "Crankcase pressure", "bar", optional=True, low=0, high=100, symbol="p_case", help="Under the piston. Left out: 1.0 bar."
-    )
+        "Crankcase pressure", "bar", optional=True, low=0, high=100, symbol="p_case", usual=(0.8, 1.5), source=THUMB,
+        help="Absolute, under the piston. Left out: 1.0 bar.",
+    )  # fmt: skip
     compression_exponent: float | None = quantity(
-        "Compression exponent", optional=True, low=1, high=2, symbol="n_c", help="Left out: 1.35."
-    )
-    expansion_exponent: float | None = quantity("Expansion exponent", optional=True, low=1, high=2, symbol="n_e", help="Left out: 1.28.")
+        "Compression exponent", optional=True, low=1, high=2, symbol="n_c", usual=(1.25, 1.4), source=THUMB,
+        help="Of the polytropic compression. Left out: 1.35.",
+    )  # fmt: skip
+    expansion_exponent: float | None = quantity(
+        "Expansion exponent", optional=True, low=1, high=2, symbol="n_e", usual=(1.2, 1.35), source=THUMB,
+        help="Of the polytropic expansion. Left out: 1.28.",
+    )  # fmt: skip
     constant_pressure_angle: float | None = quantity(
-        "Peak pressure held for", "°", optional=True, low=0, high=90, symbol="epsilon_p", help="Crank angle after TDC. Left out: 10°."
-    )
+        "Peak pressure held for", "°", optional=True, low=0, high=90, symbol="epsilon_p", usual=(0, 30), source=THUMB,
+        help="Crank angle after TDC. Left out: 10°.",
+    )  # fmt: skip
     pressure: tuple[PressurePoint, ...] = tables(
         "Indicated pressure",
         PressurePoint,

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ..sheet.quantity import choice, inputs, integer, integers, quantity, series, table, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, integers, quantity, series, table, tables, text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
 
@@ -30,9 +30,15 @@ def usual_order(cylinders: int, strokes: int) -> tuple[int, ...] | None:
 class BenchPoint:
     """One row of a bench run: the main gallery's oil at a speed."""
 
-    speed: float = quantity("Speed", "rpm", low=1, high=30000, symbol="n")
-    oil_temperature: float = quantity("Oil temperature", "°C", low=-40, high=200, symbol="T_in")
-    oil_pressure: float = quantity("Oil pressure", "bar", low=0, high=100, symbol="p_s")
+    speed: float = quantity("Speed", "rpm", low=1, high=30000, symbol="n", help="Speed of the crank in this row of the bench run.")
+    oil_temperature: float = quantity(
+        "Oil temperature", "°C", low=-40, high=200, symbol="T_in", usual=(60, 140), source=THUMB,
+        help="Oil in the main gallery at this speed.",
+    )  # fmt: skip
+    oil_pressure: float = quantity(
+        "Oil pressure", "bar", low=0, high=100, symbol="p_s", usual=(1, 6), source=THUMB,
+        help="Oil in the main gallery at this speed, above ambient.",
+    )  # fmt: skip
 
 
 @inputs
@@ -41,41 +47,36 @@ class EngineInputs:
 
     name: str = text("Engine", help="A name for screen and report.")
     layout: str = choice("Layout", "inline", "vee", "boxer", help="Vee and boxer need crank angles or a firing order.")
-    cylinders: int = integer("Cylinders", low=1, high=16, symbol="N", help="Counted from the timing side.")
+    cylinders: int = integer("Cylinders", low=1, high=16, symbol="N", help="Number of cylinders, counted from the timing side.")
     strokes: int = integer("Strokes", low=2, high=4, step=2, help="4 for a four-stroke, 2 for a two-stroke engine.")
-    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="D")
-    crank_radius: float = quantity("Crank radius", "mm", above=0, high=1000, symbol="r", help="Half the stroke.")
+    bore: float = quantity(
+        "Bore", "mm", above=0, high=1000, symbol="D", usual=(50, 150), source=THUMB,
+        help="Diameter of the cylinders, on which the gas presses.",
+    )  # fmt: skip
+    crank_radius: float = quantity(
+        "Crank radius", "mm", above=0, high=1000, symbol="r", usual=(20, 90), source=THUMB,
+        help="Half the stroke: from the crank's axis to the pin's.",
+    )  # fmt: skip
     rod_length: float = quantity(
-        "Rod length",
-        "mm",
-        above=0,
-        high=4000,
-        symbol="L",
+        "Rod length", "mm", above=0, high=4000, symbol="L", source="Finotti 2013, 2.1",
         help="Between centres. λ = r/L is usually 0.20 to 0.33; a longer rod lowers the second order.",
-    )
+    )  # fmt: skip
     cylinder_pitch: float = quantity(
-        "Cylinder pitch",
-        "mm",
-        above=0,
-        high=2000,
-        symbol="a",
+        "Cylinder pitch", "mm", above=0, high=2000, symbol="a", source="Finotti 2013, 2.4",
         help="Distance of neighbouring cylinders; every couple is proportional to it.",
-    )
+    )  # fmt: skip
     cylinder_offset: float = quantity(
-        "Cylinder offset",
-        "mm",
-        default=0.0,
-        low=-500,
-        high=500,
-        symbol="d",
-        help="Cylinder axis to crank axis; positive moves TDC to later crank angles.",
-    )
+        "Cylinder offset", "mm", default=0.0, low=-500, high=500, symbol="d", source="Finotti 2013, 2.1",
+        help="Cylinder axis to crank axis; positive moves TDC to later crank angles. Usual up to 0.045 rod lengths.",
+    )  # fmt: skip
     bank_angle: float = quantity(
-        "Bank angle", "°", optional=True, low=0, high=180, symbol="V", help="Between the banks of a vee engine; a boxer has 180°."
-    )
+        "Bank angle", "°", optional=True, low=0, high=180, symbol="V", usual=(45, 180), source=THUMB,
+        help="Between the banks of a vee engine; a boxer has 180°.",
+    )  # fmt: skip
     firing_order: tuple[int, ...] | None = integers(
-        "Firing order", optional=True, low=1, help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it."
-    )
+        "Firing order", optional=True, low=1, source="Finotti 2013, 2.4",
+        help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it.",
+    )  # fmt: skip
     crank_angles: tuple[float, ...] | None = series(
         "Crank angles",
         "°",
@@ -89,28 +90,31 @@ class EngineInputs:
         "Axial positions", "mm", optional=True, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel."
     )
     bank_of_cylinder: tuple[int, ...] | None = integers(
-        "Bank of each cylinder", optional=True, low=0, high=1, help="0 or 1; bank 0 stands at −V/2."
+        "Bank of each cylinder", optional=True, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
     )
-    piston_mass: float = quantity("Piston mass", "g", above=0, high=1e5, symbol="M_P", help="With rings, pin and circlips.")
-    rod_mass: float = quantity("Rod mass", "g", low=0, high=1e5, symbol="M_B", help="With bush and screws, without big-end shells.")
+    piston_mass: float = quantity(
+        "Piston mass", "g", above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
+        help="Mass of one piston with rings, pin and circlips.",
+    )  # fmt: skip
+    rod_mass: float = quantity(
+        "Rod mass", "g", low=0, high=1e5, symbol="M_B", usual=(200, 2000), source=THUMB,
+        help="Mass of one rod with bush and screws, without big-end shells.",
+    )  # fmt: skip
     rod_cg_to_big_end: float = quantity(
-        "Rod CG to big end",
-        "mm",
-        optional=True,
-        low=0,
-        high=4000,
-        symbol="X_2",
-        help="Left out: one third of the rod reciprocates, two thirds rotate.",
-    )
+        "Rod CG to big end", "mm", optional=True, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.2.2",
+        help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
+    )  # fmt: skip
     crankpin_bearing_mass: float = quantity(
-        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", help="They rotate with the pin."
-    )
+        "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", source="Finotti 2013, 2.5.3.1",
+        help="Mass of the shells of one big end; they rotate with the pin.",
+    )  # fmt: skip
     rated_speed: float = quantity(
         "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
     )
     flywheel_inertia: float | None = quantity(
-        "Inertia of the flywheel", "kg·m²", optional=True, above=0, high=1e5, symbol="J", help="With the gas: the speed irregularity."
-    )
+        "Inertia of the flywheel", "kg·m²", optional=True, above=0, high=1e5, symbol="J",
+        help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
+    )  # fmt: skip
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
 
     gas: GasInputs | None = table("Gas", GasInputs, optional=True, help="Pressure in the cylinders: torque over the cycle.")

@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 from typing import Any
 
-from ..sheet.quantity import choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 
 # Types of rolling bearings whose factors are known (`losses/rolling_bearings.py`).
 BEARING_TYPES = (
@@ -27,7 +27,7 @@ class OtherLoss:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
-    power: float = quantity("Power", "W", low=0, high=1e6, symbol="P")
+    power: float = quantity("Power", "W", low=0, high=1e6, symbol="P", help="Power that is lost there, known from elsewhere.")
 
 
 @inputs
@@ -36,8 +36,8 @@ class Seal:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
-    diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh")
-    count: int = integer("Seals of this size", default=1, low=1, high=20)
+    diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh", help="Diameter of the shaft under the lip.")
+    count: int = integer("Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has.")
     method: str = choice(
         "Method", "simrit", "linke", default="simrit", help="simrit: by diameter and speed. linke: also by the oil and its temperature."
     )
@@ -50,12 +50,15 @@ class RollingBearing:
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
-    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d")
-    outside_diameter: float = quantity("Outside diameter", "mm", above=0, high=2000, symbol="D")
-    load: float | None = quantity(
-        "Radial load of all of them together", "N", optional=True, low=0, high=1e6, symbol="F", help="Left out: by the teeth of its wheel."
+    bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d", help="Inner diameter of the bearing.")
+    outside_diameter: float = quantity(
+        "Outside diameter", "mm", above=0, high=2000, symbol="D", help="Outer diameter of the bearing; with the bore it gives the mean one."
     )
-    count: int = integer("Bearings that share the load", default=2, low=1, high=8)
+    load: float | None = quantity(
+        "Radial load of all of them together", "N", optional=True, low=0, high=1e6, symbol="F",
+        help="What they carry together. Left out: by the teeth of its wheel.",
+    )  # fmt: skip
+    count: int = integer("Bearings that share the load", default=2, low=1, high=8, help="How many bearings share the radial load evenly.")
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
     series: str | None = text("Series", optional=True, help='For SKF\'s model: "60", "62", "63" …')
     lubrication: str = choice(
@@ -67,9 +70,14 @@ class RollingBearing:
         help="By Palmgren: mist half of a bath, a jet twice. By SKF: mist starves more.",
     )
     f_0: float | None = quantity(
-        "Factor f_0", optional=True, low=0, high=50, symbol="f_0", help="By Palmgren, as it is. Left out: by type and lubrication."
-    )
-    f_1: float | None = quantity("Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", help="Of the load. Left out: by the type.")
+        "Factor f_0", optional=True, low=0, high=50, symbol="f_0", usual=(0.5, 24),
+        source="Palmgren 1957, from memory, by type and lubrication",
+        help="For the loss without load. Left out: by type and lubrication.",
+    )  # fmt: skip
+    f_1: float | None = quantity(
+        "Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, from memory, by type",
+        help="For the loss by the load. Left out: by the type.",
+    )  # fmt: skip
 
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.outside_diameter <= self.bore:
@@ -86,10 +94,14 @@ class PlainBearing:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
-    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d")
-    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l")
-    clearance: float = quantity("Diametral clearance when running", "µm", above=0, high=5000, symbol="g")
-    load: float | None = quantity("Load", "N", optional=True, low=0, high=1e6, symbol="F", help="Left out: by the teeth of its wheel.")
+    diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.")
+    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
+    clearance: float = quantity(
+        "Diametral clearance when running", "µm", above=0, high=5000, symbol="g", help="Bore of the bush minus pin, both warm."
+    )
+    load: float | None = quantity(
+        "Load", "N", optional=True, low=0, high=1e6, symbol="F", help="Force of the wheel on its pin. Left out: by the teeth of its wheel."
+    )
 
 
 @inputs
@@ -98,8 +110,14 @@ class Dip:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
-    depth: float = quantity("Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h")
-    oil_volume: float = quantity("Oil in the sump", "L", above=0, high=1000, symbol="V_0")
+    depth: float = quantity(
+        "Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h", source="Changenet et al. 2011",
+        help="How deep the wheel dips while the oil is at rest.",
+    )  # fmt: skip
+    oil_volume: float = quantity(
+        "Oil in the sump", "L", above=0, high=1000, symbol="V_0", source="Changenet et al. 2011",
+        help="Volume of the oil into which the wheel dips.",
+    )  # fmt: skip
 
 
 @inputs
@@ -108,7 +126,10 @@ class Jet:
 
     name: str = text("Name")
     wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
-    flow: float = quantity("Flow", "L/min", above=0, high=1000, symbol="Q")
+    flow: float = quantity(
+        "Flow", "L/min", above=0, high=1000, symbol="Q", source="Butsch 1989, ISO/TR 14179-2",
+        help="Oil that strikes the wheel and is carried along.",
+    )  # fmt: skip
     jet_speed: float = quantity(
         "Speed of the jet along the teeth", "m/s", default=0.0, low=-200, high=200, symbol="v_j", help="Positive: the way the teeth go."
     )
@@ -121,22 +142,18 @@ class Scenario:
     name: str = text("Name")
     oil: str | None = text("Oil", optional=True)
     oil_temperature: float | None = quantity(
-        "Oil temperature",
-        "°C",
-        optional=True,
-        low=-40,
-        high=200,
-        symbol="T_oil",
-        step=5,
-        help="With it a measured bulk temperature counts no more.",
-    )
+        "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
+        help="Of the teeth; replaces a measured bulk temperature.",
+    )  # fmt: skip
     load_sharing: str | None = choice("Load sharing", "linear", "smooth", optional=True)
     flank_roughness: tuple[float, ...] | None = series(
-        "Flank roughness Ra", "µm", count=(1, 2), optional=True, above=0, high=20, symbol="Ra"
-    )
+        "Flank roughness Ra", "µm", count=(1, 2), optional=True, above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
+        help="Mean roughness, one for both or [driver, driven].",
+    )  # fmt: skip
     power: float | None = quantity(
-        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Of a design without counter-shaft."
-    )
+        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P",
+        help="What goes into the first driver of a design without counter-shaft.",
+    )  # fmt: skip
 
 
 @inputs
@@ -147,30 +164,38 @@ class FrictionInputs:
         "Oil", optional=True, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
     )
     oil_temperature: float | None = quantity(
-        "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5,
+        "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
     )  # fmt: skip
     bulk_temperature: float | None = quantity(
-        "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", help="Of the teeth, measured. Left out: by the next key."
-    )
+        "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", usual=(40, 150), source=THUMB,
+        help="Of the teeth, measured. Left out: by the next key.",
+    )  # fmt: skip
     bulk: str = choice(
         "Bulk temperature without measurement", "oil", "estimated", default="oil",
         help="oil: that of the oil. estimated: above it by the loss of the mesh itself (ISO/TR 15144-1).",
     )  # fmt: skip
     tip_relief_factor: float = quantity(
-        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", help="1: no tip relief."
-    )
+        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", source="ISO/TR 15144-1, as generally published",
+        help="How much tip relief shares the load more evenly; 1: no tip relief.",
+    )  # fmt: skip
     body_resistance: tuple[float, ...] | None = series(
         "Thermal resistance of the wheels' bodies", "K/W", count=(1, 2), optional=True, low=0, high=1000, symbol="M",
+        source="Olver 1991, Olver and Spikes 1998",
         help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not counted.",
     )  # fmt: skip
     flank_roughness: tuple[float, ...] = series(
-        "Flank roughness Ra", "µm", count=(1, 2), above=0, high=20, symbol="Ra", help="One for both, or [driver, driven]."
-    )
+        "Flank roughness Ra", "µm", count=(1, 2), above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
+        help="Mean roughness, one for both or [driver, driven].",
+    )  # fmt: skip
     load_sharing: str = choice(
         "Load sharing", "linear", "smooth", default="linear", help="linear: flanks as generated. smooth: both tips relieved."
     )
-    solid_friction: float = quantity("Friction of the solids", default=0.135, low=0, high=1, symbol="mu_s", step=0.005)
+    solid_friction: float = quantity(
+        "Friction of the solids", default=0.135, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.108, 0.162),
+        source="gear friction thesis, widened by 20 %",
+        help="Coefficient where the flanks touch.",
+    )  # fmt: skip
     pressure_law: str = choice(
         "Viscosity under pressure", "barus", "roelands", default="barus", help="Roelands' is milder above some 0.5 GPa."
     )
@@ -179,15 +204,18 @@ class FrictionInputs:
         help="judged: by lubrication regime, with rolling loss. source: EHL film everywhere.",
     )  # fmt: skip
     mist_density: float = quantity(
-        "Density of the oil mist", "kg/m³", default=24.0, low=0.1, high=1000, symbol="rho_m",
-        help="Governs the windage: 24 in the tests behind its formula, 1.2 in air alone.",
+        "Density of the oil mist", "kg/m³", default=24.0, low=0.1, high=1000, symbol="rho_m", usual=(1.2, 50),
+        source="rule of this program; tests of Anderson and Loewenthal: 24",
+        help="Governs the windage; air alone has 1.2.",
     )  # fmt: skip
     specific_fuel_consumption: float | None = quantity(
-        "Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e"
-    )
+        "Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e", usual=(190, 350), source=THUMB,
+        help="What the engine burns for its power.",
+    )  # fmt: skip
     co2_per_fuel: float = quantity(
-        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2",
-        help="Of what is burnt completely: diesel (CH1.86) and petrol (CH1.85) 3.17.",
+        "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2", usual=(2.7, 3.2),
+        source="carbon share, natural gas to diesel",
+        help="Of complete combustion; diesel, petrol 3.17.",
     )  # fmt: skip
     map_temperatures: tuple[float, ...] | None = series(
         "Oil temperatures of the map", "°C", count=(1, 8), optional=True, low=-40, high=200,

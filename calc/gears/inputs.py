@@ -7,155 +7,11 @@ Axes of positions: the first is up, the second 90° further in the sense of cran
 import math
 from collections.abc import Iterable
 
-from ..sheet.quantity import choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from .mesh_inputs import Contributor, Mesh
+from .wheel_inputs import Wheel
 
-
-@inputs
-class Wheel:
-    """One wheel of the train."""
-
-    name: str = text("Name")
-    teeth: int = integer("Teeth", low=5, high=1000, symbol="z")
-    profile_shift: float = quantity(
-        "Profile shift coefficient", optional=True, low=-3, high=3, symbol="x", step=0.01,
-        help="In normal modules. Left out: from a centre distance, else that of a wheel with as many teeth, else 0.",
-    )  # fmt: skip
-    tip_shortening: float = quantity(
-        "Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", help="Off the tip radius; eases the mate's dedendum."
-    )
-    face_width: float = quantity("Face width", "mm", optional=True, above=0, high=2000, symbol="b", help="Left out: that of the train.")
-    hand: str | None = choice(
-        "Hand of the helix",
-        "left",
-        "right",
-        optional=True,
-        help="Hands alternate. Left out: the first driver is right-handed.",
-    )
-    material: str = text("Material", default="steel", help="By which it yields and expands.")
-    span_teeth: int = integer("Teeth spanned", optional=True, low=1, high=200, symbol="K", help="Left out: the best number.")
-    span_allowance: tuple[float, ...] | None = series(
-        "Allowance of the span", "µm", optional=True, count=(2, 2), low=-5000, high=5000, symbol="E_W",
-        help="[upper, lower]: change of the base tangent length; −20, −30 shaved or ground, −40, −50 hobbed only. Left out: none.",
-    )  # fmt: skip
-    tip_diameter_tolerance: tuple[float, ...] | None = series(
-        "Tolerance of the tip diameter", "µm", optional=True, count=(2, 2), low=-5000, high=5000, help="[upper, lower]; 0, −100 is usual."
-    )
-    root_diameter_tolerance: tuple[float, ...] | None = series(
-        "Tolerance of the root diameter", "µm", optional=True, count=(2, 2), low=-5000, high=5000,
-        help="[upper, lower]; 0, −300 is usual. Beside what the allowance of the span changes.",
-    )  # fmt: skip
-    runout: float = quantity(
-        "Runout of the teeth",
-        "µm",
-        optional=True,
-        low=0,
-        high=2000,
-        symbol="F_r",
-        help="Over a turn; half of it to each side of the centre.",
-    )
-    measured_span: float = quantity(
-        "Measured span", "mm", optional=True, above=0, high=5000, symbol="W", help="Over the teeth spanned; gives the tooth that was made."
-    )
-    measured_over_balls: float = quantity(
-        "Measured size over balls", "mm", optional=True, above=0, high=10000, symbol="M_dK", help="Over gears.ball_diameter_mm."
-    )
-    measured_over_pins: float = quantity("Measured size over pins", "mm", optional=True, above=0, high=10000, symbol="M_dR",
-        help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
-    )  # fmt: skip
-    measured_chordal_thickness: float = quantity(
-        "Measured chordal thickness", "mm", optional=True, above=0, high=500, symbol="s_c", help="Normal, at the height above the chord."
-    )
-    position: tuple[float, ...] | None = series(
-        "Position of its axis", "mm", optional=True, count=(2, 2), low=-5000, high=5000,
-        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be.",
-    )  # fmt: skip
-    bore_diameter: float = quantity(
-        "Bore", "mm", optional=True, above=0, high=2000, symbol="d_i", help="Of the body, for its inertia. Left out: a solid disc."
-    )
-    rim_thickness: float = quantity(
-        "Rim thickness", "mm", optional=True, above=0, high=500, symbol="s_R", help="Below the root circle. Left out: a solid body."
-    )
-    gear_material: str | None = text(
-        "Strength class", optional=True, help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so."
-    )
-    quality: str = choice("Material quality", "ML", "MQ", "ME", default="MQ", help="Of ISO 6336-5.")
-    hardness: float = quantity(
-        "Surface hardness", "HV", optional=True, above=0, high=1200, symbol="HV", help="For classes whose strength depends on it."
-    )
-
-    def problems(self) -> Iterable[tuple[str, str]]:
-        for key, limits in (
-            ("span_allowance_um", self.span_allowance), ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
-            ("root_diameter_tolerance_um", self.root_diameter_tolerance),
-        ):  # fmt: skip
-            if limits is not None and len(limits) == 2 and limits[0] < limits[1]:
-                yield key, "is [upper, lower]: the first must not be below the second"
-
-
-@inputs
-class Contributor:
-    """One part of the chain between two centres."""
-
-    name: str = text("Name")
-    field: float = quantity("Field", "mm", low=0, high=10, symbol="T", help="Its whole width, as on the drawing.")
-    kind: str = choice(
-        "Kind", "position", "fit", "runout", "radial", default="position",
-        help="position: diameter of its zone. fit: largest clearance, diametral. runout: over a turn. radial: whole width of a shift.",
-    )  # fmt: skip
-
-
-@inputs
-class Mesh:
-    """Two wheels in mesh."""
-
-    driver: str = text("Driver", help="The wheel nearer to the crank.")
-    driven: str = text("Driven", help="The wheel that it drives.")
-    centre_distance: float = quantity(
-        "Centre distance",
-        "mm",
-        optional=True,
-        above=0,
-        high=5000,
-        symbol="a_w",
-        help="Left out: without backlash, from the profile shifts.",
-    )
-    tolerance: float = quantity(
-        "Tolerance of the centre distance (±)", "µm", optional=True, low=0, high=5000, symbol="T_a", help="Half the field."
-    )
-    contributors: tuple[float, ...] | None = series(
-        "Contributors to the tolerance", "mm", optional=True, low=0, high=10,
-        help="Fields of the parts between the centres; half their root of squares is the tolerance.",
-    )  # fmt: skip
-    support_share: float | None = quantity(
-        "Share of the support", optional=True, low=0, high=1, symbol="lambda_S",
-        help="Of the centre distance, that the support (gears.support_material) spans; the housing spans the rest.",
-    )  # fmt: skip
-    mesh_misalignment: float = quantity(
-        "Mesh misalignment by manufacture", "µm", optional=True, low=0, high=500, symbol="f_ma", help="Left out: from the accuracy grade."
-    )
-    shaft_deflection: float | None = quantity(
-        "Misalignment by bending",
-        "µm",
-        optional=True,
-        low=0,
-        high=500,
-        symbol="f_sh",
-        help="Over the face width, under load. Left out: none.",
-    )
-    stack: tuple[Contributor, ...] = tables(
-        "Parts between the centres",
-        Contributor,
-        optional=True,
-        help="Each with its kind: worst case, root of squares and by chance, side by side.",
-    )
-
-    def problems(self) -> Iterable[tuple[str, str]]:
-        if self.tolerance is not None and self.contributors is not None:
-            yield "contributors_mm", "give either tolerance_um or contributors_mm"
-        if self.contributors is not None and self.stack:
-            yield "stack", "give either contributors_mm or stack"
-        if self.driver == self.driven:
-            yield "driven", "a wheel can not drive itself"
+__all__ = ["Contributor", "GearsInputs", "Mesh", "Neighbour", "Wall", "Wheel"]
 
 
 @inputs
@@ -164,7 +20,7 @@ class Neighbour:
 
     name: str = text("Name")
     position: tuple[float, ...] = series("Position", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
-    radius: float = quantity("Radius", "mm", above=0, high=5000, symbol="r")
+    radius: float = quantity("Radius", "mm", above=0, high=5000, symbol="r", help="Radius of the round thing that the wheels must clear.")
 
 
 @inputs
@@ -185,128 +41,112 @@ class GearsInputs:
     """The tool, the wheels and the meshes along the flow of power."""
 
     normal_module: float = quantity(
-        "Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, help="Pitch over π, normal to the teeth."
-    )
-    pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20))
+        "Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5), source=THUMB,
+        help="Pitch over π, normal to the teeth.",
+    )  # fmt: skip
+    pressure_angle: float = quantity(
+        "Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20), usual=(14.5, 25), source=THUMB,
+        help="Of the tool, normal to the teeth; 20° is common.",
+    )  # fmt: skip
     helix_angle: float = quantity(
-        "Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, help="At the reference circle; 0: spur wheels."
-    )
-    face_width: float = quantity("Face width", "mm", above=0, high=2000, symbol="b", help="Of all wheels that give none of their own.")
+        "Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
+        help="At the reference circle; 0: spur wheels.",
+    )  # fmt: skip
+    face_width: float = quantity(
+        "Face width", "mm", above=0, high=2000, symbol="b", source=THUMB,
+        help="Of all wheels that give none of their own; often 6 to 12 modules.",
+    )  # fmt: skip
     tool_addendum: float = quantity(
-        "Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, help="In modules; makes the root."
-    )
+        "Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, usual=(1.2, 1.5), source=THUMB,
+        help="In modules; makes the root.",
+    )  # fmt: skip
     tool_tip_radius: float = quantity(
-        "Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, help="In modules; makes the fillet."
-    )
+        "Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, usual=(0.2, 0.4), source=THUMB,
+        help="In modules; makes the fillet.",
+    )  # fmt: skip
     protuberance: float = quantity(
-        "Protuberance of the tool", "mm", default=0.0, low=0, high=10, symbol="pr_P0", help="How far its tip stands out of its flank."
-    )
+        "Protuberance of the tool", "mm", default=0.0, low=0, high=10, symbol="pr_P0", usual=(0, 0.4), source=THUMB,
+        help="How far its tip stands out of its flank.",
+    )  # fmt: skip
     stock: float = quantity(
-        "Stock left on the flanks",
-        "mm",
-        default=0.0,
-        low=0,
-        high=10,
-        symbol="q",
-        help="Normal to the flank, for shaving or grinding; the root keeps it.",
-    )
+        "Stock left on the flanks", "mm", default=0.0, low=0, high=10, symbol="q", usual=(0, 0.3), source=THUMB,
+        help="Left normal to the flank, to be shaved or ground.",
+    )  # fmt: skip
     ball_diameter: float = quantity(
-        "Measuring ball",
-        "mm",
-        optional=True,
-        above=0,
-        high=200,
-        symbol="D_M",
-        help="Or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank.",
-    )
-    iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, help="2006 or 2019.")
+        "Measuring ball", "mm", optional=True, above=0, high=200, symbol="D_M", source="DIN 3977, as generally published, from memory",
+        help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank.",
+    )  # fmt: skip
+    iso_6336_edition: int = integer(
+        "ISO 6336 edition", default=2006, low=2006, high=2019, source="ISO 6336",
+        help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.",
+    )  # fmt: skip
     application_factor: float = quantity(
-        "Application factor", optional=True, low=1, high=5, symbol="K_A", step=0.05,
-        help="Left out: 1 where the torque of the crank's irregularity is known and added, else 1.25.",
+        "Application factor", optional=True, low=1, high=5, symbol="K_A", step=0.05, usual=(1, 2.25), source="ISO 6336-6, from memory",
+        help="For shocks. Left out: 1.25, or 1 with known irregularity.",
     )  # fmt: skip
     accuracy_grade: int = integer(
-        "Accuracy grade (ISO 1328-1)",
-        default=7,
-        low=1,
-        high=11,
-        symbol="A",
-        help="Of pitch, profile and helix; smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
-    )
+        "Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="A", usual=(5, 9), source="ISO 1328-1, and rule of thumb",
+        help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
+    )  # fmt: skip
     life: float = quantity(
-        "Life", "h", optional=True, above=0, high=1e6, symbol="L_h", help="Left out: without end; life factors of the endurance limit."
-    )
+        "Life", "h", optional=True, above=0, high=1e6, symbol="L_h", usual=(500, 30000), source=THUMB,
+        help="Hours at this load. Left out: without end.",
+    )  # fmt: skip
     tip_relief: float = quantity(
-        "Tip relief", "µm", optional=True, low=0, high=500, symbol="C_a",
-        help="Ground off the tips, for the dynamic factor of grades up to 5. Left out: what running in makes.",
+        "Tip relief", "µm", optional=True, low=0, high=500, symbol="C_a", usual=(0, 50), source=THUMB,
+        help="Ground off the tips. Left out: what running in makes.",
     )  # fmt: skip
     flank_rz: float = quantity(
-        "Flank roughness Rz",
-        "µm",
-        optional=True,
-        above=0,
-        high=100,
-        symbol="Rz_H",
-        help="Left out: six times friction.flank_roughness_um, else 4.",
-    )
+        "Flank roughness Rz", "µm", optional=True, above=0, high=100, symbol="Rz_H", usual=(1, 16), source=THUMB,
+        help="Peak to valley. Left out: six times Ra of step 6, else 4.",
+    )  # fmt: skip
     root_rz: float = quantity(
-        "Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", help="Of the fillets, for the strength of the root."
-    )
+        "Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", usual=(1, 40), source="ISO 6336-3, range of Y_RrelT",
+        help="Of the fillets, for the strength of the root.",
+    )  # fmt: skip
     scuffing_load_stage: float = quantity(
-        "FZG load stage of the oil", optional=True, low=1, high=14, symbol="S_FZG",
-        help="Scuffing test A/8.3/90. Left out: stage 10 is assumed.",
+        "FZG load stage of the oil", optional=True, low=1, high=14, symbol="S_FZG", usual=(8, 14), source=THUMB,
+        help="By test A/8.3/90. Left out: stage 10 is assumed.",
     )  # fmt: skip
     permissible_film: float = quantity(
-        "Permissible specific film",
-        optional=True,
-        above=0,
-        high=10,
-        symbol="lambda_GFP",
-        help="λ_GFP from a micropitting test of the oil. Left out: 0.3, a rule.",
-    )
+        "Permissible specific film", optional=True, above=0, high=10, symbol="lambda_GFP", usual=(0.06, 0.6),
+        source="ISO/TR 15144-1, Annex A, by public code",
+        help="λ_GFP by a test of the oil. Left out: 0.3.",
+    )  # fmt: skip
     lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
     housing_material: str | None = text(
         "Housing material", optional=True, help="Between the centres. Left out: that of the bearings, else as the wheels."
     )
     support_material: str | None = text("Support material", optional=True, help="Of the part of a centre distance that a support spans.")
     lowest_temperature: float = quantity(
-        "Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", help="All parts, cold start."
-    )
+        "Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", usual=(-40, 0), source=THUMB,
+        help="Of all parts in a cold start.",
+    )  # fmt: skip
     running_temperature: float = quantity(
-        "Running temperature of the housing",
-        "°C",
-        default=100.0,
-        low=0,
-        high=200,
-        symbol="T_H",
+        "Running temperature of the housing", "°C", default=100.0, low=0, high=200, symbol="T_H", usual=(60, 120), source=THUMB,
         help="At which the warm backlash is taken.",
-    )
+    )  # fmt: skip
     wheels_warmer: float = quantity(
-        "Wheels warmer than the housing",
-        "K",
-        default=20.0,
-        low=0,
-        high=150,
-        symbol="Delta_T",
-        help="They take backlash where the housing grows less.",
-    )
+        "Wheels warmer than the housing", "K", default=20.0, low=0, high=150, symbol="Delta_T", usual=(0, 40), source=THUMB,
+        help="They then take backlash away.",
+    )  # fmt: skip
     speed: float = quantity(
-        "Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n", help="Left out: the crank's rated speed."
-    )
+        "Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n",
+        help="How fast the first driver turns. Left out: the crank's rated speed.",
+    )  # fmt: skip
     power: float = quantity(
-        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P", help="Left out: from the closed power balance."
-    )
+        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P",
+        help="What the train takes in at the first driver. Left out: from the closed power balance.",
+    )  # fmt: skip
     speed_irregularity: float = quantity(
-        "Irregularity of the first driver's speed", optional=True, low=0, high=1, symbol="delta_s", step=0.005,
-        help="(largest − smallest)/mean. Left out: the engine's, where its gas and flywheel_inertia_kgm2 are given.",
+        "Irregularity of the first driver's speed", optional=True, low=0, high=1, symbol="delta_s", step=0.005, usual=(0, 0.05),
+        source="machine handbooks",
+        help="Swing over mean. Left out: the engine's.",
     )  # fmt: skip
     irregularity_order: float = quantity(
-        "Order of the irregularity",
-        optional=True,
-        above=0,
-        high=50,
-        symbol="i",
-        help="Of the turns of the first driver. Left out: the engine's firing order.",
-    )
+        "Order of the irregularity", optional=True, above=0, high=50, symbol="i",
+        help="How often a turn of the first driver it swings. Left out: the engine's firing order.",
+    )  # fmt: skip
     tooth_angle: float = quantity(
         "Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
         help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.",

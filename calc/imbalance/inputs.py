@@ -11,7 +11,7 @@ class Unbalance:
     """An unbalance that turns with the crank: of the pulley, the flywheel …"""
 
     name: str = text("Name")
-    unbalance: float = quantity("Unbalance", "kg·mm", low=0, high=1e6, symbol="U")
+    unbalance: float = quantity("Unbalance", "kg·mm", low=0, high=1e6, symbol="U", help="Mass times the radius of its centre of gravity.")
     angle: float = quantity(
         "Angle", "°", low=-720, high=720, symbol="gamma", help="With cylinder 1 at TDC, from up, in the sense of rotation."
     )
@@ -23,8 +23,11 @@ class CrankBody:
     """A web, a counterweight or a pin of the crank, by its mass and centre of gravity."""
 
     name: str = text("Name", help="Letters, digits and -.")
-    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m")
-    x: float = quantity("Centre of gravity, up", "mm", low=-1000, high=1000, symbol="x", help="With the throw named above at TDC.")
+    mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this web, counterweight or pin.")
+    x: float = quantity(
+        "Centre of gravity, up", "mm", low=-1000, high=1000, symbol="x",
+        help="Height of its centre of gravity, with the throw named above at TDC.",
+    )  # fmt: skip
     y: float = quantity(
         "Centre of gravity, side", "mm", low=-1000, high=1000, symbol="y", help="90° further in the sense of crank rotation."
     )
@@ -39,9 +42,8 @@ class ImbalanceInputs:
     """What the crank takes of the reciprocating masses, and the kinematics that are judged."""
 
     crank_balance_fraction: float = quantity(
-        "Share balanced on the crank", default=0.5, low=-1, high=2, usual=(0, 1), symbol="kappa", step=0.05,
-        help="The crank's counterweights carry all rotating mass plus this share of the reciprocating mass. At ½ the first order "
-        "that is left turns backwards only, and one counter-shaft can take it.",
+        "Share balanced on the crank", default=0.5, low=-1, high=2, symbol="kappa", step=0.05, usual=(0, 1), source="Finotti 2013, 2.3.3",
+        help="Of the reciprocating mass; at ½ one shaft takes the rest.",
     )  # fmt: skip
     kinematics: str = choice(
         "Kinematics",
@@ -51,17 +53,13 @@ class ImbalanceInputs:
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
     )
     counterweight_span: float = quantity(
-        "Counterweights apart",
-        "mm",
-        optional=True,
-        above=0,
-        high=10000,
-        symbol="l",
+        "Counterweights apart", "mm", optional=True, above=0, high=10000, symbol="l", source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
-    )
+    )  # fmt: skip
     counterweight_radius: float = quantity(
-        "Radius of the counterweights", "mm", optional=True, above=0, high=1000, symbol="r_cw", help="Of their centres of gravity."
-    )
+        "Radius of the counterweights", "mm", optional=True, above=0, high=1000, symbol="r_cw", source="Finotti 2013, 2.4",
+        help="Radius of their centres of gravity from the crank's axis.",
+    )  # fmt: skip
     crank_bodies_throw_at_tdc: int = integer(
         "Throw up in the list of bodies",
         default=1,
@@ -75,14 +73,9 @@ class ImbalanceInputs:
         "the whole couple. least_squares: least static unbalance and couple over pitch.",
     )  # fmt: skip
     bob_mass: float = quantity(
-        "Bob mass as stated",
-        "kg",
-        optional=True,
-        low=0,
-        high=100,
-        symbol="m_b",
+        "Bob mass as stated", "kg", optional=True, low=0, high=100, symbol="m_b", source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
-    )
+    )  # fmt: skip
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",
         Unbalance,

@@ -15,6 +15,8 @@ from .units import UNITS, Unit
 
 T = TypeVar("T")
 
+THUMB = "rule of thumb, no published source"  # the source of a usual range that practice knows and no book behind this program states
+
 
 @record
 class Quantity:
@@ -34,6 +36,7 @@ class Quantity:
     optional: bool = False
     step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
     help: str = ""
+    source: str = ""  # where the usual range, or the meaning, comes from
 
     @property
     def units(self) -> Unit:

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is said about a field: at the foot of the form its meaning, what is usual and the source; in the help the source in a line."""
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+import pytest
+from textual.widgets import Static
+
+from assistant.session import Session
+from assistant.widgets.field import Field
+from assistant.widgets.field_help import FieldHelp, allowed, foot, meaning
+from calc.design import STEPS
+from calc.languages import language
+from calc.sheet.number import short
+from calc.sheet.quantity import THUMB, Quantity, keys
+
+from .conftest import Screen
+from .driving import go_to, strike, until, work
+
+SAY = language("en")
+MORE = "  F1 more"
+LENGTH = Quantity("number", "Length", "mm", above=0, help="Along the shaft.", source="a book")
+
+
+def with_usual(cls: type) -> Iterator[Quantity]:
+    for key in keys(cls).values():
+        if key.about.table is not None:
+            yield from with_usual(key.about.table)
+        elif key.about.usual is not None:
+            yield key.about
+
+
+def test_the_source_stands_behind_what_is_usual_else_behind_the_meaning() -> None:
+    usual = replace(LENGTH, usual=(1.0, 2.5))
+    assert meaning(LENGTH, SAY) == "Along the shaft (a book)."
+    assert meaning(usual, SAY) == "Along the shaft. Usual 1 to 2.5 mm (a book)."
+    assert meaning(usual, SAY, sourced=False) == "Along the shaft. Usual 1 to 2.5 mm."
+    assert meaning(replace(LENGTH, source=""), SAY) == "Along the shaft."
+    assert allowed(LENGTH, SAY) == "A number above 0 mm."
+
+
+def test_the_rest_stands_at_the_foot_where_all_of_it_has_room() -> None:
+    said, rest = "Length: along the shaft.", "A number above 0 mm."
+    assert foot(said, rest, MORE, 60, 1) == [f"{said} {rest}{MORE}"]
+    assert foot(said, rest, MORE, 40, 1) == [said + MORE]
+    assert foot(said, rest, MORE, 24, 2) == [said, rest]
+    assert foot(said, rest, MORE, 18, 1) == ["Length:…" + MORE]
+
+
+@pytest.mark.parametrize("cells, height", [(44, 3), (76, 2)])
+@pytest.mark.parametrize("step", STEPS, ids=lambda step: step.key)
+def test_what_is_usual_and_the_name_of_its_source_have_room_at_the_foot(step, cells, height) -> None:
+    for about in with_usual(step.inputs):
+        low, high = about.usual
+        name = re.split("[,;:]", about.source)[0]
+        seen = " ".join(foot(f"{about.label}: {meaning(about, SAY)}", allowed(about, SAY), MORE, cells, height))
+        assert f"Usual {short(low)} to {short(high)}{f' {about.unit}'.rstrip()} ({name}" in seen, about.label
+
+
+# --- on the screen
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_the_foot_shows_meaning_usual_and_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
+    async with screen(size=size, session=session) as pilot:
+
+        def seen() -> str:
+            return re.sub(r"\s+", " ", work(pilot).query_one(FieldHelp).render().plain)
+
+        await go_to(pilot, "bearings.front.clearance_factor")
+        assert "Clearance factor K: Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8 (Finotti 2013, 5.5.2)." in seen()
+        await go_to(pilot, "bearings.front.length_mm")
+        assert "usual l/d 0.25 to 0.75" in seen() and "(Finotti 2013, 5.5.2)" in seen()
+        await go_to(pilot, "bearings.front.journal_roughness_um")
+        assert f"Usual 0.1 to 0.8 µm ({THUMB})." in seen()
+
+
+@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
+    async with screen(size=size, session=session) as pilot:
+        await go_to(pilot, "bearings.front.clearance_factor")
+        await strike(pilot, "f1")
+        await until(pilot, lambda: bool(pilot.app.screen.query("#help-here")))
+        said = str(pilot.app.screen.query_one("#help-here", Static).content).splitlines()
+        assert "Source: Finotti 2013, 5.5.2" in said
+        assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
+
+
+async def test_a_list_is_marked_where_one_of_its_numbers_is_unusual(screen: Screen, session: Session) -> None:
+    async with screen(size=(120, 40), session=session) as pilot:
+        notes = []
+        for wheel in ("crank", "central"):
+            await go_to(pilot, f"gears.wheels.{wheel}.span_allowance_um")
+            field = work(pilot).form.field
+            assert isinstance(field, Field)
+            notes.append(field.note())
+        assert notes[0] == ("", "") and notes[1][1] == "warn" and "−50–−20" in notes[1][0]
