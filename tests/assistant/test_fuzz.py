@@ -120,10 +120,10 @@ async def fuzz(path: Path, memory: Memory, seed: int, count: int) -> None:
                 if not isinstance(app.screen, Workbench) and chance.random() < 0.3:
                     done.append("escape")
                     await strike(pilot, "escape")
-            for _ in range(20):
+            for _ in range(20):  # what the last keys open may come late
+                await pilot.pause(0.02)
                 if not isinstance(app.screen, Workbench):
                     await strike(pilot, "escape")
-                    await pilot.pause(0.01)
             assert isinstance(app.screen, Workbench), app.screen
             await settled(pilot)
             assert app.is_running
