@@ -165,6 +165,7 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     from .recovery import Memory
 
     gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
+    sys.setswitchinterval(0.001)  # a key waits no longer than that for the thread that solves
     memory = Memory()
     try:
         session = Session.open(path, memory=memory)

@@ -5,11 +5,16 @@ Written away from the screen, so that a long calculation can be prepared in anot
 """
 
 import math
+from bisect import bisect_left
+from collections import defaultdict
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from itertools import islice
 from typing import Any
 
 from calc.languages import Language
 from calc.sheet.check import Check
+from calc.sheet.quantity import Published
 from calc.sheet.step import Erratum, Outcome, Table
 from calc.sheet.units import UNITS
 
@@ -48,29 +53,31 @@ def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
     """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step."""
     from calc.sheet.expression import line_text
 
-    values = {v.id: v for v in outcome.values()}
-    sizes = [_size(line.value) for line in outcome.lines]
+    finder = _Finder(outcome)
     line_of: dict[str, int] = {}
     for check in outcome.checks:
-        if (index := _line(check.id, check.value, check.unit, outcome, values, sizes)) is not None:
+        if (index := finder.line(check.id, check.value, check.unit)) is not None:
             line_of[check.id] = index
     for erratum in outcome.errata:
-        if (known := values.get(erratum.about)) is not None:
-            if (index := _line(erratum.about, known.shown, known.unit, outcome, values, sizes)) is not None:
+        if (known := finder.values.get(erratum.about)) is not None:
+            if (index := finder.line(erratum.about, known.shown, known.unit)) is not None:
                 line_of.setdefault(erratum.about, index)
+    judged: dict[int, list[Check]] = defaultdict(list)
+    for check in outcome.checks:
+        judged[line_of.get(check.id, -1)].append(check)
+    wrong: dict[int, list[Erratum]] = defaultdict(list)
+    for erratum in outcome.errata:
+        wrong[line_of.get(erratum.about, -1)].append(erratum)
     entries = []
     for i, line in enumerate(outcome.lines):
         formula, numbers, source = line_text(line)
         entries.append(
-            Entry(
-                f"{step}.{i + 1}", line.about, formula, numbers, say(source),
-                tuple(c for c in outcome.checks if line_of.get(c.id) == i), tuple(e for e in outcome.errata if line_of.get(e.about) == i),
-            )
-        )  # fmt: skip
-    rest = tuple(e for e in outcome.errata if e.about not in line_of)
-    return Sheet(tuple(entries), rest, outcome.proposals, outcome.notes, line_of)
+            Entry(f"{step}.{i + 1}", line.about, formula, numbers, say(source), tuple(judged.get(i, ())), tuple(wrong.get(i, ())))
+        )
+    return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, outcome.notes, line_of)
 
 
+ALIKE = 1e-9  # relative: numbers that are one and the same
 VALUES = "values"  # the table of all values of a step; the id of each stands in its last column
 
 
@@ -90,25 +97,46 @@ def _size(value: Any) -> float | None:
         return None
 
 
-def _line(id: str, shown: float, unit: str, outcome: Outcome, values: dict[str, Any], sizes: list[float | None]) -> int | None:
-    """The line that gave a number: the very object that was published, else the same size; of several the one about the same part."""
-    if not math.isfinite(shown):
-        return None
-    words = set(id.replace("_", ".").split("."))
-    if id in values:
-        inside = [values[id].inside]
-    else:
-        same = [v for v in values.values() if v.unit == unit and _same(v.shown, shown)]
-        shared = [len(words & set(v.id.replace("_", ".").split("."))) for v in same]
-        inside = [v.inside for v, n in zip(same, shared) if n == max(shared)]
-    found = [i for i, line in enumerate(outcome.lines) if any(line.value is x for x in inside)]
-    if not found and shown:
-        number = UNITS[unit].inside(shown)
-        found = [i for i, size in enumerate(sizes) if size is not None and (_same(size, number) or _same(size, shown))]
-    if not found:
-        return None
-    return max(found, key=lambda i: (len(words & set(outcome.lines[i].about.replace("_", " ").split())), i))
+class _Finder:
+    """Finds the line that gave a number.  A calculation may have thousands of lines, and every one of them is asked for."""
+
+    def __init__(self, outcome: Outcome) -> None:
+        self.lines = outcome.lines
+        self.values = {v.id: v for v in outcome.values()}
+        self._by_unit: dict[str, list[Published]] = {}
+        for v in self.values.values():
+            self._by_unit.setdefault(v.unit, []).append(v)
+        self._of_object: dict[int, list[int]] = {}  # a value, as an object → its lines
+        for i, line in enumerate(self.lines):
+            self._of_object.setdefault(id(line.value), []).append(i)
+        self._by_size = sorted((size, i) for i, line in enumerate(self.lines) if (size := _size(line.value)) is not None)
+
+    def line(self, key: str, shown: float, unit: str) -> int | None:
+        """The line with the very object that was published, else with the same size; of several the one about the same part."""
+        if not math.isfinite(shown):
+            return None
+        words = set(key.replace("_", ".").split("."))
+        if key in self.values:
+            inside = [self.values[key].inside]
+        else:
+            same = [v for v in self._by_unit.get(unit, ()) if _same(v.shown, shown)]
+            shared = [len(words & set(v.id.replace("_", ".").split("."))) for v in same]
+            inside = [v.inside for v, n in zip(same, shared) if n == max(shared)]
+        found = [i for x in inside for i in self._of_object.get(id(x), ())]
+        if not found and shown:
+            found = [*self._of_size(UNITS[unit].inside(shown)), *self._of_size(shown)]
+        if not found:
+            return None
+        return max(found, key=lambda i: (len(words & set(self.lines[i].about.replace("_", " ").split())), i))
+
+    def _of_size(self, size: float) -> Iterator[int]:
+        start = bisect_left(self._by_size, (size - 2 * ALIKE * abs(size), -1))
+        for other, i in islice(self._by_size, start, None):
+            if _same(other, size):
+                yield i
+            elif other > size:
+                return
 
 
 def _same(a: float, b: float) -> bool:
-    return abs(a - b) <= 1e-9 * max(abs(a), abs(b))
+    return abs(a - b) <= ALIKE * max(abs(a), abs(b))

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 
     from ..app import ContralberoApp
 
-DEBOUNCE = 0.1  # seconds after the last key
+DEBOUNCE = 0.02  # seconds after the last key: a burst of a repeating key is one solve
 SLOW = 0.15  # a solve that takes longer says so
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
 

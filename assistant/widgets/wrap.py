@@ -2,6 +2,7 @@
 """Breaking text into rows: at spaces, and a long formula where the fewest brackets are open."""
 
 import re
+from collections.abc import Callable
 
 from rich.cells import cell_len
 
@@ -11,13 +12,15 @@ LOOSE = 0.4  # the share of a row that may stay empty for the sake of a better b
 
 def wrap(text: str, width: int, indent: int = 0) -> list[str]:
     """Rows of at most `width` cells; all but the first begin with `indent` spaces."""
-    if cell_len(text) <= width:
+    size = cell_len(text)
+    if size <= width:
         return [text]
+    cells: Callable[[str], int] = len if size == len(text) else cell_len  # most texts have no wide letters
     rows: list[str] = []
     pieces, lead = PIECES.findall(text), ""
     while pieces:
         room = max(1, width - len(lead))
-        count = _fitting(pieces, room)
+        count = _fitting(pieces, room, cells)
         if count == 0:
             rows.append(lead + pieces[0][:room])
             pieces[0] = pieces[0][room:]
@@ -30,15 +33,15 @@ def wrap(text: str, width: int, indent: int = 0) -> list[str]:
     return rows or [""]
 
 
-def _fitting(pieces: list[str], room: int) -> int:
+def _fitting(pieces: list[str], room: int, cells: Callable[[str], int]) -> int:
     """How many pieces go into a row: all, or those up to the break that opens the fewest brackets."""
-    cells, depth, best, least = 0, 0, 0, 1000
+    taken, depth, best, least = 0, 0, 0, 1000
     for n, piece in enumerate(pieces, 1):
-        if cells + cell_len(piece.rstrip()) > room:
+        if taken + cells(piece.rstrip()) > room:
             return best
-        cells += cell_len(piece)
+        taken += cells(piece)
         depth += piece.count("(") - piece.count(")")
-        if depth <= least or cells < room * (1 - LOOSE):
+        if depth <= least or taken < room * (1 - LOOSE):
             best, least = n, depth
     return len(pieces)
 

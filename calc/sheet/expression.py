@@ -236,7 +236,14 @@ def line_text(line: Line) -> tuple[str, str, str]:
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
         return f"{head}: {shown.shows}", f"= {result}", shown.source
-    return f"{head} = {text(shown.formula)}", f"= {text(shown.numbers)} = {result}", shown.source
+    return f"{head} = {_written(line.formula)}", f"= {text(shown.numbers)} = {result}", shown.source
+
+
+@cache
+def _written(formula: Formula[..., Any]) -> str:
+    """Its expression as text."""
+    tree = expression(formula)
+    return text(tree) if tree is not None else ""
 
 
 def line_json(line: Line) -> dict[str, str]:
