@@ -59,7 +59,6 @@ class ContralberoApp(App[int]):
         if settings.theme in self.available_themes:
             self.theme = settings.theme
         self._theme_kept = self.theme
-        self.solves = 0  # results that were shown; for whoever waits for them
 
     def on_mount(self) -> None:
         if self.key_map:

@@ -7,13 +7,14 @@ Written away from the screen, so that a long calculation can be prepared in anot
 import math
 from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any
 
 from calc.languages import Language
 from calc.sheet.check import Check
+from calc.sheet.errors import Cancelled
 from calc.sheet.quantity import Published
 from calc.sheet.step import Erratum, Outcome, Table
 from calc.sheet.units import UNITS
@@ -49,8 +50,11 @@ class Sheet:
     line_of: dict[str, int] = field(default_factory=dict)
 
 
-def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
-    """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step."""
+def sheet(outcome: Outcome, step: int, say: Language, stop: Callable[[], bool] = bool) -> Sheet:
+    """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step.
+
+    Raises Cancelled as soon as `stop` says so.
+    """
     from calc.sheet.expression import line_text
 
     finder = _Finder(outcome)
@@ -70,6 +74,8 @@ def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
         wrong[line_of.get(erratum.about, -1)].append(erratum)
     entries = []
     for i, line in enumerate(outcome.lines):
+        if stop():
+            raise Cancelled
         formula, numbers, source = line_text(line)
         entries.append(
             Entry(f"{step}.{i + 1}", line.about, formula, numbers, say(source), tuple(judged.get(i, ())), tuple(wrong.get(i, ())))

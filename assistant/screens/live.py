@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The screen as it is always solved: in another thread, one solve at a time, the answer dropped if it comes too late."""
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from textual import work
 from textual.css.query import NoMatches
@@ -33,8 +34,19 @@ if TYPE_CHECKING:
     from ..app import ContralberoApp
 
 DEBOUNCE = 0.02  # seconds after the last key: a burst of a repeating key is one solve
-SLOW = 0.15  # a solve that takes longer says so
+SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
+
+
+@dataclass(frozen=True)
+class Page:
+    """What is written out of an outcome in a language: its whole, its calculation, its curves and tables."""
+
+    outcome: Outcome
+    say: Language
+    whole: Outcome
+    sheet: Sheet
+    leaves: tuple[Curve | Table, ...]
 
 
 class Live(Screen[None]):
@@ -52,6 +64,12 @@ class Live(Screen[None]):
         session: Session = field(repr=False)
 
     @dataclass
+    class Written(Message):
+        """The calculation of a step is written out."""
+
+        results: "Results" = field(repr=False)
+
+    @dataclass
     class Mended(Message):
         """A remedy was found, or that there is none."""
 
@@ -62,16 +80,18 @@ class Live(Screen[None]):
     def __init__(self) -> None:
         super().__init__()
         self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it mends
-        self.sheets: dict[str, tuple[Any, Sheet]] = {}  # step → (its outcome, its calculation)
-        self._said: dict[str, tuple[Outcome, Outcome]] = {}  # step → its outcome, and the same in the user's language
-        self._say: Language | None = None
-        self._leaves: tuple[Outcome | None, tuple[Curve | Table, ...]] = (None, ())
+        self.pages: dict[str, Page] = {}  # step → what was written of it last
         self._solving = False
         self._debounce: Timer | None = None
         self._slow: Timer | None = None
         self._ahead: Timer | None = None
 
-    def show_results(self) -> None:
+    def show_verdicts(self) -> None:
+        """What the results say in a few words: shown first, and at once."""
+        raise NotImplementedError
+
+    def show_written(self) -> None:
+        """The calculation, the curves and whatever else takes a moment to be made."""
         raise NotImplementedError
 
     def show_state(self) -> None:
@@ -98,8 +118,8 @@ class Live(Screen[None]):
 
     def set_stale(self, stale: bool) -> None:
         """Dim the results that do not belong to what the fields say."""
-        for results in (*self.query(Checks), *self.query(Calculation), *self.query(TableList)):
-            results.set_stale(stale)
+        for results in (Checks, Calculation, TableList):
+            self.query_one(results).set_stale(stale)
 
     def _say_slow(self) -> None:
         if self._solving:
@@ -109,65 +129,79 @@ class Live(Screen[None]):
 
     @work(thread=True, group="solve", exit_on_error=False, description="solve")
     def _solve_aside(self, job: Job, session: Session) -> None:
-        answer = run(job)
-        try:
-            from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
+        self.post_message(self.Solved(run(job), session))
 
-            if answer.results is not None and session is self.session:
-                self.prepare(answer.results, self.step)
-        finally:
-            self.post_message(self.Solved(answer, session))
+    def write_out(self) -> None:
+        """Show the calculation of the step: at once where it is written already, else as soon as another thread has written it."""
+        results = self.session.results
+        if results is None:
+            return
+        if self.written(results, self.step):
+            self.show_written()
+            self._go_ahead()
+        else:
+            self._page_aside(results, self.step)
 
-    def said(self, results: "Results", step: Step) -> Outcome:
-        """The whole outcome of a step in the user's language; made once."""
-        outcome, say = results.outcomes[step.key].whole, self.app.say
-        known, made = self._said.get(step.key, (None, outcome))
-        if known is not outcome or say is not self._say:
-            made = said(outcome, say)
-            self._said[step.key] = (outcome, made)
-            self._say = say
-        return made
+    @work(thread=True, exclusive=True, group="write", exit_on_error=False, description="write")
+    def _page_aside(self, results: "Results", step: Step) -> None:
+        from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
 
-    def leaves(self, outcome: Outcome) -> tuple[Curve | Table, ...]:
-        """The curves and tables of a step, and the table of all its values."""
-        known, made = self._leaves
-        if known is not outcome:
-            made = (*outcome.curves, *outcome.tables)
-            if outcome.result is not None:
-                made = (*made, values_table(outcome, self.app.say))
-            self._leaves = (outcome, made)
-        return made
+        worker = get_current_worker()
+        self.write(results, step, lambda: worker.is_cancelled or not self.is_attached)
+        self.post_message(self.Written(results))
 
-    def prepare(self, results: "Results", step: Step) -> Sheet:
-        """The calculation of a step, written out and broken into rows; kept as long as its outcome is the same.  Runs in any thread."""
+    def on_live_written(self, event: Written) -> None:
+        event.stop()
+        if event.results is self.session.results and self.written(event.results, self.step):
+            self.show_written()
+            self._go_ahead()
+
+    def written(self, results: "Results", step: Step) -> bool:
+        """Whether what is written of a step is of these results, and in the user's language."""
+        page = self.pages.get(step.key)
+        return page is not None and page.outcome is results.outcomes[step.key] and page.say is self.app.say
+
+    def write(self, results: "Results", step: Step, stop: Callable[[], bool]) -> None:
+        """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to stop."""
         from ..sheets import sheet
 
-        outcome = self.said(results, step)
-        known, made = self.sheets.get(step.key, (None, Sheet()))
-        if known is not outcome:
-            try:
-                made = sheet(outcome, STEPS.index(step) + 1, self.app.say)
-            except Exception as error:  # a line that can not be written must not stop the session
-                made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
-            self.sheets[step.key] = (outcome, made)
+        outcome, say = results.outcomes[step.key], self.app.say
         try:
-            self.query_one(Calculation).prepare(made)
-        except NoMatches:  # the screen is just being made anew
+            if not self.written(results, step):
+                whole = said(outcome.whole, say)
+                try:
+                    made = sheet(whole, STEPS.index(step) + 1, say, stop)
+                except Cancelled:
+                    return
+                except Exception as error:  # a line that can not be written must not stop the session
+                    made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
+                values = () if whole.result is None else (values_table(whole, say),)
+                self.pages[step.key] = Page(outcome, say, whole, made, (*whole.curves, *whole.tables, *values))
+            self.query_one(Calculation).prepare(self.pages[step.key].sheet, stop)
+        except (NoMatches, Cancelled):  # the screen is just being made anew, or nobody waits for it any more
             pass
-        return made
 
-    def prepare_ahead(self) -> None:
-        self._prepare_ahead()
+    def _go_ahead(self) -> None:
+        """Soon, if nothing else is to be done: the calculations of the other steps, and a remedy."""
+        if self._ahead is not None:
+            self._ahead.stop()
+        self._ahead = self.set_timer(AHEAD, self._think_ahead)
+
+    def _think_ahead(self) -> None:
+        self._write_ahead()
         self.seek_remedy()
 
-    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="prepare")
-    def _prepare_ahead(self) -> None:
-        """The calculations of the other steps, while nothing else is to be done."""
+    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="write ahead")
+    def _write_ahead(self) -> None:
+        results = self.session.results
+
+        def stop() -> bool:
+            return self._solving or self.session.results is not results or not self.is_attached
+
         for step in STEPS:
-            results = self.session.results
-            if results is None or self._solving or not self.is_attached:
+            if results is None or stop():
                 return
-            self.prepare(results, step)
+            self.write(results, step, stop)
 
     # --- remedies
     @property
@@ -221,15 +255,17 @@ class Live(Screen[None]):
         self._solving = False
         if self._slow is not None:
             self._slow.stop()
-        if event.session is self.session and self.session.accept(event.answer):
-            self.query_one(TopLine).slow = False
-            self.show_results()
-        if self.session.job() is not None:
+        if event.session is self.session:
+            self.session.accept(event.answer)
+        if self.session.job() is not None:  # edited in the meantime
             self.solve()
             return
         self.query_one(TopLine).slow = False
+        self.set_stale(False)
+        self.show_verdicts()
+        self.call_after_refresh(self.follow_up)
+
+    def follow_up(self) -> None:
+        """What may be shown a moment after the verdicts."""
         self.show_state()
-        self.app.solves += 1
-        if self._ahead is not None:
-            self._ahead.stop()
-        self._ahead = self.set_timer(AHEAD, self.prepare_ahead)
+        self.write_out()

@@ -14,12 +14,14 @@ from textual.timer import Timer
 from textual.widget import Widget
 
 from calc.design import STEPS
+from calc.languages.outcome import said
 from calc.sheet.step import Step
 
 from ..actions import ACTIONS
 from ..offers.offer import CHOICES
 from ..places import Place, first_key
 from ..session import Session
+from ..sheets import Sheet
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -69,7 +71,7 @@ class Workbench(Doing, Live):
     def _begin(self, session: Session) -> None:
         self.session = session
         self.step = next((s for s in STEPS if s.key in session.data), STEPS[0])
-        self.sheets = {}
+        self.pages = {}
         self.pane = "inputs"  # the pane that has, or had last, the focus
         self.large = False  # that pane alone, on a wide screen
         self._saw: set[Place] = set()  # fields whose mistake has been said
@@ -212,20 +214,23 @@ class Workbench(Doing, Live):
         line.refresh()
         self.show_keys()
 
-    def show_results(self) -> None:
-        """The results of the current step."""
+    def show_verdicts(self) -> None:
         results = self.session.results
-        outcome = self.said(results, self.step) if results is not None else None
+        outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
         self.query_one(Checks).show(outcome)
-        if results is not None:
-            self.query_one(Calculation).show(self.prepare(results, self.step))
-            self.query_one(CurvePane).show(self.step.key, self.leaves(outcome) if outcome is not None else ())
-        self.form.refresh_taken()
         if outcome is not None:
             bad = sum(c.verdict != "pass" for c in outcome.checks)
             count = len(outcome.checks)
             passing = f"{count - bad} of {count} {'check passes' if count == 1 else 'checks pass'}"
             self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
+        self.query_one(TopLine).refresh()
+        self.show_remedy()
+
+    def show_written(self) -> None:
+        page = self.pages.get(self.step.key)
+        self.query_one(Calculation).show(page.sheet if page is not None else Sheet())
+        self.query_one(CurvePane).show(self.step.key, page.leaves if page is not None else ())
+        self.form.refresh_taken()
         self.show_keys()
 
     def show_keys(self) -> None:
@@ -250,8 +255,10 @@ class Workbench(Doing, Live):
         steps, bar = self.query_one(Steps), self.query_one(StepBar)
         steps.current = bar.current = self.query_one(MessageLine).step = self.step.key
         self.query_one("#inputs", Pane).set_title(self._form_title())
-        self.show_results()
+        self.show_verdicts()
+        self.show_written()
         self.show_state()
+        self.write_out()
         steps.go_to(self.step.key)
         self.show_remedy()
         self.seek_remedy()

@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The calculation of a step: formula, numbers, value, source, line by line, as it was computed; then what is assumed."""
 
+from collections.abc import Callable
+
 from textual.content import Content
 
+from calc.sheet.errors import Cancelled
 from calc.sheet.number import short
 from calc.sheet.step import Erratum
 
@@ -20,10 +23,13 @@ class Typesetter:
     def __init__(self, signs: Signs, width: int) -> None:
         self.signs, self.width = signs, width
 
-    def items(self, sheet: Sheet) -> list[Item]:
+    def items(self, sheet: Sheet, stop: Callable[[], bool] = bool) -> list[Item]:
+        """Raises Cancelled as soon as `stop` says so."""
         items: list[Item] = []
         about = ""
         for entry in sheet.entries:
+            if stop():
+                raise Cancelled
             if entry.about != about:
                 about = entry.about
                 title = about[:1].upper() + about[1:]
@@ -80,20 +86,20 @@ class Calculation(ItemList):
             self.sheet = sheet
             self.rebuild()
 
-    def prepare(self, sheet: Sheet) -> None:
+    def prepare(self, sheet: Sheet, stop: Callable[[], bool]) -> None:
         """Set a calculation ahead; may be called from another thread."""
         if self._built > 1:
-            self._items(sheet, self._built - 1)
+            self._items(sheet, self._built - 1, stop)
 
     def build(self, width: int) -> list[Item]:
         return self._items(self.sheet, width)
 
-    def _items(self, sheet: Sheet, width: int) -> list[Item]:
+    def _items(self, sheet: Sheet, width: int, stop: Callable[[], bool] = bool) -> list[Item]:
         signs = self.app.signs
         for known, for_width, for_signs, items in self._set:
             if known is sheet and for_width == width and for_signs is signs:
                 return items
-        items = Typesetter(signs, width).items(sheet)
+        items = Typesetter(signs, width).items(sheet, stop)
         self._set = [*self._set[-7:], (sheet, width, signs, items)]
         return items
 

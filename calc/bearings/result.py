@@ -119,6 +119,7 @@ class BearingResult:
     sweep: Sweep
     side: Side
     over_clearance: Film
+    beside: Film  # at a little less and a little more load
 
 
 @result

@@ -37,6 +37,7 @@ from .routes.routes import own_warm
 from .routes.side_by_side import routes_table, side_by_side
 from .routes.states import Duty, Film, Seat
 from .sweep import TURNING, Sweep, sweep, sweep_points
+from .turn import loads_beside
 
 PLACES = ("front", "rear")
 
@@ -159,8 +160,11 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
     with about(f"{place} bearing, dynamics"):
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=2 * load)
-    asked = corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty), (seat, twice)
-    at_corners, over_speeds, over_clearance, at_twice = settled_together(asked)
+    asked = (
+        corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty), (seat, twice),
+        loads_beside(seat, duty),
+    )  # fmt: skip
+    at_corners, over_speeds, over_clearance, at_twice, beside = settled_together(asked)
     with about(f"{place} bearing, twice the load"):
         doubled = _at_known_rise(seat, twice, at_twice)
     with about(f"{place} bearing, corners of the tolerances"):
@@ -215,6 +219,7 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
         sweep=swept,
         side=side,
         over_clearance=over_clearance,
+        beside=beside,
     )
 
 

@@ -14,7 +14,7 @@ from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.units import MetrePerSecond, Newton, Watt
 from .routes.balance import settled
-from .routes.states import Duty, Seat
+from .routes.states import Duty, Film, Seat
 
 APART = 0.05  # of the load: how far below and above
 SECOND_ORDER = 0.5  # of the load: up to here a standing load counts as small
@@ -51,12 +51,15 @@ class Response:
         return over_a_turn(P=self.friction_power, R_0=R_0, F=self.load, S=self.slope, K=self.curvature)
 
 
-def response(seat: Seat, duty: Duty, friction_power: Watt | None = None) -> Response:
-    """The answer at a duty, whose numbers may be arrays.  `friction_power`: at that duty, where it is known; nan: no film is found."""
-    parts = (1 - APART, 1.0, 1 + APART)
-    loads: Any = np.asarray(duty.load)[..., None] * np.array(parts)
+def loads_beside(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
+    """A little less load, the load itself and a little more, along a last axis of their own; the duty's numbers may be arrays."""
+    loads: Any = np.asarray(duty.load)[..., None] * np.array((1 - APART, 1.0, 1 + APART))
     each: dict[str, Any] = {name: np.asarray(x)[..., None] if np.ndim(x) else x for name, x in vars(duty).items() if name != "load"}
-    film: Any = settled(seat, replace(duty, load=loads, **each))
+    return seat, replace(duty, load=loads, **each)
+
+
+def answered(film: Film, duty: Duty, friction_power: Watt | None = None) -> Response:
+    """The answer at a duty, from the films at `loads_beside`.  `friction_power`: at that duty, where it is known; nan: no film is found."""
     power: Any = film.friction_power
     below, at, above = (power[..., i] if power.ndim > 1 else float(power[i]) for i in range(3))
     P_f = at if friction_power is None else friction_power
@@ -64,3 +67,8 @@ def response(seat: Seat, duty: Duty, friction_power: Watt | None = None) -> Resp
         load=duty.load, friction_power=P_f, slope=slope(P_below=below, P_above=above, F=duty.load),
         curvature=curvature(P_below=below, P_f=at, P_above=above, F=duty.load),
     )  # fmt: skip
+
+
+def response(seat: Seat, duty: Duty, friction_power: Watt | None = None) -> Response:
+    """The answer at a duty, whose numbers may be arrays; `friction_power` as above."""
+    return answered(settled(*loads_beside(seat, duty)), duty, friction_power)

@@ -12,7 +12,7 @@ import numpy as np
 
 from ..bearings.result import BearingsResult
 from ..bearings.sweep import TURNING
-from ..bearings.turn import SECOND_ORDER, Response, response
+from ..bearings.turn import SECOND_ORDER, Response, answered, response
 from ..countershaft.inputs import CountershaftInputs
 from ..countershaft.standing import Drive as GearDrive
 from ..countershaft.standing import Gear, Standing, standing_of
@@ -105,7 +105,7 @@ def journals_of(on: OnShaft) -> Journals:
         speed = one.duty.speed
         if on.turns:
             with about(f"{place} bearing, over a turn"):
-                responses[place] = response(one.seat, one.duty, one.friction_power)
+                responses[place] = answered(one.beside, one.duty, one.friction_power)
         else:
             responses[place] = Response(load=one.load, friction_power=one.friction_power, slope=0.0, curvature=0.0)
     return Journals(on, responses, speed)

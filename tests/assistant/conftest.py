@@ -15,7 +15,9 @@ from textual.pilot import Pilot
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory
 from assistant.screens import live
+from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
+from assistant.widgets.calculation import Calculation
 
 NOON = datetime(2026, 3, 14, 12, 4)
 Screen = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
@@ -69,15 +71,25 @@ def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     return opened
 
 
-async def solved(pilot: Pilot[int], limit: float = 10.0) -> None:
+async def solved(pilot: Pilot[int], limit: float = 30.0) -> None:
     """Wait until the results belong to what the fields say, and are shown."""
     app = pilot.app
     assert isinstance(app, ContralberoApp)
     end = time.perf_counter() + limit
     while time.perf_counter() < end:
         await pilot.pause()
-        if app.session.current or not app.session.valid:
+        if not app.session.valid or (app.session.current and _shown(app)):
             await pilot.pause()
             return
         await asyncio.sleep(0.02)
     raise TimeoutError("no results")
+
+
+def _shown(app: ContralberoApp) -> bool:
+    """Whether the calculation that stands there is that of the results."""
+    bench = app.screen_stack[0]
+    assert isinstance(bench, Workbench)
+    page, results = bench.pages.get(bench.step.key), app.session.results
+    return results is None or (
+        page is not None and page.outcome is results.outcomes[bench.step.key] and bench.query_one(Calculation).sheet is page.sheet
+    )

@@ -59,7 +59,7 @@ async def settled(pilot: Pilot[int]) -> None:
     await pilot.pause()
 
 
-async def until(pilot: Pilot[int], holds: Callable[[], bool], limit: float = 10.0) -> None:
+async def until(pilot: Pilot[int], holds: Callable[[], bool], limit: float = 30.0) -> None:
     """Wait until something holds that the screen comes to by itself."""
     end = time.perf_counter() + limit
     while not holds():

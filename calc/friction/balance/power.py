@@ -87,6 +87,8 @@ class Guess:
             step = P - self.P
             slope = (loss - self.loss) / np.where(step == 0, 1.0, step)
             self.slope = np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope)
+        else:
+            self.slope = np.clip(loss / P, 0.0, 0.9)  # most of a loss grows with the power
         self.P, self.loss = P, loss
 
 
