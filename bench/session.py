@@ -106,7 +106,9 @@ def bare() -> float:
 
 def report(name: str, seconds: list[float], unit: float) -> None:
     median, best, worst = (1000 * f(seconds) for f in (statistics.median, min, max))
-    print(f"{name:<40} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst {worst:6.0f}   n = {len(seconds)}")
+    print(
+        f"{name:<40} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst {worst:6.0f}   n = {len(seconds)}"
+    )
 
 
 def typed(terminal: Terminal, keys: bytes, pause: float = 0.06) -> list[float]:
