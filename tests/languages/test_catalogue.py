@@ -3,6 +3,7 @@
 
 import json
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -61,6 +62,13 @@ def test_no_english_word_is_left_in_the_forms(code: str) -> None:
     say = language(code)
     left = sorted({made for text in of_inputs() if ENGLISH.search(QUOTED.sub("", made := say(text)))})
     assert not left, f"{len(left)}: {left[:5]}"
+
+
+def test_the_catalogues_are_installed_with_the_program() -> None:
+    """A file that is no Python is only in a package where its ending is listed."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    listed = project["tool"]["setuptools"]["package-data"]["*"]
+    assert all(any(file.match(pattern) for pattern in listed) for code in OTHERS for file in (FOLDER / code).iterdir())
 
 
 # --- the mechanism
