@@ -29,7 +29,7 @@ SILENT = set(
 )
 PLACE = re.compile(r"\{\d+\}")
 WORD = re.compile(r"[^\W\d_]{2,}")
-CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+|[a-z_]+\((-?\d+|True|False|, )*\)|\w+ (-\w+ ?)+")  # keys, ids, actions, classes of a widget
+CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+|[a-z_]+\((-?\d+|True|False|, )*\)|\w+ (-\w+ ?)+")  # keys, actions, classes
 STYLE = re.compile(r"(?=.*\b(bold|dim|italic|underline)\b)(((not|bold|dim|italic|underline|on|\$[\w-]+|\{\d+\})\b|\$[\w-]+|\{\d+\}) ?)+")
 
 
