@@ -60,10 +60,10 @@ def sheet(outcome: Outcome, step: int, say: Language) -> Sheet:
                 line_of.setdefault(erratum.about, index)
     entries = []
     for i, line in enumerate(outcome.lines):
-        formula, numbers, source = line_text(line)
+        formula, numbers, source = line_text(line, say)
         entries.append(
             Entry(
-                f"{step}.{i + 1}", line.about, formula, numbers, say(source),
+                f"{step}.{i + 1}", line.about, formula, numbers, source,
                 tuple(c for c in outcome.checks if line_of.get(c.id) == i), tuple(e for e in outcome.errata if line_of.get(e.about) == i),
             )
         )  # fmt: skip

@@ -9,6 +9,7 @@ import json
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -33,6 +34,7 @@ CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+|[a-z_]+\((-?\d+|True|False|, 
 STYLE = re.compile(r"(?=.*\b(bold|dim|italic|underline)\b)(((not|bold|dim|italic|underline|on|\$[\w-]+|\{\d+\})\b|\$[\w-]+|\{\d+\}) ?)+")
 
 
+@cache
 def templates() -> dict[str, str]:
     """The texts of the source, what an f-string puts in as {0}, {1} …; each with the first file that has it."""
     found: dict[str, str] = {}
