@@ -16,6 +16,7 @@ from typing import Any
 from calc.design import STEPS
 from calc.languages import LANGUAGES, language
 from calc.sheet.quantity import keys
+from calc.sheet.step import Outcome
 from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -106,21 +107,25 @@ def _silent(node: ast.AST, parent: ast.AST | None) -> bool:
 def of_results(results: Results) -> Iterator[str]:
     """The texts of all steps, with curves and tables."""
     for outcome in results.whole().outcomes.values():
-        yield from (*outcome.notes, *outcome.proposals, outcome.reason)
-        for check in outcome.checks:
-            yield from (check.name, check.advice, check.source)
-        for erratum in outcome.errata:
-            yield from (erratum.label, erratum.why, erratum.source)
-        for curve in outcome.curves:
-            yield from (curve.title, *curve.names, *curve.variants, *(s.label for s in curve.series), *(name for name, _ in curve.limits))
-            yield from (name for turning in curve.turning for name in turning.names)
-        for table in outcome.tables:
-            yield from (table.title, table.note, *(label for label, _ in table.columns))
-            yield from (cell for row in table.rows for cell in row if isinstance(cell, str))
-        for line in outcome.lines:
-            yield from (line.about, line.formula.source)
-        for value in outcome.values():
-            yield value.label
+        yield from of_outcome(outcome)
+        yield from (value.label for value in outcome.values())
+
+
+def of_outcome(outcome: Outcome) -> Iterator[str]:
+    """The texts of one step, but for the labels of its values."""
+    yield from (*outcome.notes, *outcome.proposals, outcome.reason)
+    for check in outcome.checks:
+        yield from (check.name, check.advice, check.source)
+    for erratum in outcome.errata:
+        yield from (erratum.label, erratum.why, erratum.source)
+    for curve in outcome.curves:
+        yield from (curve.title, *curve.names, *curve.variants, *(s.label for s in curve.series), *(name for name, _ in curve.limits))
+        yield from (name for turning in curve.turning for name in turning.names)
+    for table in outcome.tables:
+        yield from (table.title, table.note, *(label for label, _ in table.columns))
+        yield from (cell for row in table.rows for cell in row if isinstance(cell, str))
+    for line in outcome.lines:
+        yield from (line.about, line.formula.source)
 
 
 def of_inputs() -> Iterator[str]:
