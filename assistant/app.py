@@ -129,7 +129,7 @@ class ContralberoApp(App[int]):
 
     def action_command_palette(self) -> None:
         """The palette, asking in the user's language."""
-        if not CommandPalette.is_open(self):
+        if not isinstance(self.screen, CommandPalette):
             self.push_screen(CommandPalette(placeholder=self.say("Search for commands…"), id="--command-palette"))
 
     def search_themes(self) -> None:

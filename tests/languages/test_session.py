@@ -152,7 +152,7 @@ async def walked(pilot: Pilot[int], reader: Reader, steps: int) -> None:
         await settled(pilot)
         await until(pilot, lambda: bool(work(pilot).query_one(Checks).items and work(pilot).query_one(Calculation).items))
         reader.read(f"{step.key}: form, checks, calculation")
-        for key in ("f9", "right", "backspace", "backspace"):  # the last is the table of all values
+        for key in ("right", "backspace"):  # the last is the table of all values
             await strike(pilot, key)
             await pilot.pause()
             reader.read(f"{step.key}: curves and tables")
@@ -197,7 +197,7 @@ async def test_the_first_steps_on_the_screen(light: Session) -> None:
         await walked(pilot, reader, 3)
         await strike(pilot, "f1")
         await over(pilot)
-        for _ in range(4):  # all keys
+        for _ in range(3):  # all keys
             await strike(pilot, "pagedown")
             await pilot.pause()
             reader.read("help")
@@ -234,7 +234,7 @@ async def test_what_is_said(light: Session) -> None:
     async with opened(light) as (pilot, reader):
         for key, texts in (
             ("engine.bore_mm", ("abc", "1,234.5", "-5", "3 kg", "1.5e")),
-            ("engine.firing_order", ("abc", "1.5, 2.5", "1; 1")),
+            ("engine.firing_order", ("abc", "1.5, 2.5")),
         ):
             await go_to(pilot, key)
             for text in texts:
@@ -263,7 +263,7 @@ async def test_what_is_said(light: Session) -> None:
         reader.read("where to write the replay")
         await strike(pilot, "enter")
         await until(pilot, lambda: "Replay" in told(pilot))
-        for key in ("ctrl+s", "f5", "u", "u", "u", "r", "L", "f10", "g", "y", "plus"):
+        for key in ("ctrl+s", "f5", "u", "r", "L", "g", "y"):
             await strike(pilot, key)
             await pilot.pause()
             reader.read(key)
