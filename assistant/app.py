@@ -14,6 +14,7 @@ os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is impo
 from textual.app import App, SystemCommand
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
+from textual.command import CommandPalette
 from textual.screen import Screen
 
 from calc.languages import LANGUAGES, language
@@ -124,6 +125,16 @@ class ContralberoApp(App[int]):
         text = self.say(text)
         self.forget(text)  # the same thing is not said twice at a time
         self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
+
+    def action_command_palette(self) -> None:
+        """The palette, asking in the user's language."""
+        if not isinstance(self.screen, CommandPalette):
+            self.push_screen(CommandPalette(placeholder=self.say("Search for commands…"), id="--command-palette"))
+
+    def search_themes(self) -> None:
+        from textual.theme import ThemeProvider
+
+        self.push_screen(CommandPalette([ThemeProvider], placeholder=self.say("Search for themes…")))
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         say = self.say

@@ -76,10 +76,8 @@ def sheet(outcome: Outcome, step: int, say: Language, stop: Callable[[], bool] =
     for i, line in enumerate(outcome.lines):
         if stop():
             raise Cancelled
-        formula, numbers, source = line_text(line)
-        entries.append(
-            Entry(f"{step}.{i + 1}", line.about, formula, numbers, say(source), tuple(judged.get(i, ())), tuple(wrong.get(i, ())))
-        )
+        formula, numbers, source = line_text(line, say)
+        entries.append(Entry(f"{step}.{i + 1}", line.about, formula, numbers, source, tuple(judged.get(i, ())), tuple(wrong.get(i, ()))))
     return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, outcome.notes, line_of)
 
 

@@ -68,7 +68,8 @@ def begun(made: Design, body: str, read: Callable[[str], Design]) -> tuple[str, 
     if not asked:
         return _none(results), ""
     vectors = " and ".join(f"a {'force' if c.unit == 'N' else 'couple'} of {short(c.value)} {c.unit}" for c in asked)
-    said = f"The counter-shaft takes {vectors} of first order that turn{'' if len(asked) > 1 else 's'} backward. It is begun by rules of "
+    turn = "turn" if len(asked) > 1 else "turns"
+    said = f"The counter-shaft takes {vectors} of first order that {turn} backward. It is begun by rules of "
     return f"{said}this program; what is assumed is marked so.", _stiff_enough(made, results, body, read)
 
 

@@ -86,7 +86,7 @@ class CompareScreen(Once, Screen[str | None]):
         yield Static(id="compare-sections")
         yield ComparisonList()
         yield Static(id="compare-here")
-        keys = [Content.assemble((key, "bold $footer-key-foreground"), " ", self.app.say(word)) for key, word in KEYS]
+        keys = [Content.assemble((self.app.say(key), "bold $footer-key-foreground"), " ", self.app.say(word)) for key, word in KEYS]
         yield Static(Content(" ") + Content("  ").join(keys), id="compare-keys")
 
     def on_mount(self) -> None:

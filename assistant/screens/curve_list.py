@@ -52,7 +52,7 @@ class CurveList(Once, ModalScreen[str | None]):
         say = self.app.say
         curves = sum(isinstance(leaf, Curve) for leaf in self.leaves)
         with Vertical(classes="dialog"):
-            yield Static(Content.styled(f"{say(self.step)}: {say(f'{curves} curves, {len(self.leaves) - curves} tables')}", "bold"))
+            yield Static(Content.styled(f"{self.step}: {say(f'{curves} curves, {len(self.leaves) - curves} tables')}", "bold"))
             yield Input(placeholder=say("words of the title"), compact=True, id="words")
             yield OptionList(id="leaves", compact=True)
             yield Static(Content.styled(say("Enter shows it, ↑ ↓ choose, Esc goes back"), "dim"))

@@ -34,7 +34,7 @@ class DoingCurves(Part):
         if not pane.leaves or pane.leaf is None:
             me.app.tell("This step has no curve.")
             return
-        id = await me.app.push_screen_wait(CurveList(f"{me.number} {me.step.title}", pane.leaves, pane.leaf.id))
+        id = await me.app.push_screen_wait(CurveList(f"{me.number} {me.app.say(me.step.title)}", pane.leaves, pane.leaf.id))
         if id is not None:
             pane.choose(id)
             me.action_to_view("curve")

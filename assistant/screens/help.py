@@ -165,7 +165,7 @@ class HelpScreen(Once, ModalScreen[None]):
         for action in ACTIONS:
             mapped = self.app.key_map.get(action.id)
             keys, letters = (key_names(mapped), "") if mapped else (key_names(action.keys), key_names(action.letters))
-            lines.append(self.described(keys, letters, f"{say(action.title)}. {say(action.help)}"))
+            lines.append(self.described(" ".join(map(say, keys.split())), letters, f"{say(action.title)}. {say(action.help)}"))
         lines.append(self.described("Tab Shift+Tab", "", "Next, previous field or pane."))
         lines.append(
             self.described(

@@ -191,7 +191,7 @@ class Live(Screen[None]):
         self._write_ahead()
         self.seek_remedy()
 
-    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="write ahead")
+    @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="ahead")
     def _write_ahead(self) -> None:
         results = self.session.results
 

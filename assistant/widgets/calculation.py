@@ -58,7 +58,7 @@ class Typesetter:
         rows += [Content(text) for text in wrap(" " * (indent + 2) + numbers, width, indent + 4)]
         signs = self.signs
         for check in entry.checks:
-            limit = check.limit_text().replace(" ", BOUND)
+            limit = signs.say(check.limit_text()).replace(" ", BOUND)
             text = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {check.name} {limit}"
             rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(" " * (indent + 2) + text, width, indent + 4)]
         for erratum in entry.errata:

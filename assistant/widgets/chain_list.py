@@ -45,8 +45,8 @@ class ChainList(ItemList):
                 shown = say(about)
                 title = shown[:1].upper() + shown[1:]
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")]))
-            formula, numbers, source = line_text(link.line)
-            entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, say(source))
+            formula, numbers, source = line_text(link.line, say)
+            entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
             made = setter.entry(entry)
             items.append(Item(str(number), made.rows, made.value, made.line))
             items += [self._input(key, number, width) for key in dict.fromkeys(link.inputs)]

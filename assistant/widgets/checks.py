@@ -43,7 +43,7 @@ class Checks(ItemList):
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, width)])]
         checks, indent = sorted_checks(outcome.checks), self._indent
         value_width = max(len(say("Value")), *(len(short(c.value)) for c in checks))
-        limit_width = max(len(say("Limit")), *(len(c.limit_text()) for c in checks))
+        limit_width = max(len(say("Limit")), *(len(say(c.limit_text())) for c in checks))
         name_width = width - indent - value_width - limit_width - MARGIN - 2 * GAP
         roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
         if roomy:
@@ -77,7 +77,7 @@ class Checks(ItemList):
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble(
             (start, style), pad(names[0], name_width), " " * GAP, (f"{short(check.value):>{value_width}}", loud), " " * GAP,
-            (f"{check.limit_text():<{limit_width}}", "dim"), (f"{check.margin_text():>{MARGIN}}", style),
+            (f"{self.app.say(check.limit_text()):<{limit_width}}", "dim"), (f"{self.app.say(check.margin_text()):>{MARGIN}}", style),
         )  # fmt: skip
         return [first, *(Content(" " * indent + name) for name in names[1:])]
 
@@ -88,9 +88,9 @@ class Checks(ItemList):
         room = width - indent - MARGIN
         names = wrap(check.name, room - 1)
         loud = style if check.verdict != "pass" else ""
-        first = Content.assemble((start, style), pad(names[0], room), (f"{check.margin_text():>{MARGIN}}", style))
+        first = Content.assemble((start, style), pad(names[0], room), (f"{self.app.say(check.margin_text()):>{MARGIN}}", style))
         limit = check.limit_text()
         numbers = Content.assemble(
-            " " * indent, (short(check.value), loud), (f"   {limit}" if limit[:1] in "≥≤<>" else f"   in {limit}", "dim")
+            " " * indent, (short(check.value), loud), (f"   {limit if limit[:1] in '≥≤<>' else self.app.say(f'in {limit}')}", "dim")
         )
         return [first, *(Content(" " * indent + name) for name in names[1:]), numbers]

@@ -77,7 +77,7 @@ class MessageLine(Widget):
         advice = say(check.advice)
         advice = f": {advice[:1].lower()}{advice[1:]}" if advice[1:2].islower() else f": {advice}" if advice else ""
         needs = say("should be") if check.kind == "advice" else say("needs")
-        return f"{say(check.name)} {value}, {needs} {check.limit_text()}{advice}"
+        return f"{say(check.name)} {value}, {needs} {say(check.limit_text())}{advice}"
 
     def offer(self) -> str:
         """What a key would mend of the step that fails."""

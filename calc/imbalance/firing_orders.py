@@ -165,7 +165,7 @@ RANKED = "Ranked by the forces, and the couples over one pitch, of all orders wi
 def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
     """The best orders, each with its number in the ranking, under the design as it is."""
     rows = (("", *_row(design, engine)), *((float(n), *_row(one, engine)) for n, one in enumerate(found[:most], 1)))
-    shown = f"{len(rows) - 1} of {len(found)} order{'s' if len(found) > 1 else ''}, under the design as it is."
+    shown = f"{len(rows) - 1} of {len(found)} {'orders' if len(found) > 1 else 'order'}, under the design as it is."
     return Table("firing_orders", TITLE, (("no.", ""), *COLUMNS), rows, f"{shown} {RANKED}")
 
 

@@ -10,14 +10,19 @@ from itertools import count
 from pathlib import Path
 from typing import NamedTuple
 
+from ..sheet.units import UNITS
+
 LANGUAGES = {"en": "English", "it": "italiano"}
 FOLDER = Path(__file__).resolve().parent
 PLACE = re.compile(r"\{(\w*)\}")  # where an f-string, or format(), puts something in
 WORD = re.compile(r"[^\W\d_]{2,}")
+NUMBER = re.compile(r"[-−+±]?\d\S* ")
+SMALL = re.compile(r"[^\W\d_A-Z]{2,}")  # what has no small letters is a name, a symbol or a sign: EN AC-43100
 EDGES = " .,;:"  # what may stand before or behind a text that was put together with others
 # where texts may have been put together, the coarse joints first
 JOINTS = tuple(map(re.compile, (r"((?<=[.!?]) )", r"((?<=[;:]) )", r"((?<=,) )", r"( ?[()])", r"( and | or | by | at )")))
 WEAK = 6  # letters of a template that say little: "{0} of {1}"
+HEAD = re.compile(r"[^\W\d_]{3,}: ")  # a template that begins so says enough: "Saved: {0}"
 KNOWN = 20_000  # texts that are remembered
 
 
@@ -60,10 +65,10 @@ class Language:
 
     def _found(self, text: str) -> Said:
         """The first way to say it by which nothing stays English, else the first by which something changes."""
-        if not WORD.search(text):
-            return Said(text, True)
         if (known := self._known.get(text)) is not None:
             return Said(known, True)
+        if not WORD.search(text) or not SMALL.search(text) or NUMBER.sub("", text, count=1) in UNITS:
+            return Said(text, True)
         first: Said | None = None
         for said in self._ways(text):
             if said.whole:
@@ -106,7 +111,11 @@ class Language:
 
     def _strong(self, template: str, fillers: tuple[str, ...]) -> bool:
         """Whether a template says enough not to be met by chance; a short one does where only numbers or known words were put in."""
-        return _letters(template) > WEAK or all(not WORD.search(filler) or filler.strip() in self._known for filler in fillers)
+        return (
+            _letters(template) > WEAK
+            or HEAD.match(template) is not None
+            or all(not WORD.search(filler) or filler.strip() in self._known for filler in fillers)
+        )
 
     def _exactly(self, text: str) -> Said | None:
         """What is one text of the program, known or made from a template."""

@@ -9,7 +9,7 @@ import ast
 import inspect
 import math
 import textwrap
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cache
 from typing import Any, get_type_hints
@@ -229,14 +229,14 @@ def text(tree: Expr, outer: float = 0) -> str:
     return f"({out})" if rank < outer else out
 
 
-def line_text(line: Line) -> tuple[str, str, str]:
-    """A line for a terminal: the formula, the substitution with its value, the source."""
+def line_text(line: Line, say: Callable[[str], str] = str) -> tuple[str, str, str]:
+    """A line for a terminal: the formula, the substitution with its value, the source; `say` puts its words into a language."""
     shown = show(line)
-    result = f"{shown.value} {shown.unit}".rstrip() + (f"   ({shown.where})" if shown.where else "")
+    result = f"{shown.value} {shown.unit}".rstrip() + (f"   ({say(shown.where)})" if shown.where else "")
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
-        return f"{head}: {shown.shows}", f"= {result}", shown.source
-    return f"{head} = {_written(line.formula)}", f"= {text(shown.numbers)} = {result}", shown.source
+        return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
+    return f"{head} = {_written(line.formula)}", f"= {text(shown.numbers)} = {result}", say(shown.source)
 
 
 @cache

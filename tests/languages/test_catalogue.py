@@ -3,6 +3,7 @@
 
 import json
 import re
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -63,13 +64,21 @@ def test_no_english_word_is_left_in_the_forms(code: str) -> None:
     assert not left, f"{len(left)}: {left[:5]}"
 
 
+def test_the_catalogues_are_installed_with_the_program() -> None:
+    """A file that is no Python is only in a package where its ending is listed."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    listed = project["tool"]["setuptools"]["package-data"]["*"]
+    assert all(any(file.match(pattern) for pattern in listed) for code in OTHERS for file in (FOLDER / code).iterdir())
+
+
 # --- the mechanism
 def test_a_text_is_found_by_its_template() -> None:
     say = Language(
         "xx",
         {"Film at the edge": "Meato al bordo", "front": "anteriore", "Wheel {0}: {1} is missing": "Ruota {0}: manca {1}", "oil": "olio",
          "{0} of {1}": "{0} di {1}", "Take {0} µm off {1}.": "Togliere {0} µm a {1}.", "Then check again": "Poi ricontrollare",
-         "a {} b {} long enough": "x {1} y {0} abbastanza"},
+         "a {} b {} long enough": "x {1} y {0} abbastanza", "Saved: {0}": "Salvato: {0}",
+         "above {0} and up to {1}": "sopra {0} e fino a {1}", "{0} to {1} {2}": "da {0} a {1} {2}"},
     )  # fmt: skip
     assert say("Film at the edge") == "Meato al bordo"
     assert say("Film at the edge, front") == "Meato al bordo, anteriore"
@@ -77,6 +86,8 @@ def test_a_text_is_found_by_its_template() -> None:
     assert say("oil of idler") == "olio di idler"
     assert say("Take 3 µm off idler. Then check again.") == "Togliere 3 µm a idler. Poi ricontrollare."
     assert say("a 1 b 2 long enough") == "x 2 y 1 abbastanza"
+    assert say("Saved: /home/so und so/a.toml") == "Salvato: /home/so und so/a.toml"
+    assert say("above 0 and up to 100 bar") == "sopra 0 e fino a 100 bar"
     assert say("nothing known here") == "nothing known here"
     assert say("") == "" and say("12.5 µm") == "12.5 µm"
 

@@ -9,12 +9,14 @@ import json
 import re
 import sys
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 from calc.design import STEPS
 from calc.languages import LANGUAGES, language
 from calc.sheet.quantity import keys
+from calc.sheet.step import Outcome
 from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -29,9 +31,11 @@ SILENT = set(
 )
 PLACE = re.compile(r"\{\d+\}")
 WORD = re.compile(r"[^\W\d_]{2,}")
-CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+")  # keys, ids
+CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+|[a-z_]+\((-?\d+|True|False|, )*\)|\w+ (-\w+ ?)+")  # keys, actions, classes
+STYLE = re.compile(r"(?=.*\b(bold|dim|italic|underline)\b)(((not|bold|dim|italic|underline|on|\$[\w-]+|\{\d+\})\b|\$[\w-]+|\{\d+\}) ?)+")
 
 
+@cache
 def templates() -> dict[str, str]:
     """The texts of the source, what an f-string puts in as {0}, {1} …; each with the first file that has it."""
     found: dict[str, str] = {}
@@ -46,10 +50,21 @@ def templates() -> dict[str, str]:
 
 def _of(tree: ast.AST) -> Iterator[str]:
     parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
+    names = set(_names(tree))
     for node in ast.walk(tree):
         text = _template(node)
-        if text is not None and _seen(text) and not _silent(node, parents.get(node)):
+        if text is not None and _seen(text) and node not in names and not _silent(node, parents.get(node)):
             yield text
+
+
+def _names(tree: ast.AST) -> Iterator[ast.AST]:
+    """All that stands in annotations and in `__all__`: a name in quotes is no text."""
+    for node in ast.walk(tree):
+        for inner in (getattr(node, "annotation", None), getattr(node, "returns", None)):
+            if inner is not None:
+                yield from ast.walk(inner)
+        if isinstance(node, ast.Assign) and any(isinstance(target, ast.Name) and target.id == "__all__" for target in node.targets):
+            yield from ast.walk(node)
 
 
 def _template(node: ast.AST) -> str | None:
@@ -69,7 +84,7 @@ def _seen(text: str) -> bool:
     """Whether this is a text for a reader, and not a key, an id or a pattern."""
     bare = PLACE.sub(" ", text)
     words = WORD.findall(bare)
-    if not words or CODE.fullmatch(text) or "(?" in text or "|" in text:
+    if not words or CODE.fullmatch(text) or STYLE.fullmatch(text) or "(?" in text or "|" in text:
         return False
     if " " in text.strip():
         return any(len(word) > 2 for word in words)
@@ -78,8 +93,8 @@ def _seen(text: str) -> bool:
 
 def _silent(node: ast.AST, parent: ast.AST | None) -> bool:
     """Parts of an f-string, docstrings, keys, comparisons, and what is given to a silent call."""
-    if isinstance(parent, (ast.JoinedStr, ast.FormattedValue, ast.Expr, ast.Subscript, ast.Compare, ast.arg, ast.AnnAssign)):
-        return not isinstance(parent, ast.AnnAssign) or parent.value is not node
+    if isinstance(parent, (ast.JoinedStr, ast.FormattedValue, ast.Expr, ast.Subscript, ast.Compare)):
+        return True
     if isinstance(parent, ast.Dict):
         return node in parent.keys
     if isinstance(parent, ast.Call):
@@ -92,21 +107,25 @@ def _silent(node: ast.AST, parent: ast.AST | None) -> bool:
 def of_results(results: Results) -> Iterator[str]:
     """The texts of all steps, with curves and tables."""
     for outcome in results.whole().outcomes.values():
-        yield from (*outcome.notes, *outcome.proposals, outcome.reason)
-        for check in outcome.checks:
-            yield from (check.name, check.advice, check.source)
-        for erratum in outcome.errata:
-            yield from (erratum.label, erratum.why, erratum.source)
-        for curve in outcome.curves:
-            yield from (curve.title, *curve.names, *curve.variants, *(s.label for s in curve.series), *(name for name, _ in curve.limits))
-            yield from (name for turning in curve.turning for name in turning.names)
-        for table in outcome.tables:
-            yield from (table.title, table.note, *(label for label, _ in table.columns))
-            yield from (cell for row in table.rows for cell in row if isinstance(cell, str))
-        for line in outcome.lines:
-            yield from (line.about, line.formula.source)
-        for value in outcome.values():
-            yield value.label
+        yield from of_outcome(outcome)
+        yield from (value.label for value in outcome.values())
+
+
+def of_outcome(outcome: Outcome) -> Iterator[str]:
+    """The texts of one step, but for the labels of its values."""
+    yield from (*outcome.notes, *outcome.proposals, outcome.reason)
+    for check in outcome.checks:
+        yield from (check.name, check.advice, check.source)
+    for erratum in outcome.errata:
+        yield from (erratum.label, erratum.why, erratum.source)
+    for curve in outcome.curves:
+        yield from (curve.title, *curve.names, *curve.variants, *(s.label for s in curve.series), *(name for name, _ in curve.limits))
+        yield from (name for turning in curve.turning for name in turning.names)
+    for table in outcome.tables:
+        yield from (table.title, table.note, *(label for label, _ in table.columns))
+        yield from (cell for row in table.rows for cell in row if isinstance(cell, str))
+    for line in outcome.lines:
+        yield from (line.about, line.formula.source)
 
 
 def of_inputs() -> Iterator[str]:
@@ -119,7 +138,7 @@ def of_inputs() -> Iterator[str]:
 def _of_inputs(cls: Any) -> Iterator[str]:
     for key in keys(cls).values():
         about = key.about
-        yield from (about.label, about.help)
+        yield from (about.label, about.help, about.source)
         if about.kind not in ("choice", "text", "table", "tables"):
             yield about.allowed()
         if about.table is not None:

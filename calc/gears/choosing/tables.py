@@ -247,7 +247,7 @@ def notes(found: Found) -> tuple[str, ...]:
 
 
 def _rows(numbers: list[int]) -> str:
-    return f"row{'s' if len(numbers) > 1 else ''} {', '.join(map(str, numbers))}"
+    return f"{'rows' if len(numbers) > 1 else 'row'} {', '.join(map(str, numbers))}"
 
 
 def _thinnest(found: Found, row: Row) -> float:
