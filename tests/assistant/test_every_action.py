@@ -4,6 +4,7 @@
 The tests of a size share one screen, which is put in order before each; one that fails leaves a screen that is made anew.
 """
 
+import asyncio
 import gc
 import re
 import sys
@@ -53,7 +54,7 @@ from .test_curves import drawn
 Do = Callable[[], Awaitable[None]]
 Deed = Callable[[Pilot[int], Do], Awaitable[None]]
 DEEDS: dict[str, Deed] = {}
-SHARE, SECOND = "imbalance.crank_balance_share", "Second-order couple left"
+SHARE, SECOND = "imbalance.crank_balance_fraction", "Second-order couple left"
 FIRST_CHECK = "imbalance.order_2.couple"
 
 
@@ -149,7 +150,8 @@ async def stage(request: pytest.FixtureRequest, put_aside: None, tmp_path_factor
 
 async def still(pilot: Pilot[int]) -> None:
     """Wait until the form stands, the results are those of the fields, and the curve is drawn."""
-    await pilot.app.workers.wait_for_complete([w for w in pilot.app.workers if w.group.startswith("form-")])
+    if making := [w for w in pilot.app.workers if w.group.startswith("form-")]:  # of none, it would wait for all workers
+        await pilot.app.workers.wait_for_complete(making)
     await solved(pilot)
     await drawn(pilot)
 
@@ -235,7 +237,7 @@ DEEDS |= {"back": partial(to_step, 1), "next": partial(to_step, 3)}
 async def help_(pilot: Pilot[int], do: Do) -> None:
     await do()
     await over(pilot, HelpScreen)
-    assert "Step 2 of 6: Imbalance" in text(pilot) and "Decide: How much of the reciprocating mass" in text(pilot)
+    assert "Step 2 of 6: Imbalance" in text(pilot)
     await strike(pilot, "end")
     await pilot.pause()
     for shown in ("Quit. Ends the program.", "^q", "Step 6: Friction"):
@@ -251,7 +253,7 @@ async def palette(pilot: Pilot[int], do: Do) -> None:
     await until(pilot, lambda: "Field: Counterweights apart" in text(pilot))
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).form.here() is not None)
-    assert work(pilot).form.here() == ("imbalance", "counterweight_distance_mm")
+    assert work(pilot).form.here() == ("imbalance", "counterweight_span_mm")
 
 
 @deed
@@ -333,6 +335,7 @@ async def line(pilot: Pilot[int], do: Do) -> None:
     await do()
     await still(pilot)
     assert titles(pilot) == ["Calculation"]
+    await until(pilot, lambda: "▸2." in text(pilot))
     shown = text(pilot)[text(pilot).index("▸2.") :]
     assert SECOND in shown and "386.8 N·m" in shown
 
@@ -345,8 +348,8 @@ async def mend(pilot: Pilot[int], do: Do) -> None:
     await until(pilot, lambda: "mends it" in text(pilot))
     assert message(pilot).startswith("First-order couple left over") and "mass of front 2 → 2.696 kg" in text(pilot)
     await do()
+    await until(pilot, lambda: "mass of front 2 → 2.696 kg: passes" in told(pilot) and "Undo takes it back" in told(pilot))
     await still(pilot)
-    assert "mass of front 2 → 2.696 kg: passes" in told(pilot) and "Undo takes it back" in told(pilot)
     assert session.value(mass) == 2.696 and "mends it" not in text(pilot) and "✗" not in text(pilot)
 
 
@@ -406,7 +409,7 @@ async def save(pilot: Pilot[int], do: Do) -> None:
     await do()
     await until(pilot, lambda: f"Saved: {session.home}" in told(pilot))
     after = session.home.read_text(encoding="utf-8")
-    assert load(session.home)[0].data["imbalance"]["crank_balance_share"] == 0.4 and after.count("\n") == before.count("\n")
+    assert load(session.home)[0].data["imbalance"]["crank_balance_fraction"] == 0.4 and after.count("\n") == before.count("\n")
     assert session.home.with_name("light.toml.bak").read_text(encoding="utf-8") == before
     await pilot.pause()
     assert "edited" not in screen_rows(pilot)[0]
@@ -420,7 +423,7 @@ async def save_as(pilot: Pilot[int], do: Do) -> None:
     await do()
     await give(pilot, SaveDialog, new)
     await until(pilot, lambda: f"Saved: {new}" in told(pilot))
-    assert load(new)[0].data["imbalance"]["crank_balance_share"] == 0.4 and old.read_bytes() == before
+    assert load(new)[0].data["imbalance"]["crank_balance_fraction"] == 0.4 and old.read_bytes() == before
     await pilot.pause()
     assert session.home == new and " other.toml " in screen_rows(pilot)[0] and "edited" not in screen_rows(pilot)[0]
 
@@ -440,11 +443,11 @@ async def open_(pilot: Pilot[int], do: Do) -> None:
 @deed
 async def reload(pilot: Pilot[int], do: Do) -> None:
     session = await edited(pilot)
-    theirs = session.home.read_text(encoding="utf-8").replace("crank_balance_share = 0.5", "crank_balance_share = 0.3")
+    theirs = session.home.read_text(encoding="utf-8").replace("crank_balance_fraction = 0.5", "crank_balance_fraction = 0.3")
     session.home.write_text(theirs, encoding="utf-8")
     await do()
+    await until(pilot, lambda: "light.toml is read anew. Undo returns to your edits." in told(pilot))
     await still(pilot)
-    assert "light.toml is read anew. Undo returns to your edits." in told(pilot)
     assert session.value(SHARE) == 0.3 and "[0.3      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
 
 
@@ -513,12 +516,14 @@ async def curves(pilot: Pilot[int], do: Do) -> None:
     await do()
     await over(pilot, CurveList)
     assert "2 Imbalance: " in text(pilot) and "▸  1 Locus of the couple" in text(pilot)
-    await type_in(pilot, "bod")
+    wanted = pilot.app.screen_stack[0].query_one(CurvePane).leaves[2]
+    await type_in(pilot, wanted.title.lower())
+    await pilot.pause()
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     await still(pilot)
     shown = work(pilot).query_one(CurvePane)
-    assert shown.leaf is not None and "bod" in shown.leaf.title.lower() and pilot.app.focused is shown.target and shown.leaf.title[:20] in text(pilot)
+    assert shown.leaf is wanted and pilot.app.focused is shown.target and wanted.title[:20] in text(pilot)
 
 
 async def read_at(pilot: Pilot[int]) -> float:
@@ -692,15 +697,16 @@ def test_every_action_has_its_deed() -> None:
 
 
 KEYS = [(action.id, keys.split(",")[0]) for action in ACTIONS for keys in (action.keys, action.letters) if keys]
-FROM_PALETTE = ("next", "view", "trouble", "choose", "guide", "save_as", "export", "curves", "variant", "redo", "step_3", "copy_line")
+FROM_PALETTE = ("trouble", "export", "undo", "copy_line")
 ALONE = {"quit"}  # on a screen that nobody else uses
 
 
 async def play(stage: Stage, id: str, do: Do) -> None:
-    await stage.put_in_order()
-    stage.played = False
-    await DEEDS[id](stage.pilot, do)
-    stage.played = True
+    async with asyncio.timeout(30):
+        await stage.put_in_order()
+        stage.played = False
+        await DEEDS[id](stage.pilot, do)
+        stage.played = True
 
 
 @pytest.mark.asyncio(loop_scope="module")
@@ -716,7 +722,9 @@ async def test_from_the_palette(stage: Stage, id: str) -> None:
         await strike(stage.pilot, "ctrl+p")
         palette = await over(stage.pilot, CommandPalette)
         await type_in(stage.pilot, BY_ID[id].title)
-        await until(stage.pilot, lambda: palette.query_one(CommandInput).value == BY_ID[id].title and chosen(palette).startswith(BY_ID[id].title))
+        await until(
+            stage.pilot, lambda: palette.query_one(CommandInput).value == BY_ID[id].title and chosen(palette).startswith(BY_ID[id].title)
+        )
         await strike(stage.pilot, "enter")
         await until(stage.pilot, lambda: stage.pilot.app.screen is not palette)
         await stage.pilot.pause()

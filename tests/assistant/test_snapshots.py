@@ -18,7 +18,7 @@ from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory, Settings
-from assistant.screens import live
+from assistant.screens import live, workbench
 from assistant.screens.choosing import Choosing
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
@@ -90,6 +90,7 @@ def opened(solved_once: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     """Opens a step of the example, which is solved; with a clock that stands, and a solve that always takes as long."""
     results, found = solved_once
     monkeypatch.setattr(live, "AHEAD", 1000.0)
+    monkeypatch.setattr(workbench, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
     monkeypatch.setattr("calc.remedies.remedy.remedy", lambda document, step, results, progress: found[step])
     gc.set_threshold(50_000, 20, 50)
 
