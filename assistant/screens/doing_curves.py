@@ -20,6 +20,9 @@ class DoingCurves(Part):
     def _turn_curve(self, by: int) -> None:
         me = self._me
         pane = me.query_one(CurvePane)
+        if pane.leaves and not pane.display:  # first the one that stands there, which has not been seen
+            me.action_to_view("curve")
+            return
         if len(pane.leaves) < 2:
             me.app.tell("This step has no other curve." if pane.leaves else "This step has no curve.")
         pane.action_turn(by)

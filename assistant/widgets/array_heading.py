@@ -87,7 +87,7 @@ class ArrayHeading(Widget, can_focus=True):
             middle = [
                 "  ",
                 self._link(before, "leaf(-1)"),
-                fit(text, max(8, self.size.width - len(title) - 16)),
+                fit(text, max(8, self.size.width - len(title) - 10)),  # beside blanks, arrows and buttons
                 self._link(after, "leaf(1)"),
             ]
         buttons: list[Content | str] = (

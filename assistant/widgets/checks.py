@@ -11,7 +11,7 @@ from .item_list import Item, ItemList
 from .wrap import pad, wrap
 
 ORDER = {"fail": 0, "warn": 1, "pass": 2}
-MARGIN = 8  # cells
+MARGIN = 8  # cells at least
 GAP = 2
 
 
@@ -44,16 +44,17 @@ class Checks(ItemList):
         checks, indent = sorted_checks(outcome.checks), self._indent
         value_width = max(len(say("Value")), *(len(short(c.value)) for c in checks))
         limit_width = max(len(say("Limit")), *(len(say(c.limit_text())) for c in checks))
-        name_width = width - indent - value_width - limit_width - MARGIN - 2 * GAP
+        margin_width = max(MARGIN, *(len(say(c.margin_text())) for c in checks))
+        name_width = width - indent - value_width - limit_width - margin_width - 2 * GAP
         roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
         if roomy:
             start = " " * indent + say("Check").ljust(name_width)
-            head = f"{start}{'':{GAP}}{say('Value'):>{value_width}}{'':{GAP}}{say('Limit'):<{limit_width}}{say('Margin'):>{MARGIN}}"
+            head = f"{start}{'':{GAP}}{say('Value'):>{value_width}}{'':{GAP}}{say('Limit'):<{limit_width}}{say('Margin'):>{margin_width}}"
         else:
-            head = f"{'':<{indent}}{say('Check, value and limit'):<{width - indent - MARGIN}}{say('Margin'):>{MARGIN}}"
+            head = f"{'':<{indent}}{say('Check, value and limit'):<{width - indent - margin_width}}{say('Margin'):>{margin_width}}"
         items = [Item("", [Content.styled(head, "dim")])]
         for check in checks:
-            rows = self._wide(check, name_width, value_width, limit_width) if roomy else self._two(check, width)
+            rows = self._wide(check, name_width, value_width, limit_width, margin_width) if roomy else self._two(check, width, margin_width)
             value = f"{short(check.value)} {check.unit}".rstrip()
             judged = say(f"limit {check.limit_text()}, margin {check.margin_text()}")
             line = f"{self.app.signs.word(check.verdict)}: {check.name} {value}, {judged} [{check.source}]"
@@ -69,7 +70,7 @@ class Checks(ItemList):
         signs = self.app.signs
         return pad(f"{signs.mark(check.verdict)} {signs.word(check.verdict)}", self._indent), signs.style(check.verdict)
 
-    def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int) -> list[Content]:
+    def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int, margin_width: int) -> list[Content]:
         """One row, where the names fit beside the numbers."""
         start, style = self._start(check)
         indent = self._indent
@@ -77,18 +78,18 @@ class Checks(ItemList):
         loud = style if check.verdict != "pass" else ""
         first = Content.assemble(
             (start, style), pad(names[0], name_width), " " * GAP, (f"{short(check.value):>{value_width}}", loud), " " * GAP,
-            (f"{self.app.say(check.limit_text()):<{limit_width}}", "dim"), (f"{self.app.say(check.margin_text()):>{MARGIN}}", style),
+            (f"{self.app.say(check.limit_text()):<{limit_width}}", "dim"), (f"{self.app.say(check.margin_text()):>{margin_width}}", style),
         )  # fmt: skip
         return [first, *(Content(" " * indent + name) for name in names[1:])]
 
-    def _two(self, check: Check, width: int) -> list[Content]:
+    def _two(self, check: Check, width: int, margin_width: int) -> list[Content]:
         """The name in one row, the numbers in the next."""
         start, style = self._start(check)
         indent = self._indent
-        room = width - indent - MARGIN
+        room = width - indent - margin_width
         names = wrap(check.name, room - 1)
         loud = style if check.verdict != "pass" else ""
-        first = Content.assemble((start, style), pad(names[0], room), (f"{self.app.say(check.margin_text()):>{MARGIN}}", style))
+        first = Content.assemble((start, style), pad(names[0], room), (f"{self.app.say(check.margin_text()):>{margin_width}}", style))
         limit = check.limit_text()
         numbers = Content.assemble(
             " " * indent, (short(check.value), loud), (f"   {limit if limit[:1] in '≥≤<>' else self.app.say(f'in {limit}')}", "dim")

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 # What goes first where there is not room for all, after what does nothing here.  Narrow, F4 leads to every pane.
 SPARED = ("palette", "choose", "trouble", "curve", "variant")
-SPARED_NARROW = ("palette", "pane", "choose", "mend", "trouble", "quit", "back", "curve", "variant")
+SPARED_NARROW = ("palette", "pane", "choose", "mend", "trouble", "quit", "back", "curve", "variant", "report", "undo")
 
 
 class FooterLine(Widget):

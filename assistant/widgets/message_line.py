@@ -89,14 +89,16 @@ class MessageLine(Widget):
             return f"{say('No remedy was found')}: {found}"
         where = "" if self.trouble == self.step else self._title(self.trouble)
         mends = say(f"{key} mends it")
-        return f"{where}{mends}: {say(self.remedy.words)} {self.app.signs.mark('then')} {say(self.remedy.said)}"
+        then = self.app.signs.mark("then")
+        return f"{where}{mends}: {say(self.remedy.words).replace('→', then)} {then} {say(self.remedy.said)}"
 
     def render(self) -> Content:
         state, text = self.message()
         signs = self.app.signs
         if state != "invalid" and (offer := self.offer()):
             width = max(10, self.size.width - 4)
-            rows = [fit(text, width), fit(offer, width)]
+            title = self._title(self.trouble)
+            rows = [fit(text, width), fit(offer.removeprefix(title) if text.startswith(title) else offer, width)]
             return Content.assemble((f" {signs.mark(state)} {rows[0]}", signs.style(state)), f"\n   {rows[1]}")
         rows = wrap(text, max(10, self.size.width - 4), 0)
         if len(rows) > ROWS:

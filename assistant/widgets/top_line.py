@@ -63,7 +63,7 @@ class TopLine(Widget):
         else:
             time = say(f"solved in {session.seconds * 1000:.0f} ms")
         if width < FEWEST:
-            time = say(f"needs {FEWEST} columns")
+            time, right = say(f"needs {FEWEST} columns"), []  # which must be seen
         if self.app.writing:
             right += [(say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))

@@ -86,6 +86,12 @@ async def type_in(pilot: Pilot[int], text: str) -> None:
     await strike(pilot, *text)
 
 
+def screen_rows(pilot: Pilot[int]) -> list[str]:
+    """The screen that is on top, as text."""
+    return ["".join(segment.text for segment in strip) for strip in pilot.app.screen._compositor.render_strips()]
+
+
 def rows(pilot: Pilot[int]) -> str:
-    """The screen as text."""
-    return "\n".join("".join(segment.text for segment in strip) for strip in work(pilot)._compositor.render_strips())
+    """The main screen as text."""
+    work(pilot)
+    return "\n".join(screen_rows(pilot))

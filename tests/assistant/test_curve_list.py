@@ -80,7 +80,7 @@ async def test_a_curve_is_found_and_shown(screen: Screen, size: tuple[int, int],
 async def test_the_list_is_moved_through_while_words_are_typed(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         await show(pilot, *MANY)
-        await strike(pilot, "escape", "f9", "f9")
+        await strike(pilot, "escape", "f9", "f9", "f9")  # the first shows the pane
         listed = await opened(pilot, "C")
         options = listed.query_one(OptionList)
         assert isinstance(listed.focused, Input)
