@@ -72,7 +72,7 @@ def calculations() -> Iterator[None]:
     """The calculations of the example are written out once in each language."""
     made: dict[tuple[int, str], tuple[Any, Sheet]] = {}
 
-    def once(outcome: Any, number: int, say: Any) -> Sheet:
+    def once(outcome: Any, number: int, say: Any, stop: Any) -> Sheet:
         if (id(outcome), say.code) not in made:
             made[id(outcome), say.code] = outcome, sheet(outcome, number, say)
         return made[id(outcome), say.code][1]
