@@ -148,7 +148,8 @@ class Session(Editing):
         """What is to be solved now; None where the input is not valid or the results are up to date."""
         if not self.valid or self.solved == self.generation:
             return None
-        return Job(self.generation, self.design, self.results)
+        asked = self.generation
+        return Job(asked, self.design, self.results, stop=lambda: self.generation != asked)
 
     def accept(self, answer: Answer) -> bool:
         """Take over what a solve gave; an answer to an older question is dropped."""

@@ -2,10 +2,12 @@
 """One solve, as a question that another thread can be given and an answer that it gives back."""
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from calc.design import Design
+from calc.sheet.errors import Cancelled
 
 if TYPE_CHECKING:
     from calc.solve import Results
@@ -18,11 +20,12 @@ class Job:
     generation: int
     design: Design = field(repr=False)  # they are large, and a screen may want to name this in its log
     before: "Results | None" = field(repr=False)
+    stop: Callable[[], bool] = field(default=bool, repr=False)  # whether nobody waits for the answer any more
 
 
 @dataclass(frozen=True)
 class Answer:
-    """What a solve gave.  `failure`: the program itself went wrong; then there are no results."""
+    """What a solve gave.  There are no results where it was stopped, or where `failure` says that the program itself went wrong."""
 
     generation: int
     results: "Results | None" = field(repr=False)
@@ -36,7 +39,9 @@ def run(job: Job) -> Answer:
 
     started = time.perf_counter()
     try:
-        results = solve(job.design, job.before)
+        results = solve(job.design, job.before, job.stop)
+    except Cancelled:
+        return Answer(job.generation, None, 0.0)
     except Exception as error:  # a mistake of the program must not take the user's work with it
         return Answer(job.generation, None, 0.0, f"the program made a mistake: {type(error).__name__}: {error}")
     return Answer(job.generation, results, time.perf_counter() - started)

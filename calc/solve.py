@@ -21,7 +21,7 @@ from .gears import solve as gears
 from .gears.curves import curves
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
-from .sheet.errors import NoSolution
+from .sheet.errors import Cancelled, NoSolution
 from .sheet.quantity import Published
 from .sheet.step import Outcome
 
@@ -55,11 +55,14 @@ class Results:
 class _Parts:
     """Calls the parts.  One whose arguments are what they were is taken over; one that waits for another is blocked."""
 
-    def __init__(self, before: Results | None) -> None:
+    def __init__(self, before: Results | None, stop: Callable[[], bool]) -> None:
         self.before = before.parts if before else {}
+        self.stop = stop
         self.now: dict[str, Any] = {}
 
     def __call__(self, key: str, asked: Any, function: Callable[..., Outcome], *arguments: Any, after: tuple[Outcome, ...] = ()) -> Outcome:
+        if self.stop():
+            raise Cancelled
         if asked is None:
             return Outcome(key, "not_asked")
         waiting = [TITLES[o.key] for o in after if o.state != "solved"]
@@ -86,9 +89,12 @@ def _same(known: tuple[Any, ...], arguments: tuple[Any, ...]) -> bool:
         return False
 
 
-def solve(design: Design, before: Results | None = None) -> Results:
-    """All six steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over."""
-    part = _Parts(before)
+def solve(design: Design, before: Results | None = None, stop: Callable[[], bool] = bool) -> Results:
+    """All six steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
+
+    `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
+    """
+    part = _Parts(before, stop)
     oils, materials = design.oils, design.materials
 
     e = part("engine", design.engine, engine.solve, design.engine, materials)

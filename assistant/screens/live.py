@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The screen as it is always solved: in another thread, one solve at a time, the answer dropped if it comes too late."""
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -33,8 +34,8 @@ if TYPE_CHECKING:
 
     from ..app import ContralberoApp
 
-DEBOUNCE = 0.02  # seconds after the last key: a burst of a repeating key is one solve
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
+FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
 
 
@@ -82,7 +83,6 @@ class Live(Screen[None]):
         self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it mends
         self.pages: dict[str, Page] = {}  # step → what was written of it last
         self._solving = False
-        self._debounce: Timer | None = None
         self._slow: Timer | None = None
         self._ahead: Timer | None = None
 
@@ -97,14 +97,8 @@ class Live(Screen[None]):
     def show_state(self) -> None:
         raise NotImplementedError
 
-    def solve_soon(self) -> None:
-        """Solve when no further key comes."""
-        if self._debounce is not None:
-            self._debounce.stop()
-        self._debounce = self.set_timer(DEBOUNCE, self.solve)
-
     def solve(self) -> None:
-        """Solve what is to be solved, one at a time; an edit in the meantime makes it solve once more."""
+        """Solve what is to be solved, one at a time; an edit in the meantime stops it, and it begins once more."""
         if self._solving:
             return
         job = self.session.job()
@@ -189,14 +183,19 @@ class Live(Screen[None]):
 
     def _think_ahead(self) -> None:
         self._write_ahead()
-        self.seek_remedy()
+        self._ahead = self.set_timer(AHEAD, self.seek_remedy)
+
+    def _idle(self, results: "Results | None") -> bool:
+        """Whether nothing has happened since these results: what goes on behind the screen stops at the next key, to make room."""
+        return self.is_attached and not self._solving and self.session.results is results and self.session.current
 
     @work(thread=True, exclusive=True, group="ahead", exit_on_error=False, description="ahead")
     def _write_ahead(self) -> None:
         results = self.session.results
 
         def stop() -> bool:
-            return self._solving or self.session.results is not results or not self.is_attached
+            time.sleep(0.0005)  # between two lines a key may come, and need not wait
+            return not self._idle(results)
 
         for step in STEPS:
             if results is None or stop():
@@ -230,7 +229,7 @@ class Live(Screen[None]):
         worker = get_current_worker()
 
         def progress(share: float, what: str) -> None:
-            if worker.is_cancelled or self.session.results is not results or not self.is_attached:
+            if worker.is_cancelled or not self._idle(results):
                 raise Cancelled
 
         try:
@@ -263,7 +262,7 @@ class Live(Screen[None]):
         self.query_one(TopLine).slow = False
         self.set_stale(False)
         self.show_verdicts()
-        self.call_after_refresh(self.follow_up)
+        self.set_timer(FRAMES, self.follow_up)
 
     def follow_up(self) -> None:
         """What may be shown a moment after the verdicts."""

@@ -95,7 +95,7 @@ class Workbench(Doing, Live):
 
     async def enter(self, session: Session) -> None:
         """Go on with another design."""
-        for timer in (self._debounce, self._keep, self._complain, self._ahead):
+        for timer in (self._keep, self._complain, self._ahead):
             if timer is not None:
                 timer.stop()
         self._keep = None
@@ -170,9 +170,9 @@ class Workbench(Doing, Live):
         self.edited()
 
     def edited(self) -> None:
-        """The design has changed: say what is not accepted, solve, and keep the edit aside, each in its time."""
+        """The design has changed: solve, say what is not accepted, and keep the edit aside, each in its time."""
+        self.solve()
         self.show_state()
-        self.solve_soon()
         if self._keep is None:
             self._keep = self.set_timer(KEEP, self.keep)
 
