@@ -36,6 +36,7 @@ if TYPE_CHECKING:
 
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
+SEEK = 1.0  # seconds from then until a remedy is looked for: a step of that can not be stopped half-way
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
 
 
@@ -183,7 +184,7 @@ class Live(Screen[None]):
 
     def _think_ahead(self) -> None:
         self._write_ahead()
-        self._ahead = self.set_timer(AHEAD, self.seek_remedy)
+        self._ahead = self.set_timer(SEEK, self.seek_remedy)
 
     def _idle(self, results: "Results | None") -> bool:
         """Whether nothing has happened since these results: what goes on behind the screen stops at the next key, to make room."""

@@ -209,9 +209,11 @@ class Workbench(Doing, Live):
 
     # --- showing
     def show_remedy(self) -> None:
+        if self.session.valid and not self.session.current and self.session.results is not None:
+            return  # what stands there stays until there are results: it would only flicker
         line = self.query_one(MessageLine)
         line.trouble, line.remedy = self.trouble, self.remedy
-        line.refresh()
+        line.redraw()
         self.show_keys()
 
     def show_verdicts(self) -> None:
@@ -223,8 +225,7 @@ class Workbench(Doing, Live):
             count = len(outcome.checks)
             passing = f"{count - bad} of {count} {'check passes' if count == 1 else 'checks pass'}"
             self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
-        self.query_one(TopLine).refresh()
-        self.show_remedy()
+        self.query_one(TopLine).refresh()  # the last line of the screen follows: what lies between two lines is painted with them
 
     def show_written(self) -> None:
         page = self.pages.get(self.step.key)

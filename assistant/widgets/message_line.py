@@ -32,6 +32,14 @@ class MessageLine(Widget):
         self.step = STEPS[0].key
         self.trouble = ""  # the step that fails
         self.remedy: Remedy | None = None  # what mends it, as soon as it is known
+        self._shown: tuple[str, ...] = ()
+
+    def redraw(self) -> None:
+        """Draw anew if there is something new to draw."""
+        shown = (*self.message(), self.offer())
+        if shown != self._shown:
+            self._shown = shown
+            self.refresh()
 
     def message(self) -> tuple[str, str]:
         """The state and the text."""
@@ -81,7 +89,7 @@ class MessageLine(Widget):
 
     def offer(self) -> str:
         """What a key would mend of the step that fails."""
-        if self.remedy is None or not self.session.valid or not self.session.current:
+        if self.remedy is None or not self.session.valid:
             return ""
         key, say = self.app.shown_key("mend"), self.app.say
         if not self.remedy.changes:

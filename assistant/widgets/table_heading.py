@@ -42,6 +42,7 @@ class TableHeading(Widget, can_focus=True):
         self.row = row
         self.session = session
         self.reason = ""  # why the table as a whole is not accepted
+        self._looks: tuple[object, ...] = ()
 
     @property
     def there(self) -> bool:
@@ -53,9 +54,12 @@ class TableHeading(Widget, can_focus=True):
         return not self.there
 
     def redraw(self, row: Row, reason: str) -> None:
+        looks = (self.there, reason, row.about.label)
         self.row = row
         self.reason = reason
-        self.refresh()
+        if looks != self._looks:
+            self._looks = looks
+            self.refresh()
 
     def render(self) -> Content:
         minus = "-" if self.app.signs.ascii else "−"
