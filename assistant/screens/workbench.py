@@ -333,6 +333,8 @@ class Workbench(Doing, Live):
 
     def _show_help(self) -> None:
         """The foot of the form: about the field that has the focus."""
+        if not self.query(f"#form-{self.step.key}"):  # the screen is just being made anew
+            return
         shown, say = self.query_one(FieldHelp), self.app.say
         field = self.form.field
         if field is not None:

@@ -103,6 +103,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         made = self.build(width - 1)
         if made is self.items or (width == self._built and _same(made, self.items)):
             self.items = made
+            self._go_where_wanted()
             return
         self.items = made
         self._built = width
@@ -119,7 +120,11 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
             self.virtual_size = size  # which lays the screen out anew
         self.refresh()
         self.post_message(self.Moved(self))
-        if self._wanted is not None:
+        self._go_where_wanted()
+
+    def _go_where_wanted(self) -> None:
+        """Where the cursor was sent while there was nothing to see yet."""
+        if self._wanted is not None and self.size.height:
             wanted, self._wanted = self._wanted, None
             self.call_after_refresh(self.go_to, wanted[0], top=wanted[1])
 
@@ -128,6 +133,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
             self.rebuild()
         else:
             self.post_message(self.Moved(self))
+            self._go_where_wanted()
 
     def on_show(self) -> None:
         """What was set while the list was hidden, and had no width, is built now; its size need not have changed."""
@@ -149,7 +155,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
 
     def go_to(self, key: str, *, top: bool = False) -> bool:
         """Put the cursor on an item and bring it into view, now or as soon as the list is shown."""
-        if not self.items or not self.room:
+        if not self.items or not self.size.height:
             self._wanted = (key, top)
             return True
         for i, item in enumerate(self.items):
@@ -189,7 +195,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
         self.cursor = index
         first, count = self._first[index], len(self.items[index].rows)
         if top:
-            self.scroll_to(y=max(0, first - 1), animate=False)
+            self.scroll_to(y=max(0, first - 1), animate=False, force=True)
         else:
             self.scroll_to_region(Region(0, first, 1, min(count, max(1, self.size.height))), animate=False, force=True)
         self.refresh()

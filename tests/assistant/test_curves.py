@@ -67,7 +67,7 @@ async def drawn(pilot: Pilot[int]) -> None:
     pane = work(pilot).query_one(CurvePane)
 
     def stands() -> bool:
-        if not pane.display:
+        if not pane.display or pane.leaf is None:
             return True
         if isinstance(pane.leaf, Table):
             return pane.list.display and pane.list.table is pane.leaf and pane.list.key.startswith(pane.leaf.id)
