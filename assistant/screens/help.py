@@ -114,7 +114,7 @@ class HelpScreen(Once, ModalScreen[None]):
         lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(said)]
         if about.source:
             lines.append(Content.styled(f"{say('Source')}: {say(about.source)}", "dim"))
-        if about.kind in ("choice", "text"):
+        if about.kind == "choice":
             lines.append(Content(f"{say('Allowed')}: {say(about.allowed())}."))
         if about.optional:
             lines.append(Content(say("May be left empty: the program then chooses, and says so.")))

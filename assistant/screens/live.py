@@ -87,6 +87,11 @@ class Live(Screen[None]):
         self._slow: Timer | None = None
         self._ahead: Timer | None = None
 
+    @property
+    def stands(self) -> bool:
+        """Whether all parts of the screen are there: not while it is made anew, or taken down at the end."""
+        raise NotImplementedError
+
     def show_verdicts(self) -> None:
         """What the results say in a few words: shown first, and at once."""
         raise NotImplementedError
@@ -117,7 +122,7 @@ class Live(Screen[None]):
             self.query_one(results).set_stale(stale)
 
     def _say_slow(self) -> None:
-        if self._solving:
+        if self._solving and self.stands:
             self.query_one(TopLine).slow = True
             self.query_one(TopLine).refresh()
             self.set_stale(True)
@@ -137,7 +142,7 @@ class Live(Screen[None]):
         else:
             self._page_aside(results, self.step)
 
-    @work(thread=True, exclusive=True, group="write", exit_on_error=False, description="write")
+    @work(thread=True, exclusive=True, group="page", exit_on_error=False, description="page")
     def _page_aside(self, results: "Results", step: Step) -> None:
         from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
 
@@ -147,7 +152,7 @@ class Live(Screen[None]):
 
     def on_live_written(self, event: Written) -> None:
         event.stop()
-        if event.results is self.session.results and self.written(event.results, self.step):
+        if self.stands and event.results is self.session.results and self.written(event.results, self.step):
             self.show_written()
             self._go_ahead()
 
@@ -245,7 +250,8 @@ class Live(Screen[None]):
     def on_live_mended(self, event: Mended) -> None:
         event.stop()
         self.remedies[event.step] = (event.results, event.remedy)
-        self.show_remedy()
+        if self.stands:
+            self.show_remedy()
 
     def show_remedy(self) -> None:
         raise NotImplementedError
@@ -257,6 +263,8 @@ class Live(Screen[None]):
             self._slow.stop()
         if event.session is self.session:
             self.session.accept(event.answer)
+        if not self.stands:  # it is solved again as soon as it does
+            return
         if self.session.job() is not None:  # edited in the meantime
             self.solve()
             return
@@ -267,5 +275,6 @@ class Live(Screen[None]):
 
     def follow_up(self) -> None:
         """What may be shown a moment after the verdicts."""
-        self.show_state()
-        self.write_out()
+        if self.stands:
+            self.show_state()
+            self.write_out()

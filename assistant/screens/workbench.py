@@ -66,6 +66,7 @@ class Workbench(Doing, Live):
         super().__init__()
         self._keep: Timer | None = None
         self._complain: Timer | None = None
+        self._making = False
         self._begin(session)
 
     def _begin(self, session: Session) -> None:
@@ -100,13 +101,28 @@ class Workbench(Doing, Live):
                 timer.stop()
         self._keep = None
         self._begin(session)
-        await self.recompose()
+        await self._make_anew()
         self.on_mount()
+
+    async def _make_anew(self) -> None:
+        self._making = True
+        try:
+            await self.recompose()
+        finally:
+            self._making = False
+
+    @property
+    def stands(self) -> bool:
+        return not self._making and bool(self.query("#footer-line"))
+
+    def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
+        """Keys do nothing while there is nothing that they could act on."""
+        return self.stands
 
     async def speak(self) -> None:
         """Show everything in the language that the program speaks now."""
         step, pane = self.step, self.pane
-        await self.recompose()
+        await self._make_anew()
         self.set_out()
         self.show_step()
         self.at_pane(pane)
@@ -194,6 +210,8 @@ class Workbench(Doing, Live):
             self.query_one(StepBar).refresh()
 
     def _complain_now(self) -> None:
+        if not self.stands:
+            return
         self._saw = set(self.session.reasons())
         self.show_state()
 
@@ -278,6 +296,8 @@ class Workbench(Doing, Live):
                     self.form.display = True
                 else:
                     await self.query_one("#forms").mount(Form(step, self.session))
+                    if not self.stands:  # the end came before the form
+                        return
                 self.show_step()
             if inside and idle:
                 self.form.focus(scroll_visible=False)
@@ -333,7 +353,7 @@ class Workbench(Doing, Live):
 
     def _show_help(self) -> None:
         """The foot of the form: about the field that has the focus."""
-        if not self.query(f"#form-{self.step.key}"):  # the screen is just being made anew
+        if not self.stands or not self.query(f"#form-{self.step.key}"):
             return
         shown, say = self.query_one(FieldHelp), self.app.say
         field = self.form.field
@@ -372,6 +392,8 @@ class Workbench(Doing, Live):
             await self.to_value(event.key)
 
     def on_resize(self, event: events.Resize) -> None:
+        if not self.stands:
+            return
         self.set_out()
         focused = self.focused
         if focused is not None:

@@ -239,8 +239,7 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
     await over(pilot, HelpScreen)
     assert "Step 2 of 6: Imbalance" in text(pilot)
     await strike(pilot, "end")
-    await pilot.pause()
-    assert "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot)  # the keys, at the end
+    await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))  # the keys, at the end
     await back(pilot)
 
 

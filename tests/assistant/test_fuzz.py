@@ -89,7 +89,7 @@ def enclosed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         return save_as(self, path)
 
     stub = ModuleType("reports.report")
-    stub.write = lambda document, results, raw, path, depth="": path.write_bytes(b"%PDF-")  # type: ignore[attr-defined]
+    stub.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-")  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "reports.report", stub)
     monkeypatch.setattr(Session, "save_as", inside)
     monkeypatch.setattr(live, "AHEAD", 1000.0)
