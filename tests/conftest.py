@@ -1,5 +1,7 @@
 """Fixtures that every test may use."""
 
+import os
+import sys
 from pathlib import Path
 
 import pytest
@@ -7,6 +9,10 @@ import pytest
 from calc.design_file import Document, read
 from calc.design_file import design as checked
 from calc.solve import Results, solve
+
+# programs that a test starts keep what they have compiled, as a user's do: it is a second for each
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
 
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"

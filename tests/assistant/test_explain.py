@@ -60,6 +60,7 @@ async def test_a_line_is_walked_through_and_back(screen: Screen, session: Sessio
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
 
 
+@pytest.mark.slow
 async def test_every_check_can_be_explained(screen: Screen, session: Session) -> None:
     """Whatever stands in the list of checks: its limit, source and, where one gives it, its formula."""
     async with screen(size=(80, 24), session=session) as pilot:

@@ -191,6 +191,7 @@ def test_all_lists_of_a_whole_design(name: str) -> None:
     ear.judge()
 
 
+@pytest.mark.slow
 async def test_the_first_steps_on_the_screen(light: Session) -> None:
     """Forms, checks, calculation, curves, help of steps, fields and keys, the list of curves, and where a number comes from."""
     async with opened(light) as (pilot, reader):
