@@ -150,15 +150,19 @@ class ContralberoApp(App[int]):
         self.session.autosave()
 
     async def action_quit(self) -> None:
-        """Edits are kept aside; only where that fails is there something to ask."""
+        """Edits are kept aside; only where that fails, or something would be lost, is there something to ask."""
         self.session.autosave()
-        if self.session.safe and self.session.recording is None:
+        if self.session.safe and self.session.recording is None and not self.writing:
             self.exit(0)
             return
         from .screens.ask import Ask
 
         why = self.session.autosave_failure or "what was added last is not complete, and such a part is not kept"
-        question = "The recorded replay is not written." if self.session.safe else f"The edits are not saved: {why}."
+        question = "The recorded replay is not written." if self.session.recording is not None else ""
+        if self.writing:
+            question = f"{self.writing} is still being written: it would be lost."
+        if not self.session.safe:
+            question = f"The edits are not saved: {why}."
         if not isinstance(self.screen, Ask):
             say = self.say
             self.push_screen(Ask(f"{say(question)}\n{say('End all the same?')}", say("end"), say("go back")), self._quit_anyway)

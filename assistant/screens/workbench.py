@@ -248,7 +248,7 @@ class Workbench(Doing, Live):
     def show_written(self) -> None:
         page = self.pages.get(self.step.key)
         self.query_one(Calculation).show(page.sheet if page is not None else Sheet())
-        self.query_one(CurvePane).show(self.step.key, page.leaves if page is not None else ())
+        self.query_one(CurvePane).show(self.step.key, page.leaves if page is not None else (), page is None)
         self.form.refresh_taken()
         self.show_keys()
 

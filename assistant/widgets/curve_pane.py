@@ -46,6 +46,7 @@ class CurvePane(Pane, can_focus=True):
         self.step = ""
         self.variant = ""  # the name of the variant that was chosen
         self.degrees = 0  # crank angle
+        self.pending = False
         self.cursor: Cursor | None = None
         self._plot: Any = None
         self._written: Content | None = None
@@ -56,8 +57,12 @@ class CurvePane(Pane, can_focus=True):
         yield from super().compose()
 
     # --- what is shown
-    def show(self, step: str, leaves: tuple[Curve | Table, ...]) -> None:
-        """Other curves and tables; where the same one is shown as before, with other numbers, its cursor stays at its place."""
+    def show(self, step: str, leaves: tuple[Curve | Table, ...], pending: bool = False) -> None:
+        """Other curves and tables; where the same one is shown as before, with other numbers, its cursor stays at its place.
+
+        `pending`: they are still being written out.
+        """
+        self.pending = pending
         before = self.step, self.leaf.id if self.leaf is not None else ""
         self.step, self.leaves = step, leaves
         if before != (step, self.leaf.id if self.leaf is not None else ""):
@@ -182,7 +187,7 @@ class CurvePane(Pane, can_focus=True):
         leaf = self.leaf
         if not self.is_mounted or not self.display:
             return
-        drawn = (leaf, self.variant, self.degrees, self.cursor, self.size, self.app.theme)
+        drawn = (leaf, self.variant, self.degrees, self.cursor, self.size, self.app.theme, self.pending)
         if self._drawn and leaf is self._drawn[0] and drawn[1:] == self._drawn[1:]:
             return
         self._drawn = drawn
@@ -194,7 +199,7 @@ class CurvePane(Pane, can_focus=True):
             self.list.show(leaf)
             self._head()
         elif leaf is None:
-            self.set_title("Curve", say("none in this step"))
+            self.set_title("Curve", say("is being written out …") if self.pending else say("none in this step"))
             self._write(Content(""))
         else:
             hints = (count, say(f"{key('read_back')} {key('read')} reads it"), say(f"{lists} lists all") if count else "")
