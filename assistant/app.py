@@ -24,6 +24,7 @@ from .actions import BY_ID, key_name
 from .recovery import Settings
 from .screens.workbench import Workbench
 from .session import Session
+from .widgets.item_list import ItemList
 from .widgets.signs import Signs
 
 
@@ -76,6 +77,8 @@ class ContralberoApp(App[int]):
         self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
         if isinstance(self.screen, Workbench):
             self.screen.show_step()
+            for shown in self.screen.query(ItemList):  # their rows have colours of their own
+                shown.rebuild()
         if theme.name != self._theme_kept:
             self._theme_kept = theme.name
             self.session.memory.set_setting("theme", theme.name)

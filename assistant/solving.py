@@ -35,10 +35,10 @@ class Answer:
 
 def run(job: Job) -> Answer:
     """Solve.  The numerics are loaded here, not at the start of the program."""
-    from calc.solve import solve
-
     started = time.perf_counter()
     try:
+        from calc.solve import solve
+
         results = solve(job.design, job.before, job.stop)
     except Cancelled:
         return Answer(job.generation, None, 0.0)

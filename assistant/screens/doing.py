@@ -29,6 +29,7 @@ from ..widgets.table_list import TableList
 from .doing_curves import DoingCurves
 from .doing_files import DoingFiles
 
+WRITING = "The calculation is still being written out."
 VIEWS = {"inputs": "Inputs", "checks": "Checks", "calculation": "Calc", "curve": "Plot"}
 FIRST, LAST = "This is the first step.", "This is the last step."
 
@@ -85,6 +86,9 @@ class Doing(DoingCurves, DoingFiles):
         """The line of the calculation that a check comes from."""
         me = self._me
         calculation = me.query_one(Calculation)
+        if me.page is None:
+            me.app.tell(WRITING)
+            return
         index = calculation.sheet.line_of.get(check)
         if index is None:
             me.app.tell("No single line of the calculation gives this value.")
@@ -284,6 +288,9 @@ class Doing(DoingCurves, DoingFiles):
         """Where the number comes from that the cursor is on; then, if one was chosen, to the field of an input."""
         me = self._me
         asked = self._asked()
+        if not asked and isinstance(me.focused, Calculation) and me.page is None:
+            me.app.tell(WRITING)
+            return
         if not asked:
             me.app.tell("There is nothing to explain here: go to a check, a line of the calculation or a value.")
             return
@@ -305,9 +312,9 @@ class Doing(DoingCurves, DoingFiles):
             check = next((c for c in results.checks() if c.id == focused.key), None)
             if check is None:
                 return {}
-            index = me.query_one(Calculation).sheet.line_of.get(check.id)
+            index = me.page.sheet.line_of.get(check.id) if me.page is not None else None
             return {"check": check} | ({"line": results.outcomes[me.step.key].lines[index]} if index is not None else {})
-        if isinstance(focused, Calculation) and "." in focused.key:
+        if isinstance(focused, Calculation) and "." in focused.key and me.page is not None:  # else those are lines of older results
             return {"line": results.outcomes[me.step.key].lines[int(focused.key.partition(".")[2]) - 1]}
         if isinstance(focused, TableList) and focused.table is not None and focused.table.id == VALUES:
             return {"value": focused.table.rows[int(focused.key.rpartition(" ")[2])][-1]}

@@ -110,7 +110,8 @@ class Live(Screen[None]):
         job = self.session.job()
         if job is None:
             self.query_one(TopLine).slow = False
-            self.show_state()
+            if self.session.current:
+                self._go_ahead()  # what stopped for an entry that was not understood
             return
         self._solving = True
         self._slow = self.set_timer(SLOW, self._say_slow)
@@ -148,18 +149,26 @@ class Live(Screen[None]):
 
         worker = get_current_worker()
         self.write(results, step, lambda: worker.is_cancelled or not self.is_attached)
-        self.post_message(self.Written(results))
+        if not worker.is_cancelled:
+            self.post_message(self.Written(results))
 
     def on_live_written(self, event: Written) -> None:
         event.stop()
-        if self.stands and event.results is self.session.results and self.written(event.results, self.step):
-            self.show_written()
-            self._go_ahead()
+        if self.stands and event.results is self.session.results:
+            self.write_out()
 
     def written(self, results: "Results", step: Step) -> bool:
         """Whether what is written of a step is of these results, and in the user's language."""
         page = self.pages.get(step.key)
         return page is not None and page.outcome is results.outcomes[step.key] and page.say is self.app.say
+
+    @property
+    def page(self) -> Page | None:
+        """What stands there of the step, if it is of the results as they are."""
+        results, page = self.session.results, self.pages.get(self.step.key)
+        if results is None or page is None or not self.written(results, self.step):
+            return None
+        return page if self.query_one(Calculation).sheet is page.sheet else None
 
     def write(self, results: "Results", step: Step, stop: Callable[[], bool]) -> None:
         """Write a step out and break it into rows, unless that is done; runs in any thread, until it is told to stop."""
@@ -168,15 +177,19 @@ class Live(Screen[None]):
         outcome, say = results.outcomes[step.key], self.app.say
         try:
             if not self.written(results, step):
-                whole = said(outcome.whole, say)
                 try:
+                    whole = said(outcome.whole, say)
                     made = sheet(whole, STEPS.index(step) + 1, say, stop)
+                    values = () if whole.result is None else (values_table(whole, say),)
+                    page = Page(outcome, say, whole, made, (*whole.curves, *whole.tables, *values))
                 except Cancelled:
                     return
                 except Exception as error:  # a line that can not be written must not stop the session
-                    made = Sheet(notes=(f"The calculation can not be written out: {type(error).__name__}: {error}",))
-                values = () if whole.result is None else (values_table(whole, say),)
-                self.pages[step.key] = Page(outcome, say, whole, made, (*whole.curves, *whole.tables, *values))
+                    why = say(f"The calculation can not be written out: {type(error).__name__}: {error}")
+                    page = Page(outcome, say, outcome, Sheet(notes=(why,)), ())
+                if stop():
+                    return
+                self.pages[step.key] = page
             self.query_one(Calculation).prepare(self.pages[step.key].sheet, stop)
         except (NoMatches, Cancelled):  # the screen is just being made anew, or nobody waits for it any more
             pass
@@ -269,7 +282,7 @@ class Live(Screen[None]):
             self.solve()
             return
         self.query_one(TopLine).slow = False
-        self.set_stale(False)
+        self.set_stale(not self.session.valid)
         self.show_verdicts()
         self.set_timer(FRAMES, self.follow_up)
 

@@ -128,6 +128,7 @@ class Workbench(Doing, Live):
         self.at_pane(pane)
         await self.open_step(step)
         self.form.focus_place(None)
+        self.solve()
 
     def on_mount(self) -> None:
         self.set_out()

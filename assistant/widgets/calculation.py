@@ -84,6 +84,7 @@ class Calculation(ItemList):
     def show(self, sheet: Sheet) -> None:
         if sheet is not self.sheet:
             self.sheet = sheet
+            self._wanted = None  # where to go was meant in the calculation before
             self.rebuild()
 
     def prepare(self, sheet: Sheet, stop: Callable[[], bool]) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from itertools import count
 from pathlib import Path
+from threading import RLock
 from typing import NamedTuple
 
 from ..sheet.units import UNITS
@@ -46,9 +47,13 @@ class Language:
         self._by_word = _by_rarest_word(self._templates)
         self._compiled: dict[str, re.Pattern[str]] = {}
         self._said: dict[str, Said] = {}
+        self._saying = RLock()  # the mark of a text that is just being said is for its own thread only
 
     def __call__(self, text: str) -> str:
-        return self._say(text).text if self._texts else text
+        if not self._texts:
+            return text
+        with self._saying:
+            return self._say(text).text
 
     def knows(self, text: str) -> bool:
         """Whether a text, or a template as it stands in the source, has a translation."""

@@ -17,7 +17,6 @@ from assistant.recovery import Memory
 from assistant.screens import live
 from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
-from assistant.widgets.calculation import Calculation
 
 NOON = datetime(2026, 3, 14, 12, 4)
 Screen = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
@@ -89,7 +88,4 @@ def _shown(app: ContralberoApp) -> bool:
     """Whether the calculation that stands there is that of the results."""
     bench = app.screen_stack[0]
     assert isinstance(bench, Workbench)
-    page, results = bench.pages.get(bench.step.key), app.session.results
-    return results is None or (
-        page is not None and page.outcome is results.outcomes[bench.step.key] and bench.query_one(Calculation).sheet is page.sheet
-    )
+    return app.session.results is None or bench.page is not None

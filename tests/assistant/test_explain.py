@@ -35,9 +35,14 @@ async def test_from_a_check_to_the_field_of_an_input(screen: Screen, session: Se
 
 async def test_a_line_is_walked_through_and_back(screen: Screen, session: Session) -> None:
     async with screen(size=(100, 30), session=session) as pilot:
-        await strike(pilot, "escape", "3", "f6", "f6")
+        await strike(pilot, "escape")
+        await strike(pilot, "3")
+        await until(pilot, lambda: work(pilot).number == 3)
+        await strike(pilot, "f6", "f6")
         calculation = work(pilot).query_one(Calculation)
-        await until(pilot, lambda: calculation.has_focus and "." in calculation.key)
+        await until(
+            pilot, lambda: work(pilot).number == 3 and work(pilot).page is not None and calculation.has_focus and "." in calculation.key
+        )
         last = calculation.sheet.entries[-1].number
         calculation.go_to(last)
         await strike(pilot, "x")

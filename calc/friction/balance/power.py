@@ -69,7 +69,8 @@ def with_mesh(P: Watt, P_in: Watt) -> Watt:
 
 # --- the fixed point ---------------------------------------------------------------------------------------------------------
 class Guess:
-    """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two passes."""
+    """The power of one mesh: P solves P = P_out + P_loss(P), the loss taken as a straight line through the last two passes, and after
+    the first through none at no power."""
 
     def __init__(self) -> None:
         self.P: Any = None
