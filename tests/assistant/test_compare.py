@@ -24,7 +24,7 @@ from calc.solve import solve
 from .conftest import Screen
 from .driving import go_to, settled, strike, told, type_in, until, work
 
-SIZES = [(120, 40), (80, 24)]
+SIZES = [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)]  # the narrow one shows more faults
 
 
 def text(pilot: Pilot[int]) -> str:

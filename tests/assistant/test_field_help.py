@@ -60,7 +60,7 @@ def test_what_is_usual_and_the_name_of_its_source_have_room_at_the_foot(step, ce
 
 
 # --- on the screen
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
 async def test_the_foot_shows_meaning_usual_and_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=session) as pilot:
 
@@ -75,7 +75,7 @@ async def test_the_foot_shows_meaning_usual_and_source(screen: Screen, session: 
         assert f"Usual 0.1 to 0.8 µm ({THUMB})." in seen()
 
 
-@pytest.mark.parametrize("size", [(120, 40), (80, 24)])
+@pytest.mark.parametrize("size", [(80, 24), pytest.param((120, 40), marks=pytest.mark.slow)])
 async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Session, size: tuple[int, int]) -> None:
     async with screen(size=size, session=session) as pilot:
         await go_to(pilot, "bearings.front.clearance_factor")
