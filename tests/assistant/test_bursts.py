@@ -88,6 +88,7 @@ async def test_keys_for_a_form_that_is_being_made(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
         burst(pilot, "f3", "4", "f3", "f2", "tab", "5", "escape", "1", "3", "2", "f3")
+        await pilot.pause(0.5)  # the last keys come to their turn
         await settled(pilot)
         await until(pilot, lambda: bool(work(pilot).form.stops()))
         assert isinstance(work(pilot).form, Form) and pilot.app._exception is None

@@ -16,6 +16,7 @@ from assistant import app as app_module
 from assistant.app import ContralberoApp
 from assistant.exporting import write_draft
 from assistant.recovery import Memory, Settings
+from assistant.screens.ask import Ask
 from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.palette import Palette
 from assistant.screens.path_dialog import PathDialog
@@ -240,8 +241,9 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
         await strike(pilot, "f8")
         await until(pilot, half.is_set)
         await strike(pilot, "ctrl+q")
-        await pilot.pause()
-        assert pilot.app.return_code == 0
+        await until(pilot, lambda: isinstance(pilot.app.screen, Ask))  # it would be lost
+        await strike(pilot, "y")
+        await until(pilot, lambda: pilot.app.return_code == 0)
     ended.set()
     while not after:
         await asyncio.sleep(0.01)
