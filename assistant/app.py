@@ -75,7 +75,7 @@ class ContralberoApp(App[int]):
 
     def _theme_changed(self, theme: Any) -> None:
         self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
-        if isinstance(self.screen, Workbench):
+        if isinstance(self.screen, Workbench) and self.screen.stands:
             self.screen.show_step()
             for shown in self.screen.query(ItemList):  # their rows have colours of their own
                 shown.rebuild()

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from calc.compare import inputs
+from calc.compare import InputDifference, inputs
 from calc.compare_tables import input_texts, named
 from calc.design import Design
 from calc.design_file import Table, design, load
@@ -13,6 +13,7 @@ from calc.design_file import Table, design, load
 from .session import Session
 
 LONGEST = 24  # characters of a value that is named in a list
+MOST = 3  # inputs of one edit that are named
 
 
 @dataclass(frozen=True)
@@ -48,13 +49,15 @@ def past(session: Session) -> Iterator[Other]:
 
 
 def edit_text(before: Table, after: Table) -> str:
-    """What an edit changed, from what to what."""
+    """What an edit changed, from what to what; empty where it changed nothing."""
     found = inputs(before, after)
-    if len(found) != 1:
-        return f"{len(found)} inputs"
-    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(found[0]))
-    unit = f" {found[0].unit}" if found[0].unit else ""
-    return f"{named(found[0].key, found[0].label, step=True)}: {old} → {new}{unit}"
+    more = f"; {len(found) - MOST} more" if len(found) > MOST else ""
+    return "; ".join(map(_input_text, found[:MOST])) + more
+
+
+def _input_text(one: InputDifference) -> str:
+    old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(one))
+    return f"{named(one.key, one.label, step=True)}: {old} → {new} {one.unit}".rstrip()
 
 
 def of_session(session: Session, other: Other) -> Chosen:

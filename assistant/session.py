@@ -135,7 +135,7 @@ class Session(Editing):
     @property
     def current(self) -> bool:
         """The results belong to what the fields say."""
-        return self.valid and self.solved == self.generation
+        return self.valid and self.solved == self.generation and not self.failure
 
     def values(self) -> dict[str, Published]:
         """Every value of the results, by its id."""

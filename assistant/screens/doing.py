@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the keys of the main screen do, one method for each action of the table."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 from textual import work
@@ -207,16 +207,21 @@ class Doing(DoingCurves, DoingFiles):
             field.box.cursor_position = len(text)
 
     async def action_undo(self) -> None:
-        await self._travelled(self.session.undo(), "Nothing to undo.")
+        await self._travel(self.session.undo, "Undone", "Nothing to undo.")
 
     async def action_redo(self) -> None:
-        await self._travelled(self.session.redo(), "Nothing to redo.")
+        await self._travel(self.session.redo, "Done again", "Nothing to redo.")
 
-    async def _travelled(self, place: Place | None, nothing: str) -> None:
-        me = self._me
+    async def _travel(self, travel: Callable[[], Place | None], done: str, nothing: str) -> None:
+        from ..others import edit_text
+
+        me, before = self._me, self.session.data
+        place = travel()
         if place is None:
             me.app.tell(nothing)
             return
+        if changed := edit_text(before, self.session.data):
+            me.app.tell(f"{me.app.say(done)}: {changed}")
         field: Field | None = me.form.field
         if field is not None and field.place == place:
             field.rewrite()
@@ -231,7 +236,8 @@ class Doing(DoingCurves, DoingFiles):
         """Apply the remedy of the step that fails."""
         me = self._me
         if self.session.reasons() or not self.session.current:
-            me.app.tell("First the input has to be valid and solved." if self.session.reasons() else "It is still being solved.")
+            solving = self.session.failure or "It is still being solved."
+            me.app.tell("First the input has to be valid and solved." if self.session.reasons() else solving)
             return
         step, remedy = me.trouble, me.remedy
         if not step:

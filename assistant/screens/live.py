@@ -3,7 +3,7 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from textual import work
@@ -130,7 +130,10 @@ class Live(Screen[None]):
 
     @work(thread=True, group="solve", exit_on_error=False, description="solve")
     def _solve_aside(self, job: Job, session: Session) -> None:
-        self.post_message(self.Solved(run(job), session))
+        def stop() -> bool:
+            return job.stop() or self.session is not session  # another design was opened
+
+        self.post_message(self.Solved(run(replace(job, stop=stop)), session))
 
     def write_out(self) -> None:
         """Show the calculation of the step: at once where it is written already, else as soon as another thread has written it."""
@@ -201,6 +204,8 @@ class Live(Screen[None]):
         self._ahead = self.set_timer(AHEAD, self._think_ahead)
 
     def _think_ahead(self) -> None:
+        if not self.stands:
+            return
         self._write_ahead()
         self._ahead = self.set_timer(SEEK, self.seek_remedy)
 
@@ -282,7 +287,7 @@ class Live(Screen[None]):
             self.solve()
             return
         self.query_one(TopLine).slow = False
-        self.set_stale(not self.session.valid)
+        self.set_stale(not self.session.current)
         self.show_verdicts()
         self.set_timer(FRAMES, self.follow_up)
 

@@ -116,7 +116,7 @@ class Workbench(Doing, Live):
         return not self._making and bool(self.query("#footer-line"))
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
-        """Keys do nothing while there is nothing that they could act on."""
+        """Keys do nothing, and are lost, while there is nothing that they could act on."""
         return self.stands
 
     async def speak(self) -> None:
@@ -153,8 +153,9 @@ class Workbench(Doing, Live):
     # --- editing
     def on_field_edited(self, event: Field.Edited) -> None:
         event.stop()
-        self.session.edit(event.field.place, event.text)
-        self.edited()
+        if self.stands:
+            self.session.edit(event.field.place, event.text)
+            self.edited()
 
     def on_array_heading_added(self, event: ArrayHeading.Added) -> None:
         event.stop()
@@ -203,7 +204,7 @@ class Workbench(Doing, Live):
         if self._complain is not None:
             self._complain.stop()
         self._complain = self.set_timer(COMPLAIN, self._complain_now) if late else None
-        self.set_stale(self.session.results is not None and not self.session.valid and not late)
+        self.set_stale(self.session.results is not None and not late and (not self.session.valid or bool(self.session.failure)))
         self.query_one(TopLine).refresh()
         if not late:
             self.show_remedy()
@@ -268,7 +269,8 @@ class Workbench(Doing, Live):
 
     def on_curve_pane_turned(self, event: CurvePane.Turned) -> None:
         event.stop()
-        self.show_keys()
+        if self.stands:
+            self.show_keys()
 
     def show_step(self) -> None:
         """The parts that name the step."""
@@ -317,10 +319,9 @@ class Workbench(Doing, Live):
 
     def at_pane(self, name: str) -> None:
         """This pane is the current one; narrow, or large, it is the only one."""
-        if name == self.pane:
-            return
-        self.pane = name
-        self.set_out()
+        if name != self.pane and self.stands:
+            self.pane = name
+            self.set_out()
 
     @property
     def single(self) -> bool:
@@ -374,7 +375,7 @@ class Workbench(Doing, Live):
             shown.show("", "")
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
-        if isinstance(event.source, Calculation):
+        if isinstance(event.source, Calculation) and self.stands:
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 
     async def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
@@ -382,6 +383,8 @@ class Workbench(Doing, Live):
         its owner."""
         event.stop()
         source = event.source
+        if not self.stands:
+            return
         if isinstance(source, Steps):
             self.at_pane("inputs")
             await self.open_step(next(s for s in STEPS if s.key == event.key))

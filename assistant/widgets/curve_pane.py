@@ -223,7 +223,7 @@ class CurvePane(Pane, can_focus=True):
             self.screen.set_focus(self.list)
 
     def _fill(self) -> None:
-        if (sight := self.sight) is not None and self._plot is not None:
+        if (sight := self.sight) is not None and self._plot is not None and self._plot.is_attached:
             self._plot.draw(sight, self.app.signs, self.reading)
 
     def _write(self, made: Content) -> None:

@@ -58,6 +58,8 @@ class TopLine(Widget):
             right = []
         if not session.valid:
             time = say("input is not valid")
+        elif session.failure:
+            time = say("not solved")
         elif self.slow or not session.current:
             time = f"{signs.mark('solving')} {say('solving')}"
         else:

@@ -594,6 +594,7 @@ async def undo(pilot: Pilot[int], do: Do) -> None:
     await still(pilot)
     assert session.value(SHARE) == 0.5 and "[0.5      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
     assert work(pilot).form.here() == session.place(SHARE)  # where it was taken back
+    assert "Undone: " in told(pilot) and "0.4 → 0.5" in told(pilot)
 
 
 @deed
@@ -605,6 +606,7 @@ async def redo(pilot: Pilot[int], do: Do) -> None:
     assert session.value(SHARE) == 0.5
     await do()
     await still(pilot)
+    assert "Done again: " in told(pilot) and "0.5 → 0.4" in told(pilot)
     assert session.value(SHARE) == 0.4 and "[0.4      ]" in text(pilot) and "● edited" in screen_rows(pilot)[0]
 
 
