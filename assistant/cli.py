@@ -75,7 +75,7 @@ def parser() -> argparse.ArgumentParser:
     add["report"].add_argument("file")
     add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
     add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
-    add["report"].add_argument("--lang", choices=("en",), default="en")
+    add["report"].add_argument("--lang", choices=("en", "it"), default="en", help="English or Italian (default: %(default)s)")
 
     add["replay"].add_argument("files", nargs="+", metavar="FILE")
 

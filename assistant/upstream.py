@@ -1,16 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The two things about the steps that their descriptions do not say: the one value that stands for a step in the list, and
-what a step takes over from the steps before it.  Names that a design does not have are passed over."""
-
-# step → values of which the first that exists is shown beside the step
-HEADLINES: dict[str, tuple[str, ...]] = {
-    "engine": ("engine.stroke",),
-    "imbalance": ("imbalance.required_couple",),
-    "countershaft": ("countershaft.couple",),
-    "bearings": ("bearings.front.film_edge", "bearings.front.film"),
-    "gears": ("gears.phase_error",),
-    "friction": ("friction.total_loss",),
-}
+"""What a step takes over from the steps before it.  Names that a design does not have are passed over."""
 
 # step → values (or inputs) of earlier steps that it uses
 TAKEN: dict[str, tuple[str, ...]] = {

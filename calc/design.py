@@ -18,12 +18,12 @@ from .sheet.step import Step
 SCHEMA = 1
 
 STEPS = (
-    Step("engine", "Engine", EngineInputs),
-    Step("imbalance", "Imbalance", ImbalanceInputs),
-    Step("countershaft", "Counter-shaft", CountershaftInputs),
-    Step("bearings", "Bearings", BearingsInputs),
-    Step("gears", "Gears", GearsInputs),
-    Step("friction", "Friction", FrictionInputs),
+    Step("engine", "Engine", EngineInputs, ("engine.stroke",)),
+    Step("imbalance", "Imbalance", ImbalanceInputs, ("imbalance.required_couple",)),
+    Step("countershaft", "Counter-shaft", CountershaftInputs, ("countershaft.couple",)),
+    Step("bearings", "Bearings", BearingsInputs, ("bearings.front.film_edge", "bearings.front.film")),
+    Step("gears", "Gears", GearsInputs, ("gears.phase_error",)),
+    Step("friction", "Friction", FrictionInputs, ("friction.total_loss",)),
 )
 
 

@@ -77,19 +77,30 @@ class Chains:
 
     def of(self, value_id: str) -> list[Link]:
         """The chain of one value."""
+        return self._links(self._made_by(value_id))
+
+    def to(self, line: Line) -> list[Link]:
+        """The chain of one line of the calculation; empty for a line of other results."""
+        return self._links([n for n, other in enumerate(self.lines) if other is line][:1])
+
+    def leading_to(self, value_ids: Iterable[str]) -> set[int]:
+        """The numbers, among the lines of all steps in their order, of those that lead to any of these values."""
+        return set(self._leading_to([n for id in value_ids for n in self._made_by(id)]))
+
+    def _made_by(self, value_id: str) -> list[int]:
+        """The line that gave a value; none where it is an input."""
         value = self.values[value_id]
         makers = self.made.get(id(value.inside), [])
         start = [n for n in makers if self.lines[n].formula.symbol == value.symbol] or makers
         if not start and id(value.inside) not in self.origins:
             start = self._holding(value.inside, value.symbol, len(self.lines))
-        return self._leading_to(start[-1:])
+        return start[-1:]
 
-    def to(self, line: Line) -> list[Link]:
-        """The chain of one line of the calculation; empty for a line of other results."""
-        return self._leading_to([n for n, other in enumerate(self.lines) if other is line][:1])
+    def _links(self, todo: list[int]) -> list[Link]:
+        return [Link(self.lines[n], tuple(self._inputs(n))) for n in _ordered(self._leading_to(todo))]
 
-    def _leading_to(self, todo: list[int]) -> list[Link]:
-        """The lines that lead to one, and that one behind them."""
+    def _leading_to(self, todo: list[int]) -> dict[int, set[int]]:
+        """The lines that lead to some, and those themselves, each with the lines that it needs."""
         needs: dict[int, set[int]] = {}
         while todo:
             number = todo.pop()
@@ -97,7 +108,7 @@ class Chains:
                 arguments = self.lines[number].arguments
                 needs[number] = {m for name, x in arguments.items() for m in self._makers(x, self._symbol(number, name), number)}
                 todo += needs[number]
-        return [Link(self.lines[n], tuple(self._inputs(n))) for n in _ordered(needs)]
+        return needs
 
     def _symbol(self, number: int, name: str) -> str:
         """The symbol of an argument, as the line shows it."""

@@ -75,7 +75,7 @@ def text(words: str, size: float, face: str = UPRIGHT, colour: Colour = BLACK) -
         mark = ("text", 0.0, 0.0, words, face, size, colour, 1.0, False)
         return Box(text_width(words, size, face), ASCENT * size, DESCENT * size, (mark,))
     known = widths(face)
-    return row([text(c, size, face if ord(c) in known else UPRIGHT, colour) for c in words])
+    return row([text(c, size, face if c in known else UPRIGHT, colour) for c in words])
 
 
 def space(width: float) -> Box:

@@ -36,7 +36,7 @@ def shown_value(check: Check) -> str:
 
 def name_of(context: Context, check: Check) -> str:
     """The check's name with the part that it judges."""
-    whose = part(check.id)
+    whose = context.say(part(check.id))
     advice = f" ({context.words['advice']})" if check.kind == "advice" else ""
     return f"{check.name}{'' if _knows(check.name, whose) else f', {whose}'}{advice}"
 
@@ -63,7 +63,7 @@ def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
 
 def _check_row(context: Context, check: Check, under: str) -> Row:
     name = Cell(name_of(context, check), under=(under, NOTE))
-    return sign_cell(context, check.verdict), name, shown_value(check), check.limit_text(), check.margin_text()
+    return sign_cell(context, check.verdict), name, shown_value(check), context.say(check.limit_text()), context.say(check.margin_text())
 
 
 def _check_table(context: Context, rows: list[Row], gap: float) -> list[Block]:
@@ -98,6 +98,6 @@ def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
         mine = f"{number(ours.shown)} {ours.unit}".rstrip()
         if ours.unit == e.unit and ours.shown:
             deviation = f"{(e.source_value / ours.shown - 1) * 100:+.1f} %".replace("-", "−")
-    whose = part(e.about)
+    whose = context.say(part(e.about))
     label = e.label if _knows(e.label, whose) else f"{e.label}, {whose}"
     return Cell(label, under=(under, NOTE)), f"{number(e.source_value)} {e.unit}".rstrip(), mine, deviation

@@ -2,15 +2,23 @@
 """What every part of a report is made from."""
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from calc.design import STEPS, Design
 from calc.design_file import Document
+from calc.explain import Chains, behind
+from calc.languages import Language
 from calc.sheet.check import Check
+from calc.sheet.formula import Formula
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
+from calc.sheet.trace import Line
 from calc.solve import Results
 
+from .words import WORDS
+
 DEPTHS = ("summary", "engineer", "audit")
+CURVES = 2  # of a step, in the design calculation
 
 
 @dataclass(slots=True)
@@ -21,10 +29,15 @@ class Context:
     results: Results
     sha256: str
     depth: str
-    words: dict[str, str]
+    say: Language
     figures: int = 0
     sources: dict[str, list[str]] = field(default_factory=dict)  # source → titles of the steps that use it
+    words: dict[str, str] = field(init=False)  # the report's own, in its language
+    _deciding: set[tuple[str, Formula[..., Any]]] = field(default_factory=set)  # formulas, each with its step
     _values: dict[str, Published] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        self.words = {key: self.say(text) for key, text in WORDS.items()}
 
     @property
     def values(self) -> dict[str, Published]:
@@ -41,19 +54,45 @@ class Context:
     def audit(self) -> bool:
         return self.depth == "audit"
 
+    def lines(self, key: str) -> list[Line]:
+        """The lines of a step's calculation: all of them for an audit, else those of the formulas that decide."""
+        lines = list(self.results.outcomes[key].lines)
+        if self.audit:
+            return lines
+        if not self._deciding:
+            self._deciding.update(_deciding(self.results))
+        return [line for line in lines if (key, line.formula) in self._deciding]
+
     def steps(self) -> list[tuple[int, Step, Outcome]]:
         return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
 
     def cite(self, source: str, step: Step) -> str:
+        """Note that a step uses a source; gives it in the report's language."""
+        source, title = self.say(source), self.say(step.title)
         used = self.sources.setdefault(source, [])
-        if step.title not in used:
-            used.append(step.title)
+        if title not in used:
+            used.append(title)
         return source
 
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
+        """The curves of a step with their numbers: all of them for an audit, else the first two."""
+        curves = curves if self.audit else curves[:CURVES]
         first = self.figures + 1
         self.figures += len(curves)
         return list(enumerate(curves, first))
+
+
+def _deciding(results: Results) -> set[tuple[str, Formula[..., Any]]]:
+    """The formulas, each with its step, that lead to the values which stand for the steps, to the limit that each step comes closest to
+    (where it has none, to the advice), and to whatever fails."""
+    chains = Chains(results)
+    values = {id for step in STEPS for id in [i for i in step.headlines if i in chains.values][:1]}
+    for outcome in results.outcomes.values():
+        limits = [check for check in outcome.checks if check.kind != "advice"] or outcome.checks
+        judged = [*sorted(limits, key=severity)[:1], *(check for check in limits if check.verdict == "fail")]
+        values |= {value for check in judged if (value := behind(check, chains.values)) is not None}
+    keys = list(results.outcomes)
+    return {(keys[chains.steps[n]], chains.lines[n].formula) for n in chains.leading_to(values)}
 
 
 def part(id: str) -> str:

@@ -11,7 +11,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from calc.sheet.expression import Expr, Shown, plain, show, text
+from calc.languages import Language
+from calc.sheet.expression import Expr, Shown, plain, result, show, text
 from calc.sheet.formula import Formula
 from calc.sheet.step import Step
 from calc.sheet.trace import Line
@@ -43,8 +44,8 @@ TALL = 1.7 * SIZE  # a line of numbers that is no taller is short
 ALIKE = 0.6  # share of formulas in common that makes two parts one kind
 
 
-def derivation(context: Context, step: Step, traced: tuple[Line, ...]) -> list[Block]:
-    """The blocks of all formulas of a step."""
+def derivation(context: Context, step: Step, traced: list[Line], total: int) -> list[Block]:
+    """The blocks of the formulas of a step; `total` lines were traced."""
     words = context.words
     shown_lines = [line for line in traced if context.audit or not _zero(line.value)]
     if not shown_lines:
@@ -52,6 +53,8 @@ def derivation(context: Context, step: Step, traced: tuple[Line, ...]) -> list[B
     made = paragraph(words["substitution"], NOTE, gap=1.0)
     if len(shown_lines) < len(traced):
         made += paragraph(words["zero_lines"], NOTE, gap=0.0)
+    if len(traced) < total:
+        made += paragraph(words["resting"].format(count=total - len(traced)), NOTE, gap=0.0)
     for about, entries in _runs(shown_lines) if context.audit else _clusters(shown_lines):
         if about:
             made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
@@ -62,7 +65,7 @@ def derivation(context: Context, step: Step, traced: tuple[Line, ...]) -> list[B
         sign = min(max(SIGN, wide), 0.34 * COLUMN)
         for entry in entries:
             source = context.cite(entry.formula.source, step)
-            made += _entry(entry, source, sign, labelled=not single, words=words)
+            made += _entry(entry, source, sign, labelled=not single, context=context)
     return made
 
 
@@ -78,7 +81,7 @@ class _Entry:
     """One formula with its lines, each with the part it was computed for."""
 
     formula: Formula[..., Any]
-    lines: list[tuple[str, Shown]]
+    lines: list[tuple[str, Line]]
 
 
 def _runs(traced: list[Line]) -> Iterable[tuple[str, list[_Entry]]]:
@@ -89,7 +92,7 @@ def _runs(traced: list[Line]) -> Iterable[tuple[str, list[_Entry]]]:
         if line.about != about:
             yield about, entries
             entries, about = [], line.about
-        entries.append(_Entry(line.formula, [(line.about, shown(line))]))
+        entries.append(_Entry(line.formula, [(line.about, line)]))
     yield about, entries
 
 
@@ -111,7 +114,7 @@ def _clusters(traced: list[Line]) -> Iterable[tuple[str, list[_Entry]]]:
         entries: dict[str, _Entry] = {}
         for line in traced:
             if line.about in cluster:
-                entries.setdefault(_name(line), _Entry(line.formula, [])).lines.append((line.about, shown(line)))
+                entries.setdefault(_name(line), _Entry(line.formula, [])).lines.append((line.about, line))
         yield _joined(cluster), list(entries.values())
 
 
@@ -130,26 +133,28 @@ def _joined(labels: list[str]) -> str:
 
 
 # --- setting -----------------------------------------------------------------------------------------------------------------
-def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, words: dict[str, str]) -> list[Block]:
+def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: Context) -> list[Block]:
     """A formula with its lines of numbers.
 
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
     their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
     """
-    first = entry.lines[0][1]
+    first, words = shown(entry.lines[0][1], context.say), context.words
     head = symbol(first.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, " ".join(spoken(entry.lines[0][1])), gap=GAP)]
+        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, " ".join(spoken(first)), gap=GAP)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
-    words_of_all = [spoken(entry.lines[0][1])[0]]
+    words_of_all = [spoken(first)[0]]
     parts = list(_parts(entry.lines).values())
     groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
-    rest: list[tuple[str, Shown]] = []
+    rest: list[tuple[str, Line]] = []
     for n, calculations in enumerate(parts):
-        own, said, others = _calculated(calculations, sign, labelled=labelled)
-        tall = len(own) > 1 or own[0][1].height > TALL
-        if n and (n >= PARTS or (len(parts) > 2 and tall)):
+        if n >= PARTS:
+            rest += calculations
+            continue
+        own, said, others = _calculated(calculations, sign, context.say, labelled=labelled)
+        if n and len(parts) > 2 and (len(own) > 1 or own[0][1].height > TALL):
             rest += calculations
             continue
         more = _others(others, own, said, words)
@@ -163,45 +168,46 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, words: di
 
 
 def _calculated(
-    calculations: list[tuple[str, Shown]], sign: float, *, labelled: bool
-) -> tuple[list[tuple[str, Box]], list[str], list[tuple[str, Shown]]]:
+    calculations: list[tuple[str, Line]], sign: float, say: Language, *, labelled: bool
+) -> tuple[list[tuple[str, Box]], list[str], list[tuple[str, Line]]]:
     """The first calculation of a part with its numbers: its rows, the same as words, and the part's other calculations."""
     full = calculations[0][0]
     own: list[tuple[str, Box]] = []
     said: list[str] = []
-    others: list[tuple[str, Shown]] = []
+    others: list[tuple[str, Line]] = []
     for label, line in calculations:
         if label != full or len(said) >= MOST:
             others.append((label, line))
-        elif (again := spoken(line)[1]) not in said:
+        elif (again := spoken(made := shown(line, say))[1]) not in said:
             name = label if labelled and not said else ""
             said.append(again)
-            own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(line, sign))]
+            own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
     return own, said, others
 
 
-def _parts(labelled: list[tuple[str, Shown]]) -> dict[str, list[tuple[str, Shown]]]:
+def _parts(labelled: list[tuple[str, Line]]) -> dict[str, list[tuple[str, Line]]]:
     """The lines by part: what stands before the comma in "front bearing, twice the load"."""
-    parts: dict[str, list[tuple[str, Shown]]] = {}
+    parts: dict[str, list[tuple[str, Line]]] = {}
     for label, line in labelled:
         parts.setdefault(label.partition(", ")[0], []).append((label, line))
     return parts
 
 
-def _others(rest: list[tuple[str, Shown]], own: list[tuple[str, Box]], said: list[str], words: dict[str, str]) -> str:
+def _others(rest: list[tuple[str, Line]], own: list[tuple[str, Box]], said: list[str], words: dict[str, str]) -> str:
     """The further calculations of a part by their values; what says the same as the one in full is left out."""
     known = {s.rpartition("= ")[2] for s in said}
     found: dict[str, dict[str, None]] = {}
     told: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
     unit = ""
     for label, line in rest:
-        if f"{line.value} {line.unit}".rstrip() not in known:
+        value, of = result(line)
+        if f"{value} {of}".rstrip() not in known:
             part, _, variant = label.partition(", ")
-            if variant and (part, line.value) in told:
+            if variant and (part, value) in told:
                 continue
-            told.add((part, line.value))
-            found.setdefault("" if own else part, {})[f"{variant} {line.value}".strip()] = None
-            unit = line.unit
+            told.add((part, value))
+            found.setdefault("" if own else part, {})[f"{variant} {value}".strip()] = None
+            unit = of
     if not found:
         return ""
     listed = [f"{part} {', '.join(values)}".strip() for part, values in found.items()]
@@ -243,13 +249,13 @@ def _without_ones(tree: Expr, numbers: Expr) -> tuple[Expr, Expr]:
     return Expr(tree.head, tuple(a for a, _ in pairs), tree.name), Expr(numbers.head, tuple(b for _, b in pairs), numbers.name)
 
 
-def shown(line: Line) -> Shown:
+def shown(line: Line, say: Language) -> Shown:
     """A line as the report shows it."""
     made = show(line)
     if made.formula is None or made.numbers is None:
-        return made
+        return replace(made, shows=say(made.shows), where=say(made.where))
     tree, numbers = _without_ones(made.formula, made.numbers)
-    return replace(made, formula=tree, numbers=numbers)
+    return replace(made, formula=tree, numbers=numbers, where=say(made.where))
 
 
 def _formula_lines(line: Shown, sign: float) -> list[Box]:

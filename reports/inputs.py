@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
+from calc.languages import Language
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
 from calc.sheet.quantity import Key, Quantity, keys
@@ -21,6 +23,7 @@ from .typeset import symbol
 
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
+LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
 LONG, ENDS = 24, 4  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
@@ -61,16 +64,17 @@ def _symbol(about: Quantity) -> Cell:
     return Cell(box=symbol(greek(about.symbol), CELL.size)) if about.symbol else Cell()
 
 
-def _column(about: Quantity) -> Column:
+def _column(about: Quantity, say: Language) -> Column:
     """A column headed by label and unit; numbers to the right."""
     unit = f", {about.unit}" if about.unit else ""
-    return Column(f"{about.label}{unit}", "r" if about.kind in ("number", "integer") else "l")
+    return Column(f"{say(about.label)}{unit}", "r" if about.kind in ("number", "integer") else "l")
 
 
-def _left_out(key: Key) -> str:
+def _left_out(key: Key, say: Language) -> str:
     """The label of a key that is left out, with what the help says about that."""
-    said = key.about.help.partition("Left out: ")[2].rstrip(".")
-    label = key.about.label[:1].lower() + key.about.label[1:]
+    said = LEFT_OUT.split(say(key.about.help))[-1].rstrip(".") if LEFT_OUT.search(key.about.help) else ""
+    label = say(key.about.label)
+    label = label[:1].lower() + label[1:]
     return f"{label} ({said})" if said else label
 
 
@@ -85,7 +89,7 @@ class _Tables:
     """Collects the tables of one step."""
 
     def __init__(self, context: Context) -> None:
-        self.words, self.all = context.words, context.audit
+        self.words, self.say, self.all = context.words, context.say, context.audit
         self.blocks: list[Block] = []
         self.left_out: list[str] = []
         self.default = False
@@ -100,10 +104,10 @@ class _Tables:
                 continue
             given = _given(key, data)
             if given.left_out:
-                self.left_out.append(_left_out(key))
+                self.left_out.append(_left_out(key, self.say))
                 continue
             rows.append((
-                key.about.label, _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
+                self.say(key.about.label), _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
             ))  # fmt: skip
         if rows:
             w = self.words
@@ -122,17 +126,17 @@ class _Tables:
             content = data.get(key.key)
             if key.about.kind == "tables":
                 named = [(_part_name(p, i), p) for i, p in enumerate(content or [])]
-                self.parts(key.about.label, key.about.table, named, f"{prefix}.{key.key}")
+                self.parts(self.say(key.about.label), key.about.table, named, f"{prefix}.{key.key}")
                 n += 1
                 continue
             like = [k for k in inner[n:] if k.about.table is key.about.table and k.about.kind == "table"]
             n += len(like)
             asked = [k for k in like if data.get(k.key) is not None]
             if len(asked) > 1 and _flat(key.about.table):
-                self.parts("", key.about.table, [(k.about.label, data[k.key]) for k in asked], prefix)
+                self.parts("", key.about.table, [(self.say(k.about.label), data[k.key]) for k in asked], prefix)
             else:
                 for k in asked:
-                    self.plain(k.about.label, k.about.table, data[k.key], f"{prefix}.{k.key}")  # type: ignore[arg-type]
+                    self.plain(self.say(k.about.label), k.about.table, data[k.key], f"{prefix}.{k.key}")  # type: ignore[arg-type]
 
     def parts(self, title: str, cls: type | None, parts: list[tuple[str, dict[str, Any]]], prefix: str) -> None:
         """Like parts: as rows where they say little each, else as columns."""
@@ -152,7 +156,7 @@ class _Tables:
             if key.key == "name":
                 continue
             if all(g.left_out for g in given):
-                self.left_out.append(_left_out(key))
+                self.left_out.append(_left_out(key, self.say))
             else:
                 shown.append((key, given))
         if not shown:
@@ -166,7 +170,7 @@ class _Tables:
 
     def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]], between: int = 0) -> None:
         """One part a row; `between`: how many are left out in the middle."""
-        head = [Column(""), *(_column(k.about) for k, _ in shown)]
+        head = [Column(""), *(_column(k.about, self.say) for k, _ in shown)]
         rows: list[Row] = [(name, *(self.value(given[i]) for _, given in shown)) for i, name in enumerate(names)]
         if between:
             rows.insert(ENDS, (self.between(between, len(names) + between), *("…" for _ in shown)))
@@ -183,7 +187,7 @@ class _Tables:
             columns = (Column(name, "r", width=wide) for name in some)
             head = (Column(w["quantity"]), Column(w["symbol"], width=42.0), *columns, Column(w["unit"], width=30.0))
             rows: list[Row] = [
-                (k.about.label, _symbol(k.about), *(self.value(g) for g in given[start : start + ACROSS]), k.about.unit)
+                (self.say(k.about.label), _symbol(k.about), *(self.value(g) for g in given[start : start + ACROSS]), k.about.unit)
                 for k, given in shown
             ]
             name = title if not start else w["two"].format(name=title)
@@ -258,10 +262,10 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
     ]
     head = [Column(context.words[kind])]
     for key in numbers:
-        head.append(replace(_column(key.about), width=52.0))
+        head.append(replace(_column(key.about, context.say), width=52.0))
     rows: list[Row] = []
     for entry in entries:
-        cells: list[str | Cell] = [Cell(entry.name, under=(entry.source, NOTE))]
+        cells: list[str | Cell] = [Cell(entry.name, under=(context.say(entry.source), NOTE))]
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value

@@ -20,18 +20,16 @@ ASCENT, DESCENT = 0.76, 0.24  # of the size: what a line of text needs
 
 
 @cache
-def widths(face: str) -> dict[int, float]:
+def widths(face: str) -> dict[str, float]:
     """Character → advance in 1/1000 of the size.  The first call for a face loads it."""
     font = TTFont(face, FOLDER / f"{face}.ttf", shapable=False)
     pdfmetrics.registerFont(font)
-    known: dict[int, float] = font.face.charWidths
-    return known
+    return {chr(code): advance for code, advance in font.face.charWidths.items()}
 
 
 @lru_cache(maxsize=20_000)
 def units(text: str, face: str) -> float:
-    known = widths(face)
-    return sum(known[ord(c)] for c in text)
+    return sum(map(widths(face).__getitem__, text))
 
 
 def width(text: str, size: float, face: str = UPRIGHT) -> float:
@@ -42,19 +40,26 @@ def width(text: str, size: float, face: str = UPRIGHT) -> float:
 @lru_cache(maxsize=20_000)
 def clean(text: str) -> str:
     """The text as it can be written: composed, without control characters, and a ▯ where there is no glyph."""
-    known = widths(UPRIGHT)
-    if text.isascii() and text.isprintable():
+    if all(map(_stays, text)):
         return text
+    known = widths(UPRIGHT)
     made = []
     for c in unicodedata.normalize("NFC", text):
         kind = unicodedata.category(c)
         if c.isspace() or kind == "Cc":
             made.append(" ")
-        elif ord(c) in known and kind != "Cf":
+        elif c in known and kind != "Cf":
             made.append(c)
         elif kind not in ("Cf", "Mn", "Me"):
             made.append(MISSING)
     return "".join(made)
+
+
+@cache
+def _stays(c: str) -> bool:
+    """Whether a character is written as it is, whatever stands beside it."""
+    kind = unicodedata.category(c)
+    return c == " " or (c in widths(UPRIGHT) and kind[0] not in "CMZ" and unicodedata.normalize("NFC", c) == c)
 
 
 def writable(text: str) -> bool:
@@ -63,5 +68,4 @@ def writable(text: str) -> bool:
 
 
 def all_in(text: str, face: str) -> bool:
-    known = widths(face)
-    return all(ord(c) in known for c in text)
+    return widths(face).keys() >= set(text)

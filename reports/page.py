@@ -108,15 +108,15 @@ class Pen:
                 if (name, size) != font:
                     made.append(f"{name} {size:.3f} Tf")
                     font = (name, size)
-                made.append(f"({string}) Tj")
+                made.append(f"<{string}> Tj")
         return [*made, "ET"]
 
     def _encoded(self, face: str, words: str) -> list[tuple[str, str]]:
-        """A text in the embedded parts of its font: (font name on the page, string of codes)."""
+        """A text in the embedded parts of its font: (font name on the page, its codes)."""
         if (known := self.strings.get((face, words))) is None:
             font, document = pdfmetrics.getFont(face), self.canvas._doc
             parts = font.splitString(words, document)
-            known = [(font.getSubsetInternalName(part, document), self.canvas._escape(codes)) for part, codes in parts]
+            known = [(font.getSubsetInternalName(part, document), codes.hex()) for part, codes in parts]
             self.strings[face, words] = known
         return known
 

@@ -11,12 +11,15 @@ import io
 import os
 import tempfile
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 from reportlab import rl_config
 from reportlab.pdfgen.canvas import Canvas
 
 from calc.design_file import Document
+from calc.languages import LANGUAGES, language
+from calc.languages.outcome import said
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -35,7 +38,7 @@ from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
 from .summary import NOTE_LINES, PROGRAM, SHORT_HASH, step_anchor, summary_blocks
 from .values import table_blocks, value_blocks
-from .words import WORDS, verdict
+from .words import verdict
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
@@ -76,14 +79,16 @@ def render(
     """The report as the bytes of a PDF."""
     if depth not in DEPTHS:
         raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
-    if lang not in WORDS:
-        raise ValueError(f"lang {lang!r}: must be one of {', '.join(WORDS)}")
+    if lang not in LANGUAGES:
+        raise ValueError(f"lang {lang!r}: must be one of {', '.join(LANGUAGES)}")
     tell(progress, 0.0, results.design.name)
     for face in FACES:
         widths(face)
-    results = results.whole()
+    say = language(lang)
+    whole = results.whole() if depth == "audit" else results
+    results = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
     tell(progress, WHOLE, results.design.name)
-    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, WORDS[lang])
+    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     design, w = results.design, context.words
     out = io.BytesIO()
@@ -145,22 +150,23 @@ def _step(
     """One step: inputs, assumptions, formulas, results, tables, checks, figures; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
-    made = _section(f"{number}  {step.title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
+    title = context.say(step.title)
+    made = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
         "not_asked": w["not_asked_text"].format(key=step.key), "blocked": w["blocked_text"].format(reason=outcome.reason),
         "no_solution": w["no_solution_text"].format(reason=outcome.reason),
     }  # fmt: skip
     if outcome.state in reasons:
         made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
-    for check in outcome.checks:
-        if check.source:
-            context.cite(check.source, step)
+    for source in {line.formula.source: None for line in outcome.lines} | {check.source: None for check in outcome.checks}:
+        if source:
+            context.cite(source, step)
     for erratum in outcome.errata:
         context.cite(erratum.source, step)
     parts: tuple[tuple[str, Callable[[], list[Block]]], ...] = (
         ("inputs", lambda: input_blocks(context, step)),
         ("notes", lambda: [block for note in outcome.notes for block in bullet(note)]),
-        ("formulas", lambda: derivation(context, step, outcome.lines)),
+        ("formulas", lambda: derivation(context, step, context.lines(step.key), len(outcome.lines))),
         ("results", lambda: value_blocks(context, outcome)),
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
@@ -169,7 +175,7 @@ def _step(
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )
     for n, (key, make) in enumerate(parts):
-        tell(progress, n / len(parts), f"{step.title}: {w[key]}")
+        tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
             anchor = f"{step.key}-{key}"
             made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)

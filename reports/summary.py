@@ -111,7 +111,7 @@ def _verdict(context: Context) -> list[Block]:
     checks = list(results.checks())
     count = {v: sum(c.verdict == v for c in checks) for v in ("pass", "warn", "fail")}
     words = w["count"].format(**count, total=len(checks)) if checks else w["no_checks"]
-    waiting = [step.title for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
+    waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
     if waiting:
         words += w["waiting"].format(steps=", ".join(waiting))
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
@@ -135,14 +135,14 @@ def _steps(context: Context) -> list[Block]:
     w = context.words
     rows: list[Row] = []
     for number, step, outcome in context.steps():
-        title = f"{number}  {step.title}"
+        title = f"{number}  {context.say(step.title)}"
         state = outcome.verdict
         worst = min(outcome.checks, key=severity, default=None) if outcome.state == "solved" else None
         if worst is None:
             words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(outcome.state, w["no_checks"])
             rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
             continue
-        found = name_of(context, worst), shown_value(worst), worst.limit_text(), worst.margin_text()
+        found = name_of(context, worst), shown_value(worst), context.say(worst.limit_text()), context.say(worst.margin_text())
         rows.append((title, sign_cell(context, state), *found))
     columns = (
         Column(w["step"], width=84.0), Column(w["verdict"], width=60.0), Column(w["worst"]), Column(w["value"], "r"),

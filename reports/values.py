@@ -59,7 +59,7 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
             for start in range(0, len(cluster), ACROSS):
                 made += _beside(context, cluster[start : start + ACROSS])
     if nothing:
-        made += paragraph(context.words["zero_values"].format(names="; ".join(p.name for p in nothing)), NOTE, gap=3.0)
+        made += paragraph(context.words["zero_values"].format(names="; ".join(context.say(p.name) for p in nothing)), NOTE, gap=3.0)
     return made
 
 
@@ -87,12 +87,13 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [(v.label, _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
-    return named_table(_title(part), columns, rows)
+    rows: list[Row] = [(context.say(v.label), _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
+    return named_table(_title(context, part), columns, rows)
 
 
-def _title(part: _Part) -> str:
-    return part.name[:1].upper() + part.name[1:]
+def _title(context: Context, part: _Part) -> str:
+    name = context.say(part.name)
+    return name[:1].upper() + name[1:]
 
 
 def _beside(context: Context, parts: list[_Part]) -> list[Block]:
@@ -101,13 +102,14 @@ def _beside(context: Context, parts: list[_Part]) -> list[Block]:
     for part in parts:
         for name, value in part.values.items():
             named.setdefault(name, value)
-    columns = (Column(w["quantity"]), Column(w["symbol"]), *(Column(p.name, "r") for p in parts), Column(w["unit"], width=40.0))
+    names = (Column(context.say(p.name), "r") for p in parts)
+    columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
     rows: list[Row] = []
     for name, value in named.items():
         cells = [short(p.values[name].shown) if name in p.values else "–" for p in parts]
         if not context.audit and all(c in ("0", "–") for c in cells):
             continue
-        rows.append((value.label, _symbol(value), *cells, value.unit))
+        rows.append((context.say(value.label), _symbol(value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []
 
 

@@ -1,43 +1,43 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report's own words, by language.  What the calculation says (labels, advice, sources) comes from the sheet."""
+"""The report's own words, in English.  What the calculation says (labels, advice, sources) comes from the sheet."""
 
 from calc.sheet.check import SIGNS
 
 from .boxes import Colour
 
-WORDS: dict[str, dict[str, str]] = {
-    "en": {
-        "page": "Page {page} of {pages}",
-        "report": "Calculation report",
-        "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256",
-        "program": "Program", "attached": "The design file is attached to this document as design.toml.",
-        "pass": "pass", "warn": "warn", "fail": "fail", "blocked": "blocked", "not_asked": "not asked", "no_solution": "no solution",
-        "step": "Step", "verdict": "Verdict", "worst": "Closest check", "value": "Value", "limit": "Limit", "margin": "Margin",
-        "check": "Check", "unit": "Unit", "quantity": "Quantity", "symbol": "Symbol", "key": "Key in the design file",
-        "id": "Name of the value", "source": "Source", "advice": "advice",
-        "steps": "Steps", "attention": "Failures and warnings", "errata": "Where the source is wrong",
-        "source_value": "Its method", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
-        "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results",
-        "proposals": "Proposed remedies", "tables": "Tables", "checks": "Checks",
-        "figures": "Figures", "figure": "Figure", "summary": "Summary",
-        "defaults": "* default of the program, not given in the design file.",
-        "left_out": "Left out, chosen by the program where it is needed: {names}.",
-        "substitution": "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the "
-        "plane is written length∠angle. The result stands in the unit given.",
-        "zero_lines": "Lines whose value is exactly zero are left out here; the audit report has every line.",
-        "zero_values": "Zero throughout, not shown: {names}.",
-        "more": "and {count} more, in the audit report", "others": "further: {values}",
-        "more_proposals": "and {count} more, in the engineer report",
-        "materials": "Oils and materials", "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
-        "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
-        "own": "Definitions and rules without a publication",
-        "not_asked_text": "the design file has no table [{key}].",
-        "blocked_text": "this step {reason}.", "no_solution_text": "{reason}.",
-        "no_checks": "no checks",
-        "count": "{fail} failed, {warn} warnings, {pass} passed of {total} checks", "waiting": "; not solved: {steps}",
-        "missing_glyphs": "▯ stands for a character that this report's font does not have; the attached file has it.",
-        "two": "{name} (continued)", "between": "{count} more; {total} in all",
-    },
+WORDS = {
+    "page": "Page {page} of {pages}",
+    "report": "Calculation report",
+    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256",
+    "program": "Program", "attached": "The design file is attached to this document as design.toml.",
+    "pass": "pass", "warn": "warn", "fail": "fail", "blocked": "blocked", "not_asked": "not asked", "no_solution": "no solution",
+    "step": "Step", "verdict": "Verdict", "worst": "Closest check", "value": "Value", "limit": "Limit", "margin": "Margin",
+    "check": "Check", "unit": "Unit", "quantity": "Quantity", "symbol": "Symbol", "key": "Key in the design file",
+    "id": "Name of the value", "source": "Source", "advice": "advice",
+    "steps": "Steps", "attention": "Failures and warnings", "errata": "Where the source is wrong",
+    "source_value": "Its method", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
+    "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results",
+    "proposals": "Proposed remedies", "tables": "Tables", "checks": "Checks",
+    "figures": "Figures", "figure": "Figure", "summary": "Summary",
+    "defaults": "* default of the program, not given in the design file.",
+    "left_out": "Left out, chosen by the program where it is needed: {names}.",
+    "substitution": "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the "
+    "plane is written length∠angle. The result stands in the unit given.",
+    "zero_lines": "Lines whose value is exactly zero are left out here; the audit report has every line.",
+    "resting": "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {count} more lines "
+    "stand in the audit report.",
+    "zero_values": "Zero throughout, not shown: {names}.",
+    "more": "and {count} more, in the audit report", "others": "further: {values}",
+    "more_proposals": "and {count} more, in the engineer report",
+    "materials": "Oils and materials", "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
+    "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
+    "own": "Definitions and rules without a publication",
+    "not_asked_text": "the design file has no table [{key}].",
+    "blocked_text": "this step {reason}.", "no_solution_text": "{reason}.",
+    "no_checks": "no checks",
+    "count": "{fail} failed, {warn} warnings, {pass} passed of {total} checks", "waiting": "; not solved: {steps}",
+    "missing_glyphs": "▯ stands for a character that this report's font does not have; the attached file has it.",
+    "two": "{name} (continued)", "between": "{count} more; {total} in all",
 }  # fmt: skip
 
 STATE_COLOURS: dict[str, Colour] = {

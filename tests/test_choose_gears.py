@@ -30,7 +30,7 @@ def listed():
     return json.loads(run("choose", DESIGNS / "r753ie4_gamma.toml", "gears", "--json", "--top", "99").stdout)
 
 
-@pytest.mark.parametrize("row", [1, 2, 3, 5, 9, 20, 33])
+@pytest.mark.parametrize("row", [1, 9, 33, *(pytest.param(row, marks=pytest.mark.slow) for row in (2, 3, 5, 20))])
 def test_a_row_that_is_written_gives_what_it_promised(copy, listed, row):
     """In all numbered tables: distance free, crank as shaft, distance held, what a pair wants, round, a cut, a cut with its shift."""
     tables = [listed, *listed["tables"].values()]

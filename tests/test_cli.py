@@ -310,6 +310,7 @@ def test_report_prints_the_verdicts_and_why(tmp_path):
     assert "FAIL" in done.stdout and "Film at the edge, front" in done.stdout and "Lengthen" in done.stdout
 
 
+@pytest.mark.slow
 def test_designs_are_all_checked():
     for path in DESIGNS.glob("*.toml"):
         assert run("check", path).returncode in (0, 1)

@@ -23,10 +23,12 @@ def check(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, lis
     [
         [str(GAMMA)],
         [str(DESIGNS / "r753ie4_beta.toml"), "--short"],
-        [str(DESIGNS / "finotti_gear_sheet.toml")],
-        [str(GAMMA), "--step", "bearings"],
+        pytest.param([str(DESIGNS / "finotti_gear_sheet.toml")], marks=pytest.mark.slow),
+        pytest.param([str(GAMMA), "--step", "bearings"], marks=pytest.mark.slow),
         [str(GAMMA), "--step", "gears", "--set", "bearings.oil=SAE 10W"],
-        [str(GAMMA), "--set", "bearings.front.length_mm=20", "gears.wheels.idler.span_allowance_um=[-5,-15]"],
+        pytest.param(
+            [str(GAMMA), "--set", "bearings.front.length_mm=20", "gears.wheels.idler.span_allowance_um=[-5,-15]"], marks=pytest.mark.slow
+        ),
         [str(DESIGNS / "r753ie4_sized.toml"), "--set", "countershaft.outer_radius_mm=38"],  # no solution: exit 3
     ],
     ids=lambda words: " ".join(words[1:]) or "plain",

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero report`: the PDF calculation report, and the verdicts on the screen."""
 
+import gc
 from argparse import Namespace
 from pathlib import Path
 
@@ -11,6 +12,7 @@ from calc.solve import solve
 
 
 def run(asked: Namespace) -> int:
+    gc.disable()  # the process ends with the report; looking for garbage took a tenth of it
     source = Path(asked.file)
     document = read(source)
     results = solve(design(document))

@@ -9,11 +9,11 @@ from calc.sheet.number import short
 from calc.sheet.step import Outcome
 
 from ..session import Session
-from ..upstream import HEADLINES
 from .item_list import Item, ItemList
 from .signs import Signs
 from .wrap import fit
 
+HEADLINES = {step.key: step.headlines for step in STEPS}
 NUMBERS = {step.title: n for n, step in enumerate(STEPS, 1)}
 
 
@@ -32,7 +32,7 @@ def headline(session: Session, key: str, say: Language) -> str:
     if outcome.state == "no_solution":
         return say("no solution")
     values = session.values()
-    found = next((values[id] for id in HEADLINES.get(key, ()) if id in values), None)
+    found = next((values[id] for id in HEADLINES[key] if id in values), None)
     if found is None:
         return ""
     return f"{plain(found.symbol) + ' ' if found.symbol else ''}{short(found.shown, 3)} {found.unit}".rstrip()

@@ -16,11 +16,13 @@ from .trace import Line
 
 @record
 class Step:
-    """One of the six: its key in the file, its title, the class of its inputs."""
+    """One of the six: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
+    has stands for the step."""
 
     key: str
     title: str
     inputs: type
+    headlines: tuple[str, ...] = ()
 
 
 @record

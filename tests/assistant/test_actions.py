@@ -81,6 +81,7 @@ async def test_the_footer_fits(screen: Screen, size: tuple[int, int], shown: str
         assert text.cell_length <= size[0]
 
 
+@pytest.mark.slow
 async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         footer = pilot.app.screen.query_one(FooterLine)
@@ -123,6 +124,7 @@ async def test_help_and_palette_know_every_action(screen: Screen) -> None:
             assert action.help in text, action.id
 
 
+@pytest.mark.slow
 async def test_a_key_of_the_user_s_own(session: Any) -> None:
     from assistant.app import ContralberoApp
 

@@ -35,6 +35,7 @@ async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key
         assert pilot.app.is_running and pilot.app._exception is None
 
 
+@pytest.mark.slow
 async def test_enter_twice_in_the_palette(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+p")
@@ -65,6 +66,7 @@ async def test_enter_twice_in_a_list_of_words(screen: Screen) -> None:
 ODD = ["x" * 5000, "a\0b", "~nobody-of-this-name/x.toml", "/", ".", "..", "", "x/" * 3000, "\ud800"]
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(os.name != "posix", reason="what a name may be is another thing elsewhere")
 @pytest.mark.parametrize("key, dialog", [("ctrl+o", OpenDialog), ("f12", SaveDialog)])
 async def test_what_can_be_no_path_is_said_in_the_dialog(screen: Screen, light: Session, key: str, dialog: type) -> None:
@@ -83,6 +85,7 @@ async def test_what_can_be_no_path_is_said_in_the_dialog(screen: Screen, light: 
         assert {path.name for path in light.home.parent.iterdir()} == before
 
 
+@pytest.mark.slow
 async def test_keys_for_a_form_that_is_being_made(screen: Screen) -> None:
     """Nothing that is typed at once behind a step's key is lost in a crash; the form stands whole in the end."""
     async with screen() as pilot:

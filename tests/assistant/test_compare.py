@@ -118,6 +118,7 @@ async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tup
         assert work(pilot).focused is here and work(pilot).session.value("engine.bore_mm") == 95.0
 
 
+@pytest.mark.slow
 async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
     async with screen(size=(80, 24)) as pilot:
         copied: list[str] = []
@@ -229,6 +230,7 @@ async def test_what_is_not_valid_is_said(screen: Screen, light: Session) -> None
         work(pilot)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 async def test_a_long_comparison_is_set_quickly(session: Session, size: tuple[int, int]) -> None:
     """β beside γ: more than 700 rows."""

@@ -77,6 +77,7 @@ async def test_a_curve_is_found_and_shown(screen: Screen, size: tuple[int, int],
         assert pane.leaf is MANY[30] and pilot.app.focused is pane and pane.display
 
 
+@pytest.mark.slow
 async def test_the_list_is_moved_through_while_words_are_typed(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         await show(pilot, *MANY)

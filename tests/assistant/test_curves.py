@@ -100,6 +100,7 @@ def picture(pane: CurvePane) -> list[str]:
 
 
 # --- variants
+@pytest.mark.slow
 async def test_a_variant_is_shown_in_the_scale_of_all(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         pane = await show(pilot, LOCUS, BARS, PLAIN)
@@ -152,6 +153,7 @@ async def test_new_results_keep_the_variant(screen: Screen) -> None:
 
 
 # --- vectors
+@pytest.mark.slow
 async def test_the_vectors_turn_with_the_crank(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         pane = await show(pilot, LOCUS, PLAIN)
@@ -226,6 +228,7 @@ async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tu
             assert not set("█▒░▁▂▃▄▅▆▇") & set("".join(inner))
 
 
+@pytest.mark.slow
 async def test_bars_without_colours_are_told_apart(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     from assistant.app import ContralberoApp
 
@@ -240,6 +243,7 @@ async def test_bars_without_colours_are_told_apart(session: Session, monkeypatch
 
 
 # --- tables
+@pytest.mark.slow
 async def test_tables_come_after_the_curves(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         pane = await show(pilot, PLAIN, TABLE, BODIES)
@@ -280,6 +284,7 @@ async def test_tables_come_after_the_curves(screen: Screen) -> None:
         assert "counterweight" in rows(pilot) and "order 1 " not in rows(pilot)
 
 
+@pytest.mark.slow
 async def test_curves_of_other_numbers_fit_their_frame(screen: Screen) -> None:
     """The labels of the next curve take another width; its frame is whole all the same."""
     large = Curve("large", "Large", "x", "y", (Series("", [0.0, 1.0], [0.0, 123000.0]),))
@@ -321,6 +326,7 @@ def test_a_narrow_table_wraps_its_words_and_then_leafs_its_columns() -> None:
         assert all(len(row.plain) <= 30 for item in Setter(TABLE, 30, n).items() for row in item.rows)
 
 
+@pytest.mark.slow
 async def test_a_table_that_is_too_wide_is_leafed_by_columns(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         wide = Table("wide", "Wide", (("Name", ""), *((f"column{n}", "N") for n in range(20))), (("a", *map(float, range(20))),))

@@ -95,6 +95,7 @@ async def test_a_recorded_session_replays(screen: Screen, light: Session, tmp_pa
     assert len(compared) >= 6 and all(c.agrees for c in compared), [c.text for c in compared]
 
 
+@pytest.mark.slow
 async def test_a_recording_is_given_up_or_asked_about(screen: Screen, light: Session, tmp_path: Path) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "R", "R")
@@ -174,6 +175,7 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen
         assert "no export while the input is not valid" in told(pilot) and isinstance(pilot.app.screen, Workbench)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "size", "step", "ending", "drawn"),
     [("r753ie4_sized", (120, 40), "3", ".dxf", "SECTORS"), ("timing_pair", (80, 24), "5", "-gears.dxf", "PROFILE")],
@@ -252,6 +254,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
 
 
 # --- changed on disk
+@pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES)
 async def test_a_change_on_disk_is_said_once_and_taken_over(
     screen: Screen, small: Session, monkeypatch: pytest.MonkeyPatch, size: tuple[int, int]

@@ -712,7 +712,11 @@ async def play(stage: Stage, id: str, do: Do) -> None:
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("id", "key"), [row for row in KEYS if row[0] not in ALONE], ids=lambda word: word)
+@pytest.mark.parametrize(
+    ("id", "key"),
+    [row if row in FIRST else pytest.param(*row, marks=pytest.mark.slow) for row in KEYS if row[0] not in ALONE],
+    ids=lambda word: word,
+)
 async def test_by_its_key(stage: Stage, id: str, key: str) -> None:
     if not wide(stage.pilot) and (id, key) not in FIRST:
         pytest.skip("its letter does the same, as the wide screen shows")

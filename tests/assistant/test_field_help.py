@@ -86,6 +86,7 @@ async def test_the_help_has_a_line_with_the_source(screen: Screen, session: Sess
         assert "Clearance g = K·d·u^¼ in mm, m and m/s. Usual 0.4 to 0.8. A number from 0.01 to 10." in said
 
 
+@pytest.mark.slow
 async def test_a_list_is_marked_where_one_of_its_numbers_is_unusual(screen: Screen, session: Session) -> None:
     async with screen(size=(120, 40), session=session) as pilot:
         notes = []

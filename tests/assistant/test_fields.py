@@ -34,6 +34,7 @@ async def test_typing_flips_a_check(screen: Screen) -> None:
         assert "left over" in message(pilot)
 
 
+@pytest.mark.slow
 async def test_what_is_typed_in_one_burst_is_kept_whole(screen: Screen) -> None:
     """Also where the text comes back to what the design has, while the edits before it are still on their way."""
     async with screen() as pilot:
@@ -94,6 +95,7 @@ async def test_another_unit(screen: Screen) -> None:
         assert isinstance(box, Entry) and box.value == "93.98"
 
 
+@pytest.mark.slow
 async def test_what_is_not_understood_stays_with_the_reason(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
@@ -167,6 +169,7 @@ async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Sessi
 
 
 # --- the form
+@pytest.mark.slow
 async def test_every_form_has_the_fields_of_the_file_in_their_order(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         for step in STEPS:
@@ -184,6 +187,7 @@ async def test_every_form_has_the_fields_of_the_file_in_their_order(screen: Scre
             assert len(shown) > 1
 
 
+@pytest.mark.slow
 async def test_tab_goes_through_the_form_in_its_order(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "3")
@@ -202,6 +206,7 @@ async def test_tab_goes_through_the_form_in_its_order(screen: Screen) -> None:
         assert pilot.app.focused is stops[1]
 
 
+@pytest.mark.slow
 async def test_a_long_array_is_leafed_through_and_grows(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         await go_to(pilot, "gears.wheels.crank.teeth")
@@ -220,12 +225,14 @@ async def test_a_long_array_is_leafed_through_and_grows(screen: Screen, session:
         assert len(session.data["gears"]["wheels"]) == 4
 
 
+@pytest.mark.slow
 async def test_a_field_of_an_element_that_is_not_shown_is_found(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         await go_to(pilot, "gears.wheels.shaft.teeth")
         assert "4 of 4 shaft" in rows(pilot)
 
 
+@pytest.mark.slow
 async def test_a_step_that_is_not_asked_can_be_added(session: Session, screen: Screen, memory: Any) -> None:
     import tomli_w
 
@@ -243,6 +250,7 @@ async def test_a_step_that_is_not_asked_can_be_added(session: Session, screen: S
         assert work(pilot).form.query(Field)
 
 
+@pytest.mark.slow
 async def test_values_of_earlier_steps_lead_to_their_owner(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "3")

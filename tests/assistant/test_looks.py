@@ -22,6 +22,7 @@ async def test_plain_signs(screen: Screen, session: Session) -> None:
         assert "x FAIL" in text and not set("✓▲✗●◌▸◀▼━┃") & set(text)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("environment", [{"NO_COLOR": "1"}, {"TEXTUAL_THEME": "ansi-dark"}, {"TEXTUAL_THEME": "textual-light"}])
 async def test_other_colours(session: Session, monkeypatch: pytest.MonkeyPatch, environment: dict[str, str]) -> None:
     from assistant.app import ContralberoApp
@@ -45,6 +46,7 @@ async def test_a_tiny_terminal_says_so(screen: Screen) -> None:
         await pilot.pause()
 
 
+@pytest.mark.slow
 async def test_any_keys_in_any_order(screen: Screen, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A hundred keys at random: nothing may go wrong."""
     monkeypatch.chdir(tmp_path)

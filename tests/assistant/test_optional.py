@@ -110,6 +110,7 @@ async def test_a_table_is_added_filled_and_undone(screen: Screen) -> None:
         assert session.value(PLACE) == {} and len(shown(pilot)) == 3
 
 
+@pytest.mark.slow
 async def test_the_first_field_of_an_added_table_is_in_view(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         form = work(pilot).form
@@ -121,6 +122,7 @@ async def test_the_first_field_of_an_added_table_is_in_view(screen: Screen) -> N
         assert form.field is not None and form.region.contains_region(form.field.region)
 
 
+@pytest.mark.slow
 async def test_a_table_is_taken_out_in_one_step(screen: Screen, light: Session) -> None:
     light.put_table(PLACE, True)
     light.edit((*PLACE, "peak_bar"), "90")
@@ -139,6 +141,7 @@ async def test_a_table_is_taken_out_in_one_step(screen: Screen, light: Session) 
         assert session.text((*PLACE, "ratio")) == "no number"
 
 
+@pytest.mark.slow
 async def test_emptying_the_only_field_leaves_nothing_invalid(screen: Screen) -> None:
     async with screen() as pilot:
         session = work(pilot).session
@@ -163,6 +166,7 @@ async def test_emptying_the_only_field_leaves_nothing_invalid(screen: Screen) ->
         assert len(shown(pilot)) == 3 and heading_of(pilot).there
 
 
+@pytest.mark.slow
 async def test_what_is_not_understood_stays_in_sight(screen: Screen) -> None:
     async with screen() as pilot:
         session = work(pilot).session
@@ -182,6 +186,7 @@ async def test_what_is_not_understood_stays_in_sight(screen: Screen) -> None:
         assert work(pilot).form.here() == (*PLACE, "ratio")
 
 
+@pytest.mark.slow
 async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -> None:
     async with screen() as pilot:
         await work(pilot).to_field((*PLACE, "ratio"))
@@ -193,6 +198,7 @@ async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -
         await until(pilot, lambda: work(pilot).form.here() == PLACE)
 
 
+@pytest.mark.slow
 async def test_enter_adds_an_absent_table_and_goes_on_from_a_present_one(screen: Screen) -> None:
     async with screen() as pilot:
         session = work(pilot).session
@@ -210,6 +216,7 @@ async def test_enter_adds_an_absent_table_and_goes_on_from_a_present_one(screen:
         assert session.value(PLACE) == {"peak_bar": 90.0} and work(pilot).form.here() == (*PLACE, "peak_bar")
 
 
+@pytest.mark.slow
 async def test_enter_adds_the_first_element_only(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "f3")
@@ -228,6 +235,7 @@ async def test_enter_adds_the_first_element_only(screen: Screen) -> None:
         assert session.value(where) == [{}] and form.here() == (*where, 0, "name")
 
 
+@pytest.mark.slow
 async def test_help_is_about_the_heading(screen: Screen) -> None:
     async with screen() as pilot:
         await to_heading(pilot)
@@ -237,6 +245,7 @@ async def test_help_is_about_the_heading(screen: Screen) -> None:
         assert "Trial" in said and "engine.trial" in said and "What the test asks for." in said and "+ or Enter adds it" in said
 
 
+@pytest.mark.slow
 async def test_the_heading_can_be_clicked(screen: Screen) -> None:
     async with screen() as pilot:
         heading = await to_heading(pilot)
@@ -258,6 +267,7 @@ def test_an_added_table_is_saved_and_read_again(light: Session) -> None:
     assert parse(light.bytes(), "saved").data == light.data and light.value(PLACE) is None
 
 
+@pytest.mark.slow
 async def test_the_first_element_of_an_array_begins_at_its_first_field(screen: Screen) -> None:
     async with screen() as pilot:
         screen_ = work(pilot)
@@ -278,6 +288,7 @@ async def test_the_first_element_of_an_array_begins_at_its_first_field(screen: S
         assert session.value(where) is None and session.valid
 
 
+@pytest.mark.slow
 async def test_a_list_that_is_not_accepted_as_a_whole_says_so_at_its_heading(screen: Screen, light: Session) -> None:
     light.edit("engine.cylinders", "4")
     light.edit("engine.firing_order", "1; 3; 4; 2")

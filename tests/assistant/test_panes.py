@@ -19,6 +19,7 @@ from .driving import CHARACTERS, go_to, rows, settled, strike, told, type_in, un
 
 
 # --- steps, panes, checks
+@pytest.mark.slow
 async def test_steps_forward_back_and_by_number(screen: Screen) -> None:
     async with screen() as pilot:
         for key, number in (("f3", 2), ("pagedown", 3), ("f2", 2), ("pageup", 1), ("f2", 1), ("escape", 1), ("6", 6), ("right_square_bracket", 6),
@@ -65,6 +66,7 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
         assert seen[-1][1] in {c.id for c in entry.checks}
 
 
+@pytest.mark.slow
 async def test_the_cursor_stays_on_its_check_when_the_results_change(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         await go_to(pilot, "bearings.front.length_mm")
@@ -76,6 +78,7 @@ async def test_the_cursor_stays_on_its_check_when_the_results_change(screen: Scr
         assert checks.key == "bearings.rear.specific_load"
 
 
+@pytest.mark.slow
 async def test_the_cursor_goes_from_line_to_line(screen: Screen) -> None:
     async with screen(size=(80, 24)) as pilot:
         await pilot.press("f3", "f4", "f4")
@@ -90,6 +93,7 @@ async def test_the_cursor_goes_from_line_to_line(screen: Screen) -> None:
         assert float(seen[4].partition(".")[2]) > 4 and seen[5].startswith("note") and seen[6] == "2.1"
 
 
+@pytest.mark.slow
 async def test_panes_in_turn(screen: Screen) -> None:
     async with screen() as pilot:
         seen = [work(pilot).pane]
@@ -105,6 +109,7 @@ async def test_panes_in_turn(screen: Screen) -> None:
         assert work(pilot).number == 2
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("ascii", [False, True])
 @pytest.mark.parametrize("size", [(110, 30), (80, 24)])
 async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen, size: tuple[int, int], ascii: bool) -> None:
@@ -128,6 +133,7 @@ async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen
         await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane])
 
 
+@pytest.mark.slow
 async def test_a_pane_is_made_large_and_small(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("f6", "f6", "f4")
@@ -167,6 +173,7 @@ async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
         assert pilot.app.focused is focused
 
 
+@pytest.mark.slow
 async def test_curves_in_turn(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "2")
@@ -182,6 +189,7 @@ async def test_curves_in_turn(screen: Screen) -> None:
         assert pane.leaf is first
 
 
+@pytest.mark.slow
 async def test_the_sources_errors_and_the_assumptions_stand_in_the_calculation(screen: Screen) -> None:
     async with screen() as pilot:
         await pilot.press("escape", "2")
@@ -197,6 +205,7 @@ async def test_the_sources_errors_and_the_assumptions_stand_in_the_calculation(s
         assert f"{len(outcome.notes)} assumed" in calculation.position()
 
 
+@pytest.mark.slow
 async def test_square_brackets_are_no_markup(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.name")
@@ -258,6 +267,7 @@ async def test_copying(screen: Screen) -> None:
 
 
 # --- the mouse
+@pytest.mark.slow
 async def test_everything_can_be_clicked(screen: Screen, session: Session) -> None:
     async with screen(size=(120, 40), session=session) as pilot:
         await pilot.click("#steps-list", offset=(4, 2))

@@ -176,6 +176,7 @@ async def test_the_cursor_reads_and_goes(screen: Screen, size: tuple[int, int], 
         assert pane.curve is PLAIN and pane.cursor is None
 
 
+@pytest.mark.slow
 async def test_limits_are_named_and_known_without_colour(screen: Screen, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("NO_COLOR", "1")
     async with screen(size=(120, 40)) as pilot:
@@ -188,6 +189,7 @@ async def test_limits_are_named_and_known_without_colour(screen: Screen, monkeyp
         assert "Kreisle 9 µm" in legend(pane) and "Trumpler 7.46 µm" in legend(pane)
 
 
+@pytest.mark.slow
 async def test_the_cursor_stays_where_it_is(screen: Screen) -> None:
     """When the results are solved again, and when the variant changes."""
     async with screen(size=(120, 40)) as pilot:
@@ -239,6 +241,7 @@ async def test_loci_have_marks_on_their_points(screen: Screen) -> None:
         assert pane.curve is LOCUS and "point " in legend(pane) and "length" in legend(pane)
 
 
+@pytest.mark.slow
 async def test_the_mouse_puts_the_cursor(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         pane = await at_curve(pilot, FILM)
@@ -253,6 +256,7 @@ async def test_the_mouse_puts_the_cursor(screen: Screen) -> None:
         assert pane.cursor == before
 
 
+@pytest.mark.slow
 async def test_keys_that_find_nothing_to_read(screen: Screen) -> None:
     async with screen(size=(120, 40)) as pilot:
         pane = await at_curve(pilot, PLAIN)

@@ -53,7 +53,10 @@ DAMAGED = [
 ]
 
 
-@pytest.mark.parametrize("case", DAMAGED, ids=" ".join)
+QUICK = DAMAGED[::3]  # one of each kind
+
+
+@pytest.mark.parametrize("case", [case if case in QUICK else pytest.param(case, marks=pytest.mark.slow) for case in DAMAGED], ids=" ".join)
 def test_the_nearest_design_passes_when_it_is_solved_afresh(case: tuple[str, ...]) -> None:
     document = damaged(*case)
     before = deepcopy(document.data)

@@ -68,11 +68,7 @@ class Span:
     hidden: bool
 
 
-TOKEN = re.compile(
-    rb"(?P<matrix>(?:-?[\d.]+ ){6})Tm|/(?P<font>F\S+) (?P<size>[\d.]+) Tf|(?P<mode>\d) Tr|\((?P<codes>(?:[^()\\]|\\.)*)\) Tj", re.S
-)
-ESCAPE = re.compile(rb"\\(\d{3}|.)", re.S)
-ESCAPED = {b"n": b"\n", b"r": b"\r", b"t": b"\t", b"b": b"\b", b"f": b"\f"}
+TOKEN = re.compile(rb"(?P<matrix>(?:-?[\d.]+ ){6})Tm|/(?P<font>F\S+) (?P<size>[\d.]+) Tf|(?P<mode>\d) Tr|<(?P<codes>[0-9a-f]*)> Tj", re.S)
 
 
 @cache
@@ -97,8 +93,7 @@ def spans(pdf: bytes) -> list[Span]:
             elif token["mode"]:
                 hidden = token["mode"] == b"3"
             else:
-                codes = ESCAPE.sub(lambda m: bytes([int(m[1], 8)]) if m[1].isdigit() else ESCAPED.get(m[1], m[1]), token["codes"])
-                wide = sum(widths[c] for c in codes) * size / 1000
+                wide = sum(widths[c] for c in bytes.fromhex(token["codes"].decode())) * size / 1000
                 found.append(Span(number, x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
                 x += wide
     assert found

@@ -23,7 +23,7 @@ VARIANTS = ("crank alone", "with the counter-shaft")
 
 
 def report(*curves: Curve) -> bytes:
-    return with_outcome(solved(V12), "engine", curves=curves).report()
+    return with_outcome(solved(V12), "engine", curves=curves).report("audit")
 
 
 def bars_of(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:

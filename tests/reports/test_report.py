@@ -8,9 +8,13 @@ from pathlib import Path
 import pytest
 from pypdf import PdfReader
 
+from calc.explain import Chains, behind
+from calc.languages import language
 from calc.sheet.check import Check
-from calc.sheet.expression import Shown
+from calc.sheet.formula import formula
 from calc.sheet.step import Outcome
+from calc.sheet.trace import Line
+from calc.sheet.units import Newton
 from calc.solve import Results
 from calc.version import VERSION
 from reports.contents import PUBLICATION
@@ -30,7 +34,7 @@ def test_every_check_stands_in_it_with_its_verdict(example: Solved, engineer: by
         assert squeezed(check.limit_text()) in read
         assert squeezed(check.source) in read
     for outcome in example.results.outcomes.values():
-        assert squeezed(WORDS["en"][outcome.verdict]) in read
+        assert squeezed(WORDS[outcome.verdict]) in read
 
 
 def test_the_summary_proposes_remedies_where_there_is_room() -> None:
@@ -92,16 +96,35 @@ def test_the_source_is_corrected_beside_its_value(example: Solved, summary: byte
         assert squeezed(erratum.why) in whole and squeezed(erratum.source) in whole
 
 
-def test_every_formula_stands_in_it_and_can_be_copied(example: Solved, engineer: bytes, audit: bytes) -> None:
-    read, said, all_said = squeezed(text_of(engineer)), spoken(engineer), spoken(audit)
+def test_every_formula_stands_in_the_audit_and_can_be_copied(example: Solved, engineer: bytes, audit: bytes) -> None:
+    read, said = squeezed(text_of(engineer)), spoken(audit)
     for outcome in example.results.outcomes.values():
         for line in outcome.lines:
-            formula, numbers = spoken_line(shown(line))
-            assert formula in all_said and numbers in all_said
-            if line.value.any() if hasattr(line.value, "any") else line.value != 0:
-                assert formula in said
-                assert squeezed(line.formula.source) in read
-                assert squeezed(line.formula.symbol) in read
+            formula, numbers = spoken_line(shown(line, language("en")))
+            assert formula in said and numbers in said
+            published = PUBLICATION.search(line.formula.source)
+            assert squeezed(published[0] if published else line.formula.source) in read, (
+                "the list of sources is that of the whole calculation"
+            )
+
+
+def test_the_formulas_that_decide_stand_in_the_engineer_report(example: Solved, engineer: bytes) -> None:
+    """Those that lead to the value which stands for a step, and to each limit that fails."""
+    read, said = squeezed(text_of(engineer)), spoken(engineer)
+    chains = Chains(example.results)
+    failing = {behind(check, chains.values) for check in example.results.checks() if check.verdict == "fail" and check.kind == "limit"}
+    wanted = [
+        line
+        for id in ("imbalance.required_couple", "friction.total_loss", *filter(None, failing))
+        for link in chains.of(id)
+        for line in [link.line]
+    ]
+    assert len({line.formula for line in wanted}) >= 60 and len(failing) >= 7
+    for line in wanted:
+        if line.value.any() if hasattr(line.value, "any") else line.value != 0:
+            assert spoken_line(shown(line, language("en")))[0] in said
+            assert squeezed(line.formula.source) in read
+            assert squeezed(line.formula.symbol) in read
 
 
 def test_every_input_and_value_stands_in_it(example: Solved, engineer: bytes) -> None:
@@ -190,7 +213,7 @@ def test_headings_are_never_last_on_a_page(example: Solved) -> None:
     from reports.context import Context
     from reports.report import blocks
 
-    context = Context(example.document, example.results, "0" * 64, "audit", WORDS["en"])
+    context = Context(example.document, example.results, "0" * 64, "audit", language("en"))
     pages = paginate(blocks(context))
     for page in pages:
         assert not page.blocks[-1][1].keep
@@ -207,9 +230,13 @@ def test_publications_and_standards_are_told_from_their_clauses() -> None:
 
 
 def test_what_a_variant_has_in_common_with_its_part_is_not_repeated() -> None:
-    def line(value: str) -> Shown:
-        return Shown("F", None, None, "", value, "N", "", "")
+    @formula("F", "a formula for this test")
+    def force(F: Newton) -> Newton:
+        return F
 
-    values = (("mesh a", "34"), ("mesh a, source", "34"), ("mesh b", "35"), ("mesh b, source", "36"))
+    def line(value: float) -> Line:
+        return Line(force, {"F": value}, value)
+
+    values = (("mesh a", 34.0), ("mesh a, source", 34.0), ("mesh b", 35.0), ("mesh b, source", 36.0))
     said = _others([(label, line(value)) for label, value in values], [], [], {"others": "further: {values}", "more": "{count} more"})
     assert said == "further: mesh a 34; mesh b 35, source 36 N"

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
+from calc.languages import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
 from reports.context import Context
@@ -69,7 +70,7 @@ def test_values_that_a_table_covers_are_left_to_it() -> None:
     outcome = made.results.outcomes["imbalance"]
 
     def words(covers: tuple[str, ...], depth: str = "engineer") -> str:
-        context = Context(made.document, made.results, "0" * 64, depth, WORDS["en"])
+        context = Context(made.document, made.results, "0" * 64, depth, language("en"))
         return "\n".join(drawn(value_blocks(context, replace(outcome, tables=(replace(REMEDIES, covers=covers),)))))
 
     assert "Order 6" in words(()) and "order 2" in words(()), "order 2 is named as zero"
@@ -89,8 +90,8 @@ def test_nought_has_no_sign() -> None:
 
 def test_what_is_not_known_of_a_material_is_a_dash() -> None:
     made = solved((ROOT / "designs" / "twin_force_shaft.toml").read_bytes())
-    words = drawn(material_blocks(Context(made.document, made.results, "0" * 64, "engineer", WORDS["en"])))
-    used = used_materials(Context(made.document, made.results, "", "engineer", WORDS["en"]))[1]
+    words = drawn(material_blocks(Context(made.document, made.results, "0" * 64, "engineer", language("en"))))
+    used = used_materials(Context(made.document, made.results, "", "engineer", language("en")))[1]
     unknown = sum(m.proof_stress is None for m in used) + sum(m.tensile_strength is None for m in used)
     assert unknown and words.count("–") == unknown and "None" not in words
 
@@ -167,7 +168,7 @@ class Engine:
 
 def laid(data: dict[str, Any], depth: str = "engineer") -> list[str]:
     """The pieces of text that the inputs of a step consist of."""
-    context: Any = SimpleNamespace(words=WORDS["en"], audit=depth == "audit", document=SimpleNamespace(data={"engine": data}))
+    context: Any = SimpleNamespace(words=WORDS, say=language("en"), audit=depth == "audit", document=SimpleNamespace(data={"engine": data}))
     return drawn(input_blocks(context, Step("engine", "Engine", Engine)))
 
 

@@ -28,7 +28,7 @@ def curve(names: tuple[str, ...] = NAMES, low: object = LOW, high: object = HIGH
 
 
 def report(*curves: Curve) -> bytes:
-    return with_outcome(solved(V12), "engine", curves=curves).report()
+    return with_outcome(solved(V12), "engine", curves=curves).report("audit")
 
 
 def bars(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:
