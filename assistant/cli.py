@@ -19,6 +19,7 @@ COMMANDS = {
     "check": "solve a design and print values, checks and verdicts",
     "explain": "the chain of formulas that leads to one value",
     "report": "write the PDF calculation report",
+    "verify": "solve the design inside a report again: identical, or what differs",
     "replay": "run scripted designs and compare with what they expect",
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
@@ -76,6 +77,9 @@ def parser() -> argparse.ArgumentParser:
     add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
     add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
     add["report"].add_argument("--lang", choices=("en", "it"), default="en", help="English or Italian (default: %(default)s)")
+
+    add["verify"].add_argument("file", metavar="REPORT.pdf")
+    add["verify"].add_argument("--all", action="store_true", help="list every difference")
 
     add["replay"].add_argument("files", nargs="+", metavar="FILE")
 

@@ -1,33 +1,59 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The design file inside the report: an embedded file that any reader of PDF can take out again."""
+"""The design file and what it gave, inside the report: embedded files that any reader of PDF can take out again."""
 
 import hashlib
+import json
 
 from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFInfo, PDFName, PDFStream, PDFString, PDFZCompress
 from reportlab.pdfgen.canvas import Canvas
 
+from calc.solve import Results
+
 NAME = "design.toml"
+RESULTS = "results.json"
 
 
-def attach(canvas: Canvas, raw: bytes, description: str) -> None:
-    """Embed the bytes of the design file as `design.toml`."""
+def results_bytes(results: Results) -> bytes:
+    """The values and verdicts of a report as JSON, the same bytes for the same results; what is not finite is null."""
+    outcomes = results.outcomes.values()
+    found = {
+        "values": {v.id: float(v.shown) if abs(v.shown) < float("inf") else None for o in outcomes for v in o.values()},
+        "checks": {check.id: check.verdict for check in results.checks()},
+        "steps": {o.key: o.verdict for o in outcomes},
+    }
+    return json.dumps(found, separators=(",", ":"), allow_nan=False).encode()
+
+
+def attach(canvas: Canvas, files: dict[str, tuple[bytes, str]]) -> None:
+    """Embed files, each with its name, its bytes and what it is; the first is the one that the document was made from."""
+    catalog, specifications = canvas._doc.Catalog, {}
+    for n, (name, (raw, description)) in enumerate(files.items()):
+        specifications[name] = _specification(canvas, name, raw, description, "Data" if n else "Source")
+    catalog.__NoDefault__ = [*catalog.__NoDefault__, "AF"]
+    catalog.AF = PDFArray(list(specifications.values()))
+    names = [item for name in sorted(specifications) for item in (PDFString(name), specifications[name])]
+    catalog.Names = PDFDictionary({"EmbeddedFiles": PDFDictionary({"Names": PDFArray(names)})})
+
+
+def _specification(canvas: Canvas, name: str, raw: bytes, description: str, relation: str) -> object:
     document = canvas._doc
     sums = {"Size": len(raw), "CheckSum": PDFString(hashlib.md5(raw, usedforsecurity=False).digest(), enc="raw")}
     stream = PDFStream(PDFDictionary({"Type": PDFName("EmbeddedFile"), "Params": PDFDictionary(sums)}), raw, filters=[PDFZCompress])
-    stream.dictionary["Subtype"] = "/application#2Ftoml"
+    stream.dictionary["Subtype"] = f"/application#2F{name.rpartition('.')[2]}"
     file = document.Reference(stream)
-    specification = document.Reference(
+    return document.Reference(
         PDFDictionary(
             {
-                "Type": PDFName("Filespec"), "F": PDFString(NAME), "UF": PDFString(NAME), "Desc": PDFString(description),
-                "AFRelationship": PDFName("Source"), "EF": PDFDictionary({"F": file, "UF": file}),
+                "Type": PDFName("Filespec"), "F": PDFString(name), "UF": PDFString(name), "Desc": PDFString(description),
+                "AFRelationship": PDFName(relation), "EF": PDFDictionary({"F": file, "UF": file}),
             }
         )
     )  # fmt: skip
-    catalog = document.Catalog
-    catalog.__NoDefault__ = [*catalog.__NoDefault__, "AF"]
-    catalog.AF = PDFArray([specification])
-    catalog.Names = PDFDictionary({"EmbeddedFiles": PDFDictionary({"Names": PDFArray([PDFString(NAME), specification])})})
+
+
+def keywords(program: str, **said: str) -> str:
+    """What `verify` needs to know of a report, as its list of keywords: `Contralbero 0.1.0, depth:engineer, sha256:…`."""
+    return ", ".join([program, *(f"{key}:{value}" for key, value in said.items())])
 
 
 class Undated(PDFInfo):  # type: ignore[misc]

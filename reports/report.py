@@ -91,15 +91,17 @@ def render(
     context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     design, w = results.design, context.words
+    solved = attach.results_bytes(results)
     out = io.BytesIO()
     dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
     try:
         canvas = Canvas(out, pagesize=PAGE, invariant=1, pageCompression=1, pdfVersion=(1, 7), initialFontName=UPRIGHT, lang=lang)
         attach.describe(
             canvas, title=clean(design.name), author=clean(design.author), subject=f"{w['report']}, design file sha256 {context.sha256}",
-            keywords=f"{PROGRAM}, sha256:{context.sha256}", program=PROGRAM,
+            keywords=attach.keywords(PROGRAM, depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest()),
+            program=PROGRAM,
         )  # fmt: skip
-        attach.attach(canvas, raw, w["file"])
+        attach.attach(canvas, {attach.NAME: (raw, w["file"]), attach.RESULTS: (solved, w["solved"])})
         canvas.setViewerPreference("DisplayDocTitle", "true")
         canvas.showOutline()
         head = (design.name, " · ".join(x for x in (w["report"], design.revision) if x))

@@ -8,7 +8,7 @@ from .boxes import Colour
 WORDS = {
     "page": "Page {page} of {pages}",
     "report": "Calculation report",
-    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256",
+    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256", "solved": "Values and verdicts of the report",
     "program": "Program", "attached": "The design file is attached to this document as design.toml.",
     "pass": "pass", "warn": "warn", "fail": "fail", "blocked": "blocked", "not_asked": "not asked", "no_solution": "no solution",
     "step": "Step", "verdict": "Verdict", "worst": "Closest check", "value": "Value", "limit": "Limit", "margin": "Margin",

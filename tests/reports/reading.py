@@ -45,8 +45,8 @@ class Solved:
     document: Document
     results: Results
 
-    def report(self, depth: str = "engineer") -> bytes:
-        return render(self.document, self.results, self.raw, depth=depth)
+    def report(self, depth: str = "engineer", lang: str = "en") -> bytes:
+        return render(self.document, self.results, self.raw, depth=depth, lang=lang)
 
 
 def solved(text: str | bytes) -> Solved:

@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero verify`: solves the design inside a report again and says identical, or what differs."""
+
+from argparse import Namespace
+from pathlib import Path
+
+from calc.sheet.errors import BadInput, InputError
+from calc.version import VERSION
+from reports.verify import verify
+
+MOST = 20  # differences that are listed
+
+
+def run(asked: Namespace) -> int:
+    path = Path(asked.file)
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        reason = f"cannot be read: {error.strerror or error}; give a report that `contralbero report` wrote"
+        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
+    found = verify(raw, str(path))
+    print(f"{path}: {found.design}")
+    if not found.same_version:
+        print(f"written by version {found.version}; this is version {VERSION}, and what differs may come from that")
+    for name in found.changed:
+        print(f"the attachment {name} is not the one that the report was written with")
+    for one in found.differences[: MOST if not asked.all else None]:
+        print(f"{one.what}: {one.was} in the report, {one.now} now")
+    if not asked.all and len(found.differences) > MOST:
+        print(f"and {len(found.differences) - MOST} more; --all lists them")
+    if not found.identical:
+        print("differs")
+        return 1
+    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and texts")
+    return 0

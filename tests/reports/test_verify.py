@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A report is checked against the design inside it."""
+
+import io
+import json
+from pathlib import Path
+
+import pytest
+from pypdf import PdfReader, PdfWriter
+from pypdf.generic import DecodedStreamObject, NameObject
+
+from assistant.cli import main
+from calc.sheet.errors import BadInput
+from reports import verify as verifying
+from reports.attach import NAME, RESULTS
+from reports.verify import verify
+
+from .reading import V12, solved
+
+
+@pytest.fixture(scope="module")
+def made() -> bytes:
+    return solved(V12).report()
+
+
+def rewritten(pdf: bytes, files: dict[str, bytes] | None = None, page: tuple[bytes, bytes] | None = None, keywords: str = "") -> bytes:
+    """The report with other attachments, with a word of its first page changed, or with other keywords; the rest as it was."""
+    reader, writer = PdfReader(io.BytesIO(pdf)), PdfWriter()
+    for old in reader.pages:
+        writer.add_page(old)
+    writer.add_metadata({"/Keywords": keywords or str(reader.metadata.keywords)})  # type: ignore[union-attr]
+    for name, contents in reader.attachments.items():
+        writer.add_attachment(name, (files or {}).get(name, contents[0]))
+    if page is not None:
+        first = writer.pages[0]
+        data = first.get_contents().get_data()  # type: ignore[union-attr]
+        assert page[0] in data
+        stream = DecodedStreamObject()
+        stream.set_data(data.replace(page[0], page[1], 1))
+        first[NameObject("/Contents")] = writer._add_object(stream)
+    out = io.BytesIO()
+    writer.write(out)
+    return out.getvalue()
+
+
+@pytest.mark.parametrize(("depth", "lang"), [("summary", "en"), ("engineer", "it"), ("audit", "en")])
+def test_what_was_written_is_identical(depth: str, lang: str) -> None:
+    found = verify(solved(V12).report(depth, lang), "r.pdf")
+    assert found.identical and found.same_bytes and found.same_version and not found.differences
+
+
+def test_a_copy_with_other_bytes_says_the_same(made: bytes) -> None:
+    """As a program that signs a document, or makes it smaller, leaves it."""
+    found = verify(rewritten(made), "r.pdf")
+    assert found.identical and not found.same_bytes
+
+
+def test_a_changed_design_is_found_and_what_it_changes(made: bytes) -> None:
+    raw = PdfReader(io.BytesIO(made)).attachments[NAME][0]
+    assert b"rated_speed_rpm = " in raw
+    found = verify(rewritten(made, {NAME: raw.replace(b"rated_speed_rpm = ", b"rated_speed_rpm = 1")}), "r.pdf")
+    assert found.changed == (NAME,) and not found.identical
+    assert any(one.what.startswith("value imbalance.") for one in found.differences)
+
+
+def test_changed_values_are_found(made: bytes) -> None:
+    kept = json.loads(PdfReader(io.BytesIO(made)).attachments[RESULTS][0])
+    kept["values"]["engine.stroke"] += 1.0
+    kept["steps"]["engine"] = "fail"
+    found = verify(rewritten(made, {RESULTS: json.dumps(kept).encode()}), "r.pdf")
+    assert found.changed == (RESULTS,)
+    assert [one.what for one in found.differences] == ["step engine", "value engine.stroke"]
+
+
+def test_a_changed_page_is_found(made: bytes) -> None:
+    data = PdfReader(io.BytesIO(made)).pages[0].get_contents().get_data()  # type: ignore[union-attr]
+    word = max((piece for piece in data.split() if piece.startswith(b"<") and len(piece) > 12), key=len)
+    found = verify(rewritten(made, page=(word, b"<" + word[3:])), "r.pdf")
+    assert not found.changed and [one.what for one in found.differences] == ["page 1"]
+
+
+def test_another_version_is_said(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    about = str(PdfReader(io.BytesIO(made)).metadata.keywords)  # type: ignore[union-attr]
+    path = tmp_path / "old.pdf"
+    path.write_bytes(rewritten(made, keywords=about.replace(verifying.VERSION, "0.0.1")))
+    assert main(["verify", str(path)]) == 0
+    assert "written by version 0.0.1" in capsys.readouterr().out
+
+
+def test_exit_codes_and_words(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "r.pdf"
+    path.write_bytes(made)
+    assert main(["verify", str(path)]) == 0
+    assert capsys.readouterr().out.endswith("identical, byte for byte\n")
+    raw = PdfReader(io.BytesIO(made)).attachments[NAME][0]
+    path.write_bytes(rewritten(made, {NAME: raw.replace(b"rated_speed_rpm = ", b"rated_speed_rpm = 1")}))
+    assert main(["verify", str(path)]) == 1
+    short = capsys.readouterr().out
+    assert "the attachment design.toml is not the one" in short and short.endswith("differs\n") and "--all lists them" in short
+    assert main(["verify", str(path), "--all"]) == 1
+    assert len(capsys.readouterr().out) > len(short)
+
+
+@pytest.mark.parametrize("raw", [b"", b"%PDF-1.7", b"no report", b"%PDF-1.4\n%%EOF\n" * 9])
+def test_what_is_no_report_is_refused(raw: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "x.pdf"
+    path.write_bytes(raw)
+    assert main(["verify", str(path)]) == 2
+    assert str(path) in capsys.readouterr().err
+
+
+def test_a_report_that_lost_its_attachments_is_refused(made: bytes, tmp_path: Path) -> None:
+    writer = PdfWriter()
+    for page in PdfReader(io.BytesIO(made)).pages:
+        writer.add_page(page)
+    with pytest.raises(BadInput, match="no report of this program"):
+        verify(written(writer), "x.pdf")
+    writer.add_metadata({"/Keywords": str(PdfReader(io.BytesIO(made)).metadata.keywords)})  # type: ignore[union-attr]
+    with pytest.raises(BadInput, match="no attachment design.toml and none results.json"):
+        verify(written(writer), "x.pdf")
+
+
+def test_results_that_can_not_be_read_are_refused(made: bytes) -> None:
+    with pytest.raises(BadInput, match="damaged"):
+        verify(rewritten(made, {RESULTS: b"{"}), "x.pdf")
+    with pytest.raises(BadInput, match="damaged"):
+        verify(rewritten(made, {RESULTS: b"[]"}), "x.pdf")
+
+
+def written(writer: PdfWriter) -> bytes:
+    out = io.BytesIO()
+    writer.write(out)
+    return out.getvalue()
