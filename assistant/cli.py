@@ -101,6 +101,8 @@ def parser() -> argparse.ArgumentParser:
     kinds = add["compare"].add_mutually_exclusive_group()
     kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
     kinds.add_argument("--all", action="store_true", help="all checks and values that differ, tables of one design written out")
+    kinds.add_argument("-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report")
+    add["compare"].add_argument("--lang", choices=("en", "it"), default="en", help="of the PDF (default: %(default)s)")
 
     add["sweep"].add_argument("file")
     add["sweep"].add_argument(

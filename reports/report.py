@@ -7,15 +7,9 @@ The same design file and program give the same bytes: no date of printing, no pa
 from __future__ import annotations
 
 import hashlib
-import io
-import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-
-from reportlab import rl_config
-from reportlab.pdfgen.canvas import Canvas
 
 from calc.design_file import Document
 from calc.languages import LANGUAGES, language
@@ -25,6 +19,7 @@ from calc.sheet.step import Outcome, Step
 from calc.solve import Results
 
 from . import attach
+from .binding import bind, put
 from .checks import check_blocks, errata_blocks
 from .contents import Entry, contents_blocks, source_blocks
 from .context import DEPTHS, Context
@@ -32,11 +27,10 @@ from .derivation import derivation
 from .figures import figure_blocks
 from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
 from .inputs import input_blocks, material_blocks
-from .letters import FACES, UPRIGHT, clean, widths
-from .page import paint
+from .letters import FACES, widths
 from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
-from .summary import NOTE_LINES, PROGRAM, SHORT_HASH, step_anchor, summary_blocks
+from .summary import NOTE_LINES, step_anchor, summary_blocks
 from .values import table_blocks, value_blocks
 from .words import verdict
 
@@ -59,16 +53,7 @@ def write(
     or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
     """
     made = render(document, results, raw, depth=depth, lang=lang, progress=progress)
-    path = Path(path)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}-", suffix=".part")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(made)
-        os.chmod(name, 0o644)
-        os.replace(name, path)
-    except BaseException:
-        os.unlink(name)
-        raise
+    path = put(made, Path(path))
     tell(progress, 1.0, path.name)
     return path
 
@@ -90,27 +75,14 @@ def render(
     tell(progress, WHOLE, results.design.name)
     context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
-    design, w = results.design, context.words
     solved = attach.results_bytes(results)
-    out = io.BytesIO()
-    dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
-    try:
-        canvas = Canvas(out, pagesize=PAGE, invariant=1, pageCompression=1, pdfVersion=(1, 7), initialFontName=UPRIGHT, lang=lang)
-        attach.describe(
-            canvas, title=clean(design.name), author=clean(design.author), subject=f"{w['report']}, design file sha256 {context.sha256}",
-            keywords=attach.keywords(PROGRAM, depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest()),
-            program=PROGRAM,
-        )  # fmt: skip
-        attach.attach(canvas, {attach.NAME: (raw, w["file"]), attach.RESULTS: (solved, w["solved"])})
-        canvas.setViewerPreference("DisplayDocTitle", "true")
-        canvas.showOutline()
-        head = (design.name, " · ".join(x for x in (w["report"], design.revision) if x))
-        foot = (PROGRAM, f"sha256 {context.sha256[:SHORT_HASH]}")
-        paint(canvas, pages, head, foot, w["page"], part(progress, MADE, WRITTEN))
-        canvas.save()
-    finally:
-        rl_config.useA85 = dense
-    return out.getvalue()
+    said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
+    files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
+    design = results.design
+    return bind(
+        pages, files, title=design.name, author=design.author, revision=design.revision, said=said_of, words=context.words,
+        progress=part(progress, MADE, WRITTEN),
+    )  # fmt: skip
 
 
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:

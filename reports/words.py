@@ -8,7 +8,8 @@ from .boxes import Colour
 WORDS = {
     "page": "Page {page} of {pages}",
     "report": "Calculation report",
-    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256", "solved": "Values and verdicts of the report",
+    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256",
+    "solved": "Values and verdicts of the report",
     "program": "Program", "attached": "The design file is attached to this document as design.toml.",
     "pass": "pass", "warn": "warn", "fail": "fail", "blocked": "blocked", "not_asked": "not asked", "no_solution": "no solution",
     "step": "Step", "verdict": "Verdict", "worst": "Closest check", "value": "Value", "limit": "Limit", "margin": "Margin",
@@ -37,6 +38,14 @@ WORDS = {
     "no_checks": "no checks",
     "count": "{fail} failed, {warn} warnings, {pass} passed of {total} checks", "waiting": "; not solved: {steps}",
     "missing_glyphs": "▯ stands for a character that this report's font does not have; the attached file has it.",
+    "comparison": "Comparison of two designs", "design": "Design", "verdicts": "Verdicts of the steps",
+    "equal": "The two designs are equal: no input, verdict, check or value differs.",
+    "inputs_differ": "Inputs that differ: {count}.", "steps_move": "Steps that change their verdict: {count}.",
+    "checks_move": "Checks that change their verdict: {count}, of them {worse} to the worse and {better} to the better.",
+    "values_differ": "Values that differ: {count}; in one design only: {lone}.",
+    "moved": "Checks whose verdict moved", "lone": "Checks of one design only that do not pass",
+    "kept": "Checks that keep their verdict at another value or limit",
+    "more_values": "{count} more values differ less; `contralbero compare --all` lists them.",
     "two": "{name} (continued)", "between": "{count} more; {total} in all",
 }  # fmt: skip
 

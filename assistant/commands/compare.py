@@ -14,12 +14,13 @@ from calc.compare_tables import Names, check_table, input_table, value_table, ve
 from calc.design import STEPS
 from calc.design_file import Document, design, read
 from calc.sheet.check import Check
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
 from calc.sheet.step import Table
 from calc.solve import Results, solve
 from calc.version import VERSION
 
+EQUAL = "The two designs are equal: no input, verdict, check or value differs."
 MOST = 6  # values of a step that are shown
 LONGEST = 24  # characters of a name above a column
 Sides = tuple[tuple[Document, Results], tuple[Document, Results]]
@@ -40,12 +41,26 @@ def run(asked: Namespace) -> int:
     (a, made_a), (b, made_b) = solved
     sides = ((a, solve(made_a)), (b, solve(made_b)))
     found = compare(a.data, b.data, sides[0][1], sides[1][1])
+    if asked.output:
+        return _write(sides, found, Path(asked.output), asked.lang)
     if asked.json:
         import json
 
         print(json.dumps(comparison_json(sides, found), ensure_ascii=False, indent=1))
     else:
         print("\n".join(text(sides, found, asked.all)))
+    return 0
+
+
+def _write(sides: Sides, found: Comparison, path: Path, lang: str) -> int:
+    from reports.comparison import write
+
+    try:
+        write(*sides, found, column_names(*(Path(document.place).stem for document, _ in sides)), path, lang=lang)
+    except OSError as error:
+        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place")]) from None
+    print("\n".join(_summary(found)) if not found.equal else EQUAL)
+    print(f"\n{path}")
     return 0
 
 
@@ -58,7 +73,7 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
         yield f"{name:<{wide}}  {results.design.name}   {document.place}".rstrip()
     yield ""
     if found.equal:
-        yield "The two designs are equal: no input, verdict, check or value differs."
+        yield EQUAL
         return
     yield from _summary(found)
     if found.inputs:

@@ -116,7 +116,7 @@ def test_a_report_that_lost_its_attachments_is_refused(made: bytes, tmp_path: Pa
     with pytest.raises(BadInput, match="no report of this program"):
         verify(written(writer), "x.pdf")
     writer.add_metadata({"/Keywords": str(PdfReader(io.BytesIO(made)).metadata.keywords)})  # type: ignore[union-attr]
-    with pytest.raises(BadInput, match="no attachment design.toml and none results.json"):
+    with pytest.raises(BadInput, match=r"no attachment design\.toml and none results\.json"):
         verify(written(writer), "x.pdf")
 
 

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pages made into a document: what it says about itself, the files inside it, its running heads; and the file put in its place."""
+
+import io
+import os
+import tempfile
+from pathlib import Path
+
+from reportlab import rl_config
+from reportlab.pdfgen.canvas import Canvas
+
+from calc.sheet.progress import Progress
+
+from . import attach
+from .flow import PAGE, Page
+from .letters import UPRIGHT, clean
+from .page import paint
+from .summary import PROGRAM, SHORT_HASH
+
+
+def bind(
+    pages: list[Page], files: dict[str, tuple[bytes, str]], *, title: str, author: str, revision: str, said: dict[str, str],
+    words: dict[str, str], kind: str = "report", progress: Progress | None = None,
+) -> bytes:  # fmt: skip
+    """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `kind`: of its title in the running head."""
+    out = io.BytesIO()
+    dense, rl_config.useA85 = rl_config.useA85, 0  # streams as bytes, not as text a quarter longer
+    try:
+        canvas = Canvas(out, pagesize=PAGE, invariant=1, pageCompression=1, pdfVersion=(1, 7), initialFontName=UPRIGHT, lang=said["lang"])
+        attach.describe(
+            canvas, title=clean(title), author=clean(author), subject=f"{words[kind]}, design file sha256 {said['sha256']}",
+            keywords=attach.keywords(PROGRAM, **said), program=PROGRAM,
+        )  # fmt: skip
+        attach.attach(canvas, files)
+        canvas.setViewerPreference("DisplayDocTitle", "true")
+        canvas.showOutline()
+        head = (title, " · ".join(x for x in (words[kind], revision) if x))
+        paint(canvas, pages, head, (PROGRAM, f"sha256 {said['sha256'][:SHORT_HASH]}"), words["page"], progress)
+        canvas.save()
+    finally:
+        rl_config.useA85 = dense
+    return out.getvalue()
+
+
+def put(made: bytes, path: Path) -> Path:
+    """Write a file whole or not at all."""
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name[:40]}-", suffix=".part")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(made)
+        os.chmod(name, 0o644)
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise
+    return path
