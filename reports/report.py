@@ -24,6 +24,7 @@ from .checks import check_blocks, errata_blocks
 from .contents import Entry, contents_blocks, source_blocks
 from .context import DEPTHS, Context
 from .derivation import derivation
+from .drawing import drawing_blocks
 from .figures import figure_blocks
 from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
 from .inputs import input_blocks, material_blocks
@@ -102,6 +103,10 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     if materials := material_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials
+        number += 1
+    if drawn := drawing_blocks(context):
+        body += _section(f"{number}  {w['drawing']}", "drawing", entries, need=0.9 * PAGE[1])
+        body += drawn
         number += 1
     if len(lines(context.design.note, BODY, WIDTH)) > NOTE_LINES:
         body += _section(f"{number}  {w['note']}", "note", entries, need=120.0)

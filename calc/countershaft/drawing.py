@@ -104,8 +104,8 @@ def _round(centre: Point, radius: Metre, angle: Radian) -> Point:
 
 
 # --- the sheet ----------------------------------------------------------------------------------------------------------
-def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str) -> tuple[Primitive, ...]:
-    """Side view, cross-sections of the sectors to its right, dimensions and title.  `positions`: mid-planes of the supports.
+def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, scale: str = "1:1") -> tuple[Primitive, ...]:
+    """Side view, cross-sections of the sectors to its right, dimensions and title.  `positions`: mid-planes of the supports; `scale`: words.
 
     The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each is whole by itself.
     """
@@ -121,7 +121,7 @@ def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str) ->
     made += _lengths(outline, positions, largest, h)
     made += _diameters(outline, h)
     made += _sections(outline, up, largest, h)
-    return (*made, *_title(outline, up, largest, h, title))
+    return (*made, *_title(outline, up, largest, h, title, scale))
 
 
 def _lengths(outline: Outline, positions: tuple[Metre, ...], largest: Metre, h: Metre) -> list[Primitive]:
@@ -174,9 +174,9 @@ def _sections(outline: Outline, up: Radian, largest: Metre, h: Metre) -> list[Pr
     return made
 
 
-def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str) -> list[Primitive]:
+def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str, scale: str) -> list[Primitive]:
     lines = [
-        "Millimetres, 1:1. z from mid-shaft, to the right towards the flywheel.",
+        f"Millimetres, {scale}. z from mid-shaft, to the right towards the flywheel.",
         f"Drawn up: {_degrees(up % (2 * math.pi))}° from up with cylinder 1 at TDC, in the sense of crank rotation. "
         "In the sections the crank turns clockwise.",
     ]

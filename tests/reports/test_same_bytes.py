@@ -68,6 +68,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.compare",
         "calc.design",
         "calc.design_file",
+        "calc.drawn",
         "calc.explain",
         "calc.languages",
         "calc.solve",

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The drawing sheet: the shaft with its dimensions, turned to fill a page, and the data of the wheels."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from calc.drawn import shaft, wheels
+from calc.languages import Language
+from calc.languages.outcome import said_table
+from calc.sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
+
+from .boxes import BLACK, GREY, Box, Colour, text
+from .context import Context
+from .flow import HEIGHT, LEFT, WIDTH, Block, heading
+from .letters import clean
+from .prose import SECTION
+from .values import table_blocks
+
+if TYPE_CHECKING:
+    from .page import Pen
+
+ROOM = HEIGHT - 70.0  # of the page's height, which the drawing runs along
+LEAST = 4.2  # size of the smallest letters
+STYLES: dict[str, tuple[float, Colour, tuple[float, ...]]] = {  # layer → width of its lines, their colour, dashes
+    "OUTLINE": (0.9, BLACK, ()), "AXIS": (0.35, GREY, (9.0, 2.0, 1.5, 2.0)), "DIMENSIONS": (0.3, GREY, ()),
+}  # fmt: skip
+THIN = (0.5, BLACK, ())
+PIECES = 48  # of a whole circle
+TICK = 2.2  # half an arrow's length
+
+
+def drawing_blocks(context: Context) -> list[Block]:
+    """The sheet of what the design draws; nothing where it draws nothing."""
+    made: list[Block] = []
+    if drawn := shaft(context.results):
+        made.append(_drawing(drawn, context.say))
+    if (data := wheels(context.results)) is not None:
+        table = said_table(data, context.say)
+        made += heading(table.title, SECTION, gap=11.0, after=0.0, need=200.0)
+        made += table_blocks(context, [replace(table, title="")])
+    return made
+
+
+def _drawing(drawn: Sequence[Primitive], say: Language) -> Block:
+    """The drawing turned a quarter to the left, as large as the page allows."""
+    xs, ys = zip(*(point for one in drawn for point in _points(one)))
+    scale = min(ROOM / (max(xs) - min(xs)), WIDTH / (max(ys) - min(ys)))
+    long, high = scale * (max(xs) - min(xs)), scale * (max(ys) - min(ys))
+
+    def draw(pen: Pen, top: float) -> None:
+        sheet = _Sheet(pen, say, scale, min(xs), max(ys), (WIDTH - high) / 2, top - long)
+        for one in drawn:
+            sheet.draw(one)
+
+    return Block(long, draw, gap=4.0)
+
+
+def _points(one: Primitive) -> list[Point]:
+    """The corners of what a primitive takes of the sheet."""
+    match one:
+        case Polyline(points=points):
+            return list(points)
+        case Arc(centre=(x, y), radius=r):
+            return [(x - r, y - r), (x + r, y + r)]
+        case Words(at=(x, y), text=words, height=h):
+            return [(x, y), (x + 0.75 * h * len(words), y + h)]
+        case Dimension(start=start, end=end, line=line, height=h):
+            return [start, end, (line[0] - h, line[1] - h), (line[0] + h, line[1] + 2 * h)]
+
+
+class _Sheet:
+    """From the sheet's metres to the points of the page, the sheet's right being the page's up."""
+
+    def __init__(self, pen: Pen, say: Language, scale: float, left: float, upper: float, x: float, y: float) -> None:
+        self.pen, self.say, self.scale = pen, say, scale
+        self.left, self.upper, self.x, self.y = left, upper, x, y
+
+    def at(self, point: Point) -> tuple[float, float]:
+        return LEFT + self.x + self.scale * (self.upper - point[1]), self.y + self.scale * (point[0] - self.left)
+
+    def draw(self, one: Primitive) -> None:
+        match one:
+            case Polyline(layer=layer, points=points, closed=closed):
+                self.line([*points, points[0]] if closed else list(points), layer)
+            case Arc(layer=layer, centre=(x, y), radius=r, start=start, end=end):
+                n = max(4, math.ceil(PIECES * (end - start) / (2 * math.pi)))
+                turn = [start + (end - start) * i / n for i in range(n + 1)]
+                self.line([(x + r * math.cos(t), y + r * math.sin(t)) for t in turn], layer)
+            case Words(at=at, text=words, height=h):
+                self.words(text(clean(self.say(words)), max(LEAST, self.scale * h)), at)
+            case Dimension():
+                self.dimension(one)
+
+    def line(self, points: list[Point], layer: str) -> None:
+        thick, colour, dashes = STYLES.get(layer, THIN)
+        placed = [self.at(point) for point in points]
+        if not dashes:
+            self.pen.line(placed, thick, colour)
+            return
+        (x0, y0), (x1, y1) = placed[0], placed[-1]
+        length, done, n = math.hypot(x1 - x0, y1 - y0), 0.0, 0
+        while done < length:
+            step = min(dashes[n % len(dashes)], length - done)
+            if n % 2 == 0:
+                ends = [(x0 + (x1 - x0) * s / length, y0 + (y1 - y0) * s / length) for s in (done, done + step)]
+                self.pen.line(ends, thick, colour)
+            done, n = done + step, n + 1
+
+    def words(self, box: Box, at: Point, *, middle: bool = False, upright: bool = False) -> None:
+        """Text that reads along the sheet; upright: along its second axis, which is across the page."""
+        x, y = self.at(at)
+        back = box.width / 2 if middle else 0.0
+        if upright:
+            self.pen.put(box, x - LEFT - back, y)
+        else:
+            self.pen.turn(box, x - LEFT, y - back)
+
+    def dimension(self, one: Dimension) -> None:
+        """Two lines out to the dimension, the dimension line with its ticks, and the number on it."""
+        n = 1 if one.upright else 0
+        ends = [_with(one.line, n, point[n]) for point in (one.start, one.end)]
+        for point, end in zip((one.start, one.end), ends):
+            self.line([point, end], "DIMENSIONS")
+        self.line(ends, "DIMENSIONS")
+        for end in ends:
+            x, y = self.at(end)
+            self.pen.line([(x - TICK, y - TICK), (x + TICK, y + TICK)], 0.5, GREY)
+        length = abs(one.end[n] - one.start[n]) * 1e3
+        number = f"{'⌀' if one.diameter else ''}{length:.2f}".rstrip("0").rstrip(".")
+        middle = _with(ends[0], n, (ends[0][n] + ends[1][n]) / 2 + one.shift)
+        off = 0.25 * one.height
+        place = (middle[0] - off, middle[1]) if one.upright else (middle[0], middle[1] + off)
+        self.words(text(clean(number), max(LEAST, self.scale * one.height)), place, middle=True, upright=one.upright)
+
+
+def _with(point: Point, n: int, value: float) -> Point:
+    return (value, point[1]) if n == 0 else (point[0], value)
