@@ -36,6 +36,7 @@ class Block:
     need: float = 0.0
     anchor: str = ""
     outline: tuple[int, str] | None = None  # level and title
+    indexed: str = ""  # under which name the index leads here
 
 
 @dataclass(slots=True)

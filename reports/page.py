@@ -18,8 +18,12 @@ from .prose import NOTE, one_line
 class Pen:
     """Collects what one page holds.  x = 0 is the left margin, y is the height on the page."""
 
-    def __init__(self, canvas: Canvas, numbers: Mapping[str, int], strings: dict[tuple[str, str], list[tuple[str, str]]]) -> None:
+    def __init__(
+        self, canvas: Canvas, numbers: Mapping[str, int], strings: dict[tuple[str, str], list[tuple[str, str]]],
+        places: Mapping[str, list[int]] | None = None,
+    ) -> None:  # fmt: skip
         self.canvas = canvas
+        self.places = places or {}  # name in the index → its pages
         self.strings = strings  # texts as their fonts encode them
         self.numbers = numbers  # anchor → page number
         self.text: list[tuple[float, float, Mark]] = []
@@ -134,11 +138,17 @@ def paint(
 ) -> None:
     """All pages with running head, foot and outline.  `counted` holds {page} and {pages}."""
     numbers = {block.anchor: n for n, page in enumerate(pages, 1) for _, block in page.blocks if block.anchor}
+    places: dict[str, list[int]] = {}
+    for n, page in enumerate(pages, 1):
+        for _, block in page.blocks:
+            if block.indexed and n not in places.setdefault(block.indexed, []):
+                places[block.indexed].append(n)
     upper = PAGE[1] - TOP
     strings: dict[tuple[str, str], list[tuple[str, str]]] = {}
     for n, page in enumerate(pages, 1):
         tell(progress, (n - 1) / len(pages), counted.format(page=n, pages=len(pages)))
-        pen = Pen(canvas, numbers, strings)
+        pen = Pen(canvas, numbers, strings, places)
+        canvas.bookmarkHorizontalAbsolute(f"page-{n}", PAGE[1], left=0)
         _running(pen, n, len(pages), head, foot, counted)
         for at, block in page.blocks:
             if block.anchor:

@@ -27,6 +27,7 @@ from .derivation import derivation
 from .drawing import drawing_blocks
 from .figures import figure_blocks
 from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
+from .index import index_blocks
 from .inputs import input_blocks, material_blocks
 from .letters import FACES, widths
 from .plots import Plots
@@ -115,6 +116,9 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     sources = source_blocks(context)
     body += _section(f"{number}  {w['sources']}", "sources", entries, need=160.0)
     body += sources
+    if index := index_blocks(body):
+        body += _section(f"{number + 1}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
+        body += index
     return summary + contents_blocks(context, entries, [w[key] for key in LISTED]) + body
 
 

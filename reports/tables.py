@@ -39,6 +39,7 @@ class Cell:
     box: Box | None = None
     under: tuple[str, Style] | None = None
     align: str = ""  # empty: as its column
+    indexed: str = ""  # under which name the index leads to its row
 
 
 @dataclass(frozen=True, slots=True)
@@ -182,6 +183,8 @@ def _row(
     for start in range(0, max(1, longest), MOST):
         part = [c[start : start + MOST] for c in content]
         blocks.append(_part(aligned, part, wide, left, width, top, last=start + MOST >= longest))
+    if name := next((cell.indexed for cell in given if cell.indexed), ""):
+        blocks[0] = replace(blocks[0], indexed=name)
     return blocks
 
 

@@ -81,13 +81,18 @@ def _symbol(value: Published) -> Cell:
     return Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else Cell()
 
 
+def _named(context: Context, value: Published) -> Cell:
+    name = context.say(value.label)
+    return Cell(name, indexed=name)
+
+
 def _single(context: Context, part: _Part) -> list[Block]:
     w = context.words
     columns = (
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [(context.say(v.label), _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
+    rows: list[Row] = [(_named(context, v), _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
     return named_table(_title(context, part), columns, rows)
 
 
@@ -109,7 +114,7 @@ def _beside(context: Context, parts: list[_Part]) -> list[Block]:
         cells = [short(p.values[name].shown) if name in p.values else "–" for p in parts]
         if not context.audit and all(c in ("0", "–") for c in cells):
             continue
-        rows.append((context.say(value.label), _symbol(value), *cells, value.unit))
+        rows.append((_named(context, value), _symbol(value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []
 
 

@@ -30,7 +30,7 @@ WORDS = {
     "zero_values": "Zero throughout, not shown: {names}.",
     "more": "and {count} more, in the audit report", "others": "further: {values}",
     "more_proposals": "and {count} more, in the engineer report",
-    "drawing": "Drawing sheet", "materials": "Oils and materials",
+    "drawing": "Drawing sheet", "index": "Index of values", "materials": "Oils and materials",
     "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
     "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
     "own": "Definitions and rules without a publication",

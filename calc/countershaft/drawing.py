@@ -105,7 +105,7 @@ def _round(centre: Point, radius: Metre, angle: Radian) -> Point:
 
 # --- the sheet ----------------------------------------------------------------------------------------------------------
 def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, scale: str = "1:1") -> tuple[Primitive, ...]:
-    """Side view, cross-sections of the sectors to its right, dimensions and title.  `positions`: mid-planes of the supports; `scale`: words.
+    """Side view, cross-sections of the sectors to its right, dimensions and title.  `positions`: mid-planes of the supports.
 
     The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each is whole by itself.
     """
