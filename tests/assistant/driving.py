@@ -68,6 +68,15 @@ async def until(pilot: Pilot[int], holds: Callable[[], bool], limit: float = 30.
         await asyncio.sleep(0.01)
 
 
+async def at_rest(pilot: Pilot[int]) -> None:
+    """Wait until the screen has looked the same three times in a row."""
+    seen, same = screen_rows(pilot), 0
+    while same < 3:
+        await pilot.pause(0.02)
+        rows = screen_rows(pilot)
+        seen, same = rows, same + 1 if rows == seen else 0
+
+
 async def strike(pilot: Pilot[int], *keys: str) -> None:
     """Keys as quickly as they come, without waiting for the screen in between."""
     driver = pilot.app._driver

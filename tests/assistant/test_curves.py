@@ -18,7 +18,7 @@ from assistant.widgets.table_list import Setter, TableList
 from calc.sheet.step import Curve, Series, Table, Turning
 
 from .conftest import Screen, solved
-from .driving import rows, strike, told, until, work
+from .driving import at_rest, rows, strike, told, until, work
 
 WITHOUT, WITH = "without the counter-shaft", "with the counter-shaft"
 NAMES = ("1st forward", "1st backward", "2nd forward")
@@ -80,7 +80,7 @@ async def drawn(pilot: Pilot[int]) -> None:
         return sight.curve is pane.curve and (sight.wanted, sight.degrees) == (pane.variant, pane.degrees)
 
     await until(pilot, stands)
-    await pilot.pause()
+    await at_rest(pilot)
 
 
 def limits(pane: CurvePane) -> tuple[float, float, float, float]:

@@ -49,7 +49,7 @@ from calc.design import STEPS
 from calc.design_file import load
 
 from .conftest import NOON, solved
-from .driving import go_to, message, screen_rows, strike, told, type_in, until, work
+from .driving import at_rest, go_to, message, screen_rows, strike, told, type_in, until, work
 from .test_curves import drawn
 
 Do = Callable[[], Awaitable[None]]
@@ -517,10 +517,11 @@ async def curves(pilot: Pilot[int], do: Do) -> None:
     assert "2 Imbalance: " in text(pilot) and "▸  1 Locus of the couple" in text(pilot)
     wanted = pilot.app.screen_stack[0].query_one(CurvePane).leaves[2]
     await type_in(pilot, wanted.title.lower())
-    await pilot.pause()
+    await at_rest(pilot)
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
     await still(pilot)
+    await at_rest(pilot)
     shown = work(pilot).query_one(CurvePane)
     assert shown.leaf is wanted and pilot.app.focused is shown.target and wanted.title[:20] in text(pilot)
 

@@ -32,7 +32,7 @@ from calc.design import STEPS
 from calc.remedies import remedy as remedies
 
 from .conftest import NOON
-from .driving import go_to, screen_rows, strike, type_in, until, work
+from .driving import at_rest, go_to, screen_rows, strike, type_in, until, work
 from .test_curves import drawn
 
 BY_SIZE = pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=lambda size: f"{size[0]}x{size[1]}")
@@ -115,6 +115,7 @@ async def still(pilot: Pilot[int]) -> None:
     bench = work(pilot)
     await until(pilot, lambda: bench.focused is not None and (not bench.trouble or bench.remedy is not None))
     await drawn(pilot)
+    await at_rest(pilot)
 
 
 def picture(pilot: Pilot[int]) -> str:

@@ -22,5 +22,11 @@ def audit(example: Solved) -> bytes:
 
 
 @pytest.fixture(scope="session")
+def relazione(example: Solved) -> bytes:
+    """The engineer report in Italian."""
+    return example.report(lang="it")
+
+
+@pytest.fixture(scope="session")
 def summary(example: Solved) -> bytes:
     return example.report("summary")

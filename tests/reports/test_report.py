@@ -2,6 +2,7 @@
 """The report read back: what must stand in it, and where."""
 
 import io
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -183,7 +184,7 @@ def test_outline_and_contents_lead_to_their_pages(example: Solved, engineer: byt
     assert all(f"Page {n} of {len(pages)}" in words for n, words in enumerate(pages, 1))
 
 
-@pytest.mark.parametrize("depth", ["summary", "engineer", "audit"])
+@pytest.mark.parametrize("depth", ["summary", "engineer", "relazione", "audit"])
 def test_nothing_leaves_the_margins(depth: str, request: pytest.FixtureRequest) -> None:
     for span in spans(request.getfixturevalue(depth)):
         assert LEFT - 1 <= span.x and 24 < span.y < PAGE[1] - 24, span
@@ -193,7 +194,7 @@ def test_nothing_leaves_the_margins(depth: str, request: pytest.FixtureRequest) 
             assert BOTTOM - 14 < span.y < PAGE[1] - TOP + 2, span
 
 
-@pytest.mark.parametrize("depth", ["summary", "engineer", "audit"])
+@pytest.mark.parametrize("depth", ["summary", "engineer", "relazione", "audit"])
 def test_nothing_overlaps(depth: str, request: pytest.FixtureRequest) -> None:
     """The middle of the letters of one piece of text never lies in those of another."""
     by_page: dict[int, list[tuple[float, float, float, float]]] = {}
@@ -207,6 +208,45 @@ def test_nothing_overlaps(depth: str, request: pytest.FixtureRequest) -> None:
                 if x2 >= end:
                     break
                 assert y2 >= top or top2 <= y or end2 <= x2, f"page {page + 1}: {(x, y, end, top)} and {(x2, y2, end2, top2)}"
+
+
+def test_the_italian_report_says_the_same_in_italian(engineer: bytes, relazione: bytes) -> None:
+    """The same verdicts and numbers; and no English sentence but what the design file says, symbols and titles of books."""
+    english, italian = text_of(engineer), text_of(relazione)
+    for words in (
+        "Relazione di calcolo",
+        "Dati d'ingresso",
+        "Formule",
+        "Verifica",
+        "Foglio di disegno",
+        "Indice dei valori",
+        "Pagina 1 di",
+    ):
+        assert squeezed(words) in squeezed(italian) and squeezed(words) not in squeezed(english)
+    for sign in "✓▲✗":
+        assert english.count(sign) == italian.count(sign) > 0
+    symbols, simboli = ({line.partition(" = ")[0] for line in spoken(pdf).splitlines() if " = " in line} for pdf in (engineer, relazione))
+    assert symbols == simboli and len(symbols) > 60
+    left = [line for line in italian.splitlines() if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1]
+    allowed = ("The source's final design", "shear coefficient", "film at the edge")
+    assert not [line for line in left if not any(words in line for words in allowed)]
+
+
+def test_every_value_stands_in_the_index_with_its_page(engineer: bytes) -> None:
+    pages = pages_of(engineer)
+    first = next(n for n, words in enumerate(pages) if re.search(r"^\d+  ?Index of values", words, re.M) and n > 3)
+    entry = re.search(r"Sommerfeld number\s+(\d+)", "\n".join(pages[first:]))
+    assert entry is not None and "Sommerfeld number" in pages[int(entry[1]) - 1]
+    links = [a.get_object() for a in PdfReader(io.BytesIO(engineer)).pages[first].get("/Annots", [])]
+    assert len(links) > 50
+
+
+def test_the_drawing_sheet_has_the_shaft_and_the_data_of_the_wheels(engineer: bytes, example: Solved) -> None:
+    read = squeezed(text_of(engineer))
+    for words in ("Drawing sheet", "Data of the wheels", "Section A", "Normal module", "Size over balls", "21.916°, left", "377"):
+        assert squeezed(words) in read
+    over = example.results.values()["gears.central.over_balls_max"].shown
+    assert f"{over:.4f}".rstrip("0") in read
 
 
 def test_headings_are_never_last_on_a_page(example: Solved) -> None:
