@@ -225,7 +225,7 @@ def test_the_italian_report_says_the_same_in_italian(engineer: bytes, relazione:
         assert squeezed(words) in squeezed(italian) and squeezed(words) not in squeezed(english)
     for sign in "✓▲✗":
         assert english.count(sign) == italian.count(sign) > 0
-    symbols, simboli = ({line.partition(" = ")[0] for line in spoken(pdf).splitlines() if " = " in line} for pdf in (engineer, relazione))
+    symbols, simboli = (set(re.findall(r"^[^\s:=]+(?= = )", spoken(pdf), re.M)) for pdf in (engineer, relazione))
     assert symbols == simboli and len(symbols) > 60
     left = [line for line in italian.splitlines() if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1]
     allowed = ("The source's final design", "shear coefficient", "film at the edge")
