@@ -24,13 +24,13 @@ KINDS = {"dxf": "a drawing of the shaft or of the gears", "csv": "the values", "
 HOW = "give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])"
 
 
-def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None) -> None:
+def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None, lang: str = "en") -> None:
     """Write the file that its ending says: the report as .pdf, else one of the kinds.  Raises BadInput, OSError, Cancelled."""
     document, results = draft.solved()
     if path.suffix.lower() == ".pdf":
         from reports.report import write
 
-        write(document, results, document.raw, path, depth="engineer", progress=progress)
+        write(document, results, document.raw, path, depth="engineer", lang=lang, progress=progress)
     else:
         write_asked(path, exported(path.suffix.lower().removeprefix("."), document, results, gears))
 

@@ -164,6 +164,7 @@ class DoingFiles(Part):
     @work(thread=True, group="write", exit_on_error=False, description="write")
     def _write_aside(self, path: Path, draft: Draft, gears: bool) -> None:
         me, worker = self._me, get_current_worker()
+        lang = me.app.say.code
         name, shown = path.suffix.removeprefix(".").upper(), -1
 
         def progress(share: float, what: str) -> None:
@@ -177,7 +178,7 @@ class DoingFiles(Part):
         try:
             from ..exporting import write_draft
 
-            write_draft(path, draft, gears, progress)
+            write_draft(path, draft, gears, progress, lang)
             answer = self.Wrote(f"PDF report: {path}" if name == "PDF" else f"Exported: {path}")
         except Cancelled:  # the program ends
             return

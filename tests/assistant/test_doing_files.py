@@ -224,7 +224,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
     half, ended = threading.Event(), threading.Event()
     after: list[BaseException | None] = []
 
-    def write(path: Path, draft: Any, gears: bool, progress: Progress) -> None:
+    def write(path: Path, draft: Any, gears: bool, progress: Progress, lang: str) -> None:
         def slowly(share: float, what: str) -> None:
             if share > 0.5:
                 half.set()
@@ -232,7 +232,7 @@ async def test_ending_while_the_report_is_written_leaves_no_file(screen: Screen,
             progress(share, what)
 
         try:
-            write_draft(path, draft, gears, slowly)
+            write_draft(path, draft, gears, slowly, lang)
             after.append(None)
         except BaseException as error:
             after.append(error)
