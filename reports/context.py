@@ -21,6 +21,9 @@ DEPTHS = ("summary", "engineer", "audit")
 CURVES = 2  # of a step, in the design calculation
 
 
+Deciding = dict[tuple[str, Formula[..., Any]], set[str]]  # step and formula → variants
+
+
 @dataclass(slots=True)
 class Context:
     """A solved design and how it is to be reported; counts the figures and collects the sources on the way."""
@@ -33,7 +36,7 @@ class Context:
     figures: int = 0
     sources: dict[str, list[str]] = field(default_factory=dict)  # source → titles of the steps that use it
     words: dict[str, str] = field(init=False)  # the report's own, in its language
-    _deciding: set[tuple[str, Formula[..., Any]]] = field(default_factory=set)  # formulas, each with its step
+    _deciding: Deciding = field(default_factory=dict)
     _values: dict[str, Published] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -61,7 +64,7 @@ class Context:
             return lines
         if not self._deciding:
             self._deciding.update(_deciding(self.results))
-        return [line for line in lines if (key, line.formula) in self._deciding]
+        return [line for line in lines if variant(line) in self._deciding.get((key, line.formula), ())]
 
     def steps(self) -> list[tuple[int, Step, Outcome]]:
         return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
@@ -82,9 +85,14 @@ class Context:
         return list(enumerate(curves, first))
 
 
-def _deciding(results: Results) -> set[tuple[str, Formula[..., Any]]]:
-    """The formulas, each with its step, that lead to the values which stand for the steps, to the limit that each step comes closest to
-    (where it has none, to the advice), and to whatever fails."""
+def variant(line: Line) -> str:
+    """What of a part a line is about: "front bearing, twice the load" → "twice the load"; all parts are treated alike."""
+    return line.about.partition(", ")[2]
+
+
+def _deciding(results: Results) -> Deciding:
+    """The formulas, each with its step and variants, that lead to the values which stand for the steps, to the limit that each step
+    comes closest to (where it has none, to the advice), and to whatever fails."""
     chains = Chains(results)
     values = {id for step in STEPS for id in [i for i in step.headlines if i in chains.values][:1]}
     for outcome in results.outcomes.values():
@@ -92,7 +100,10 @@ def _deciding(results: Results) -> set[tuple[str, Formula[..., Any]]]:
         judged = [*sorted(limits, key=severity)[:1], *(check for check in limits if check.verdict == "fail")]
         values |= {value for check in judged if (value := behind(check, chains.values)) is not None}
     keys = list(results.outcomes)
-    return {(keys[chains.steps[n]], chains.lines[n].formula) for n in chains.leading_to(values)}
+    found: Deciding = {}
+    for n in chains.leading_to(values):
+        found.setdefault((keys[chains.steps[n]], chains.lines[n].formula), set()).add(variant(chains.lines[n]))
+    return found
 
 
 def part(id: str) -> str:
