@@ -230,7 +230,7 @@ def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
     for step in STEPS:
         mine, theirs = ({c.id: c for c in results.outcomes[step.key].checks} for results in (a, b))
         either = (*mine.values(), *theirs.values())
-        floors = _floors((c.unit, x) for c in either for x in (c.value, *_limits(c)))
+        floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
         for id in _united(mine, theirs):
             one, other = mine.get(id), theirs.get(id)
@@ -262,7 +262,7 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
     found: list[ValueDifference] = []
     for step in STEPS:
         mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
-        floors = _floors((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
+        floors = size_of_nothing((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
         differ = []
         for id in _united(mine, theirs):
             one, other = mine.get(id), theirs.get(id)
@@ -299,7 +299,7 @@ def turn(a: float, b: float) -> float:
     return (b - a + 180) % 360 - 180
 
 
-def _floors(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
+def size_of_nothing(numbers: Iterable[tuple[str, float]]) -> dict[str, float]:
     """By unit, the size up to which a number is nothing.  Numbers without a unit have nothing in common."""
     found: dict[str, float] = {}
     for unit, number in numbers:

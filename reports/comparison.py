@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -10,7 +11,7 @@ from calc.compare import Comparison
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document
-from calc.languages import language
+from calc.languages import Language, afresh
 from calc.languages.outcome import said_table
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
@@ -22,11 +23,12 @@ from .boxes import text as text_box
 from .context import Context
 from .flow import WIDTH, Block, bullet, heading, lines_block, paginate, paragraph
 from .letters import FACES, widths
-from .prose import BODY, HEADING, TITLE, lines
+from .prose import BODY, HEADING, NOTE, TITLE, lines
 from .summary import SHORT_HASH
 from .values import table_blocks
 
 MOST = 40  # values of a step that are shown, those that differ most first
+OWN = re.compile(r"left out|not asked|\d+ (keys?|elements?)")  # what the program says of an input
 Side = tuple[Document, Results]
 
 
@@ -40,7 +42,7 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
     for face in FACES:
         widths(face)
     (first, before), (second, after) = a, b
-    context = Context(first, before, "", "engineer", language(lang))
+    context = Context(first, before, "", "engineer", afresh(lang))
     made = _title(context, (a, b), names)
     made += _summary(context, found)
     if not found.equal:
@@ -95,7 +97,7 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
         return f"{SIGNS[verdict]} {w[verdict]}"
 
     def section(key: str, tables: list[Table]) -> list[Block]:
-        tables = [said_table(t, say) for t in tables if t.rows]
+        tables = [_said_inputs(t, say) if t.id == "inputs" else said_table(t, say) for t in tables if t.rows]
         if not tables:
             return []
         return heading(w[key], HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
@@ -116,4 +118,16 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
         replace(check_table(lone, names, sign, ids=False), title=w["lone"]),
         replace(check_table(rest, names, sign, ids=False), title=w["kept"]),
     ])  # fmt: skip
-    return made + section("results", values)
+    made += section("results", values)
+    lone_values, lone_checks = any(not d.both for d in found.values), any(not d.both for d in found.checks)
+    return made + (paragraph(w["lone_values"], NOTE, gap=6.0) if lone_values or lone_checks else [])
+
+
+def _said_inputs(table: Table, say: Language) -> Table:
+    """Labels and the program's own words in a language; what the files say as they say it."""
+
+    def said(cell: str | float | None) -> str | float | None:
+        return say(cell) if isinstance(cell, str) and OWN.fullmatch(cell) else cell
+
+    rows = ((say(str(row[0])), *map(said, row[1:])) for row in table.rows)
+    return replace(table, title=say(table.title), columns=tuple((say(label), unit) for label, unit in table.columns), rows=tuple(rows))

@@ -48,6 +48,8 @@ def derivation(context: Context, step: Step, traced: list[Line], total: int) -> 
     """The blocks of the formulas of a step; `total` lines were traced."""
     words = context.words
     shown_lines = [line for line in traced if context.audit or not _zero(line.value)]
+    if not shown_lines and total:
+        return paragraph(words["resting"].format(count=total), NOTE)
     if not shown_lines:
         return []
     made = paragraph(words["substitution"], NOTE, gap=1.0)

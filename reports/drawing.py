@@ -9,7 +9,6 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from calc.drawn import shaft, wheels
-from calc.languages import Language
 from calc.languages.outcome import said_table
 from calc.sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
 
@@ -17,7 +16,7 @@ from .boxes import BLACK, GREY, Box, Colour, text
 from .context import Context
 from .flow import HEIGHT, LEFT, WIDTH, Block, heading
 from .letters import clean
-from .prose import SECTION
+from .prose import SECTION, Style, lines
 from .values import table_blocks
 
 if TYPE_CHECKING:
@@ -30,6 +29,7 @@ STYLES: dict[str, tuple[float, Colour, tuple[float, ...]]] = {  # layer → widt
 }  # fmt: skip
 THIN = (0.5, BLACK, ())
 PIECES = 48  # of a whole circle
+MOST = 160.0  # letters of a line that the drawing makes room for; a longer one is cut
 TICK = 2.2  # half an arrow's length
 
 
@@ -37,22 +37,24 @@ def drawing_blocks(context: Context) -> list[Block]:
     """The sheet of what the design draws; nothing where it draws nothing."""
     made: list[Block] = []
     if drawn := shaft(context.results):
-        made.append(_drawing(drawn, context.say))
+        title = context.design.name
+        said = [replace(one, text=context.say(one.text)) if isinstance(one, Words) and one.text != title else one for one in drawn]
+        made.append(_drawing(said))
     if (data := wheels(context.results)) is not None:
-        table = said_table(data, context.say)
+        table = replace(said_table(data, context.say), columns=data.columns)  # the names of the wheels are the user's
         made += heading(table.title, SECTION, gap=11.0, after=0.0, need=200.0)
         made += table_blocks(context, [replace(table, title="")])
     return made
 
 
-def _drawing(drawn: Sequence[Primitive], say: Language) -> Block:
+def _drawing(drawn: Sequence[Primitive]) -> Block:
     """The drawing turned a quarter to the left, as large as the page allows."""
     xs, ys = zip(*(point for one in drawn for point in _points(one)))
     scale = min(ROOM / (max(xs) - min(xs)), WIDTH / (max(ys) - min(ys)))
     long, high = scale * (max(xs) - min(xs)), scale * (max(ys) - min(ys))
 
     def draw(pen: Pen, top: float) -> None:
-        sheet = _Sheet(pen, say, scale, min(xs), max(ys), (WIDTH - high) / 2, top - long)
+        sheet = _Sheet(pen, scale, min(xs), max(ys), (WIDTH - high) / 2, top - long, long)
         for one in drawn:
             sheet.draw(one)
 
@@ -67,7 +69,7 @@ def _points(one: Primitive) -> list[Point]:
         case Arc(centre=(x, y), radius=r):
             return [(x - r, y - r), (x + r, y + r)]
         case Words(at=(x, y), text=words, height=h):
-            return [(x, y), (x + 0.75 * h * len(words), y + h)]
+            return [(x, y), (x + min(0.75, MOST / max(1, len(words))) * h * len(words), y + h)]
         case Dimension(start=start, end=end, line=line, height=h):
             return [start, end, (line[0] - h, line[1] - h), (line[0] + h, line[1] + 2 * h)]
 
@@ -75,9 +77,9 @@ def _points(one: Primitive) -> list[Point]:
 class _Sheet:
     """From the sheet's metres to the points of the page, the sheet's right being the page's up."""
 
-    def __init__(self, pen: Pen, say: Language, scale: float, left: float, upper: float, x: float, y: float) -> None:
-        self.pen, self.say, self.scale = pen, say, scale
-        self.left, self.upper, self.x, self.y = left, upper, x, y
+    def __init__(self, pen: Pen, scale: float, left: float, upper: float, x: float, y: float, long: float) -> None:
+        self.pen, self.scale = pen, scale
+        self.left, self.upper, self.x, self.y, self.long = left, upper, x, y, long
 
     def at(self, point: Point) -> tuple[float, float]:
         return LEFT + self.x + self.scale * (self.upper - point[1]), self.y + self.scale * (point[0] - self.left)
@@ -91,7 +93,9 @@ class _Sheet:
                 turn = [start + (end - start) * i / n for i in range(n + 1)]
                 self.line([(x + r * math.cos(t), y + r * math.sin(t)) for t in turn], layer)
             case Words(at=at, text=words, height=h):
-                self.words(text(clean(self.say(words)), max(LEAST, self.scale * h)), at)
+                size = max(LEAST, self.scale * h)
+                room = self.y + self.long - self.at(at)[1]
+                self.words(lines(words, Style(size, size), room, 1)[0], at)
             case Dimension():
                 self.dimension(one)
 

@@ -265,7 +265,7 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
         head.append(replace(_column(key.about, context.say), width=52.0))
     rows: list[Row] = []
     for entry in entries:
-        cells: list[str | Cell] = [Cell(entry.name, under=(context.say(entry.source), NOTE))]
+        cells: list[str | Cell] = [Cell(entry.name, under=(context.say.wholly(entry.source), NOTE))]
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value

@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from calc.design_file import Document
-from calc.languages import LANGUAGES, language
+from calc.languages import LANGUAGES, afresh
 from calc.languages.outcome import said
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
@@ -71,7 +71,7 @@ def render(
     tell(progress, 0.0, results.design.name)
     for face in FACES:
         widths(face)
-    say = language(lang)
+    say = afresh(lang)
     whole = results.whole() if depth == "audit" else results
     results = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
     tell(progress, WHOLE, results.design.name)

@@ -5,24 +5,39 @@ import hashlib
 import io
 import json
 import logging
-import math
 import re
 from dataclasses import dataclass
 from typing import Any
 
-from pypdf import PdfReader
-from pypdf.errors import PyPdfError
+from pypdf import PageObject, PdfReader
+from pypdf.errors import DependencyError, PyPdfError
 
-from calc.compare import SAME
+from calc.compare import SAME, relative, size_of_nothing
 from calc.design_file import design, parse
+from calc.languages import LANGUAGES
 from calc.sheet.errors import BadInput, InputError
-from calc.solve import solve
+from calc.solve import Results, solve
 from calc.version import VERSION
 
 from .attach import NAME, RESULTS, results_bytes
+from .context import DEPTHS
 from .report import render
 
 logging.getLogger("pypdf").setLevel(logging.CRITICAL)  # what it finds wrong with a file is said once, by the error
+UNREADABLE = (
+    PyPdfError,
+    DependencyError,
+    NotImplementedError,
+    ValueError,
+    OSError,
+    KeyError,
+    IndexError,
+    TypeError,
+    AttributeError,
+    RecursionError,
+    AssertionError,
+)  # what a damaged or forged file makes the reader raise
+ALLOWED = ("Link", "Widget")  # annotations: those of the report, and the field of a signature
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
 
 
@@ -63,68 +78,96 @@ def verify(raw: bytes, place: str) -> Verification:
     `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose design this
     version does not accept.
     """
-    reader, said = _read(raw, place)
-    attached = {name: contents[0] for name, contents in reader.attachments.items()}
+    reader, said, attached = _read(raw, place)
     missing = [name for name in (NAME, RESULTS) if name not in attached]
     if missing:
         raise _refused(place, f"has no attachment {' and none '.join(missing)}; a report of this program has both")
     wanted = {NAME: said["sha256"], RESULTS: said["results"]}
-    changed = tuple(name for name, sum in wanted.items() if hashlib.sha256(attached[name]).hexdigest() != sum)
-    document = parse(attached[NAME], f"{place}: {NAME}")
+    changed = [name for name, sum in wanted.items() if [hashlib.sha256(one).hexdigest() for one in attached[name]] != [sum]]
+    changed += [name for name in attached if name not in wanted]
+    first = attached[NAME][0]
+    document = parse(first, f"{place}: {NAME}")
     results = solve(design(document))
     try:
-        before = json.loads(attached[RESULTS])
-        differences = _values(before, json.loads(results_bytes(results)))
-    except (ValueError, KeyError, TypeError, AttributeError):
+        before = json.loads(attached[RESULTS][0])
+        differences = _values(before, json.loads(results_bytes(results)), results)
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise _refused(place, f"has an attachment {RESULTS} that can not be read; the report was damaged") from None
-    again = render(document, results, attached[NAME], depth=said["depth"], lang=said["lang"])
+    again = render(document, results, first, depth=said["depth"], lang=said["lang"])
     if raw != again:
-        differences += _pages(reader, PdfReader(io.BytesIO(again)))
-    return Verification(results.design.name, said["version"], changed, tuple(differences), raw == again)
+        try:
+            differences += _pages(reader, PdfReader(io.BytesIO(again)))
+        except UNREADABLE as error:
+            raise _refused(place, f"has pages that can not be read ({error}); the report was damaged") from None
+    return Verification(results.design.name, said["version"], tuple(changed), tuple(differences), raw == again)
 
 
-def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str]]:
-    """The document, and what it says about itself."""
+def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, list[bytes]]]:
+    """The document, what it says about itself, and the files inside it."""
     try:
         reader = PdfReader(io.BytesIO(raw))
+        if reader.is_encrypted:
+            raise _refused(place, "is encrypted; give the report as it was written")
         about = reader.metadata
         keywords = str(about.keywords or "") if about is not None else ""
-    except (PyPdfError, ValueError, OSError, KeyError, RecursionError) as error:
+        attached = {name: list(contents) for name, contents in reader.attachments.items()}
+    except UNREADABLE as error:
         raise _refused(place, f"can not be read as a PDF ({error}); give a report that `contralbero report` wrote") from None
-    said = dict(KEYWORD.findall(keywords))
+    said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
     version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
-    if version is None or not {"depth", "lang", "sha256", "results"} <= set(said):
+    if version is not None and "other" in said:
+        raise _refused(place, "is a comparison of two designs; only the report of one design can be verified")
+    known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
+    if version is None or not known:
         raise _refused(place, "is no report of this program, or was written before reports could be verified; write it anew")
-    return reader, {**said, "version": version[1]}
+    return reader, {**said, "version": version[1]}, attached
 
 
 def _refused(place: str, reason: str) -> BadInput:
     return BadInput(place, [InputError(0, "", "", reason)])
 
 
-def _values(before: dict[str, Any], now: dict[str, Any]) -> list[Difference]:
+def _values(before: dict[str, Any], now: dict[str, Any], results: Results) -> list[Difference]:
     """What differs by more than rounding, in the order of the report; and what is only on one side."""
     found = []
+    floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
+    units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
     for part, what in (("steps", "step"), ("checks", "check"), ("values", "value")):
         for id in dict.fromkeys([*before[part], *now[part]]):
             was, is_now = (side[part].get(id, "–") for side in (before, now))
-            if was != is_now and not _near(was, is_now):
+            floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
+            if was != is_now and not _near(was, is_now, floor):
                 found.append(Difference(f"{what} {id}", *("no number" if x is None else str(x) for x in (was, is_now))))
     return found
 
 
-def _near(a: Any, b: Any) -> bool:
-    return isinstance(a, float) and isinstance(b, float) and math.isclose(a, b, rel_tol=SAME)
+def _near(a: Any, b: Any, floor: float) -> bool:
+    return isinstance(a, float) and isinstance(b, float) and relative(a, b, floor) <= SAME
 
 
 def _pages(before: PdfReader, now: PdfReader) -> list[Difference]:
-    """The pages whose text is another one."""
+    """The pages whose text or drawing is another one, and what was laid over them."""
     if len(before.pages) != len(now.pages):
         return [Difference("pages", str(len(before.pages)), str(len(now.pages)))]
     found = []
     for number, (old, new) in enumerate(zip(before.pages, now.pages), 1):
+        name = f"page {number}"
         was, is_now = (page.extract_text().split() for page in (old, new))
         if was != is_now:
             first = next((n for n, (a, b) in enumerate(zip(was, is_now)) if a != b), min(len(was), len(is_now)))
-            found.append(Difference(f"page {number}", *(" ".join(words[max(0, first - 3) : first + 4]) for words in (was, is_now))))
+            found.append(Difference(name, *(" ".join(words[max(0, first - 3) : first + 4]) for words in (was, is_now))))
+        elif _drawn(old) != _drawn(new):
+            found.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
+        over = [kind for kind in _over(old) if kind not in ALLOWED]
+        found += [Difference(f"{name}, laid over it", kind, "nothing") for kind in over]
     return found
+
+
+def _drawn(page: PageObject) -> bytes:
+    contents = page.get_contents()
+    return contents.get_data().strip() if contents is not None else b""
+
+
+def _over(page: PageObject) -> list[str]:
+    """What kinds of annotations stand on a page."""
+    return [str(one.get_object().get("/Subtype", "")).removeprefix("/") for one in page.get("/Annots") or []]

@@ -47,6 +47,7 @@ WORDS = {
     "moved": "Checks whose verdict moved", "lone": "Checks of one design only that do not pass",
     "kept": "Checks that keep their verdict at another value or limit",
     "more_values": "{count} more values differ less; `contralbero compare --all` lists them.",
+    "lone_values": "What stands in one design only is counted above; `contralbero compare --all` lists it.",
     "two": "{name} (continued)", "between": "{count} more; {total} in all",
 }  # fmt: skip
 

@@ -31,5 +31,5 @@ def run(asked: Namespace) -> int:
     if not found.identical:
         print("differs")
         return 1
-    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and texts")
+    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and pages, written anew")
     return 0

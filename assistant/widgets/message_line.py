@@ -83,7 +83,7 @@ class MessageLine(Widget):
         value = f"{short(check.value)} {check.unit}".rstrip()
         say = self.app.say
         advice = say(check.advice)
-        advice = f": {advice[:1].lower()}{advice[1:]}" if advice[1:2].islower() else f": {advice}" if advice else ""
+        advice = f". {advice}" if advice else ""
         needs = say("should be") if check.kind == "advice" else say("needs")
         return f"{say(check.name)} {value}, {needs} {say(check.limit_text())}{advice}"
 

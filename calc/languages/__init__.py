@@ -6,6 +6,6 @@ in stands there as {0}, {1} …: "Smallest backlash {0}–{1}" → "Gioco minimo
 text was made from, so that the engineering need not know that there are languages.
 """
 
-from .language import LANGUAGES, Language, language
+from .language import LANGUAGES, Language, afresh, language
 
-__all__ = ["LANGUAGES", "Language", "language"]
+__all__ = ["LANGUAGES", "Language", "afresh", "language"]

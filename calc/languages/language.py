@@ -55,6 +55,14 @@ class Language:
         with self._saying:
             return self._say(text).text
 
+    def wholly(self, text: str) -> str:
+        """The translation where no word stays English, else the text as it is: for what a user or a book has said."""
+        if not self._texts:
+            return text
+        with self._saying:
+            said = self._say(text)
+        return said.text if said.whole else text
+
     def knows(self, text: str) -> bool:
         """Whether a text, or a template as it stands in the source, has a translation."""
         return not self._texts or text in self._texts
@@ -83,7 +91,7 @@ class Language:
         return first or Said(text, " " not in text.strip())  # a single word may be a name
 
     def _ways(self, text: str) -> Iterator[Said]:
-        matches = sorted(self._matches(text), key=lambda match: -_letters(match[0]))
+        matches = self._matches(text)
         yield from (self._filled(*match) for match in matches if self._strong(*match))
         if (core := text.strip(EDGES)) != text and core:
             said = self._say(core)
@@ -132,11 +140,13 @@ class Language:
         whole = next((said for said in made if said.whole), None) if core else None
         return Said(text.replace(core, whole.text.strip(EDGES), 1), True) if whole is not None else None
 
-    def _matches(self, text: str) -> Iterator[tuple[str, tuple[str, ...]]]:
-        """The templates that this text can have been made from, and what was put in."""
+    def _matches(self, text: str) -> list[tuple[str, tuple[str, ...]]]:
+        """The templates that this text can have been made from, those that say most first, and what was put in."""
+        found = []
         for template in {template for word in set(WORD.findall(text)) for template in self._by_word.get(word, ())}:
             if (match := self._pattern(template).fullmatch(text)) is not None:
-                yield template, match.groups()
+                found.append((template, match.groups()))
+        return sorted(found, key=lambda match: (-_letters(match[0]), match[0]))  # a set has another order in each run
 
     def _filled(self, template: str, fillers: tuple[str, ...]) -> Said:
         """The translation of a template, with what was put in said as well."""
@@ -175,6 +185,11 @@ def _by_rarest_word(templates: Iterable[str]) -> dict[str, list[str]]:
 @cache
 def language(code: str) -> Language:
     """A language by its code.  Raises KeyError where there is none."""
+    return afresh(code)
+
+
+def afresh(code: str) -> Language:
+    """A language that has said nothing yet: what it says does not depend on what was said before."""
     if code not in LANGUAGES:
         raise KeyError(code)
     texts: dict[str, str] = {}

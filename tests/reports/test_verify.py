@@ -3,19 +3,27 @@
 
 import io
 import json
+import os
+import subprocess
+import sys
 from pathlib import Path
+from random import Random
 
 import pytest
 from pypdf import PdfReader, PdfWriter
+from pypdf.annotations import FreeText
 from pypdf.generic import DecodedStreamObject, NameObject
 
 from assistant.cli import main
+from calc.compare import compare
 from calc.sheet.errors import BadInput
 from reports import verify as verifying
 from reports.attach import NAME, RESULTS
+from reports.comparison import render as compared
 from reports.verify import verify
 
-from .reading import V12, solved
+from ..conftest import DESIGNS, ROOT
+from .reading import V12, Solved, solved
 
 
 @pytest.fixture(scope="module")
@@ -131,3 +139,78 @@ def written(writer: PdfWriter) -> bytes:
     out = io.BytesIO()
     writer.write(out)
     return out.getvalue()
+
+
+def test_keywords_that_no_report_has_are_refused(made: bytes) -> None:
+    about = str(PdfReader(io.BytesIO(made)).metadata.keywords)  # type: ignore[union-attr]
+    for wrong in (about.replace("depth:engineer", "depth:foo"), about.replace("lang:en", "lang:xx"), "Contralbero 0.1.0"):
+        with pytest.raises(BadInput, match="no report of this program"):
+            verify(rewritten(made, keywords=wrong), "x.pdf")
+    found = verify(rewritten(made, keywords=about + ", depth:audit"), "x.pdf")
+    assert found.identical, "of a keyword that stands twice the first counts"
+
+
+def test_what_is_laid_over_a_page_or_hidden_beside_the_design_is_found(made: bytes) -> None:
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    writer.add_annotation(0, FreeText(text="0.0001", rect=(100, 600, 300, 700)))
+    (over,) = verify(written(writer), "x.pdf").differences
+    assert (over.what, over.was) == ("page 1, laid over it", "FreeText")
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    writer.add_attachment("other.toml", b"x = 1")
+    found = verify(written(writer), "x.pdf")
+    assert found.changed == ("other.toml",) and not found.identical
+
+
+def test_a_line_drawn_otherwise_is_found(made: bytes) -> None:
+    data = PdfReader(io.BytesIO(made)).pages[0].get_contents().get_data()  # type: ignore[union-attr]
+    rule = next(line for line in data.splitlines() if line.endswith(b"re f"))
+    found = verify(rewritten(made, page=(rule, b"0 0 0 rg 0 0 500 500 re f")), "r.pdf")
+    assert [one.what for one in found.differences] == ["page 1, what is drawn on it"]
+
+
+def test_a_comparison_and_an_encrypted_file_are_refused_by_name(made: bytes, example: Solved) -> None:
+    side = (example.document, example.results)
+    same = compare(example.document.data, example.document.data, example.results, example.results)
+    with pytest.raises(BadInput, match="is a comparison of two designs"):
+        verify(compared(side, side, same, ("a", "b")), "x.pdf")
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    writer.encrypt("secret", algorithm="RC4-128")
+    with pytest.raises(BadInput, match="is encrypted"):
+        verify(written(writer), "x.pdf")
+
+
+@pytest.mark.parametrize("raw", [b"[" * 200_000, b"{}", b"[]", b'{"values": 1, "checks": {}, "steps": {}}'])
+def test_results_of_any_shape_are_refused(made: bytes, raw: bytes) -> None:
+    with pytest.raises(BadInput, match="damaged"):
+        verify(rewritten(made, {RESULTS: raw}), "x.pdf")
+
+
+@pytest.mark.parametrize("seed", ["1", "7"])
+def test_the_order_of_a_set_changes_nothing(seed: str, tmp_path: Path) -> None:
+    """An Italian report is written, and verified in another process, whose sets have another order."""
+    path = tmp_path / "r.pdf"
+    for seeded, arguments in (
+        (seed, ["report", str(DESIGNS / "thesis_tip_relief.toml"), "--lang", "it", "-o", str(path)]),
+        ("0", ["verify", str(path)]),
+    ):
+        run = subprocess.run(
+            [sys.executable, "-m", "assistant", *arguments],
+            cwd=ROOT,
+            env={**os.environ, "PYTHONHASHSEED": seeded},
+            capture_output=True,
+            text=True,
+        )
+        assert run.stdout.strip() and not run.stderr
+    assert run.stdout.endswith("identical, byte for byte\n"), run.stdout
+
+
+def test_verify_never_breaks_on_damage(made: bytes) -> None:
+    """Any byte may be lost: the answer is a verdict or a refusal in words."""
+    summary = solved(V12).report("summary")
+    random = Random(7)
+    for _ in range(12):
+        at, n = random.randrange(len(summary)), random.randrange(1, 40)
+        try:
+            verify(summary[:at] + bytes(random.randrange(256) for _ in range(n)) + summary[at + n :], "x.pdf")
+        except BadInput as refused:
+            assert "x.pdf" in str(refused)
