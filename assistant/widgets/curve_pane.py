@@ -71,7 +71,7 @@ class CurvePane(Pane, can_focus=True):
 
     @property
     def target(self) -> "CurvePane | TableList":
-        return self.list if self.list.display else self
+        return self.list if self.list.display and isinstance(self.leaf, Table) else self  # the list of a table before is still there
 
     @property
     def leaf(self) -> Curve | Table | None:

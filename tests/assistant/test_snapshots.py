@@ -113,7 +113,7 @@ def opened(solved_once: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
 async def still(pilot: Pilot[int]) -> None:
     """Wait until the main screen stands there whole, with the remedy of what fails."""
     bench = work(pilot)
-    await until(pilot, lambda: bench.focused is not None and (not bench.trouble or bench.remedy is not None))
+    await until(pilot, lambda: bench.focused is not None and bench.page is not None and (not bench.trouble or bench.remedy is not None))
     await drawn(pilot)
     await at_rest(pilot)
 
