@@ -40,6 +40,7 @@ def test_a_row_that_is_written_passes(copy, name, row):
     assert len(corner) == 8 and (name != "r753ie4_sized" or all(c["margin"] >= 0 for c in corner))
 
 
+@pytest.mark.slow
 def test_comments_stay_or_are_named(copy):
     """That of a line that stays stands; one that goes with its key is said."""
     path = copy("r753ie4_gamma")
@@ -76,6 +77,7 @@ def test_the_json_has_all_tables(copy):
     assert run("choose", path, "bearings", "--apply", int(found["tables"]["pareto"]["rows"][-1][0]) + 1).returncode == 2
 
 
+@pytest.mark.slow
 def test_where_nothing_passes_the_nearest_is_said(copy):
     path = copy("r753ie4_sized")
     assert run("set", path, "bearings.front.load_N=30000").returncode == 0

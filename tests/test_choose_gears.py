@@ -61,6 +61,7 @@ def test_the_optimum_is_listed_beside_the_present_and_holds_once_written(copy, l
     assert [row[labels.index("max |ζ_A|")] for row in again["rows"]] == pytest.approx([largest[3]] * 2, abs=1e-6)
 
 
+@pytest.mark.slow
 def test_a_pair_alone_and_its_contradicting_shift(copy):
     """Both shifts are given without a distance: holding it takes the mate's away."""
     path = copy("timing_pair")
@@ -72,6 +73,7 @@ def test_a_pair_alone_and_its_contradicting_shift(copy):
     assert text.count("profile_shift =") == 1 and "centre_distance_mm = 132.6703" in text
 
 
+@pytest.mark.slow
 def test_the_best_of_a_pair_below_the_usual_limits_is_the_first_row_and_is_written(copy):
     """It keeps the limits of the design itself; with the usual ones nothing but 3.353 is left where the distance is free."""
     path = copy("timing_pair")

@@ -132,7 +132,7 @@ def put_aside() -> Iterator[None]:
         yield
 
 
-@pytest_asyncio.fixture(scope="module", loop_scope="module", params=[(120, 40), (80, 24)], ids=["120x40", "80x24"])
+@pytest_asyncio.fixture(scope="module", loop_scope="module")
 async def stage(request: pytest.FixtureRequest, put_aside: None, tmp_path_factory: pytest.TempPathFactory) -> AsyncIterator[Stage]:
     """The screen over the first three steps of the example."""
     text = EXAMPLE.read_text(encoding="utf-8").partition("\n[bearings]")[0] + "\n"
@@ -699,7 +699,7 @@ def test_every_action_has_its_deed() -> None:
 
 
 KEYS = [(action.id, keys.split(",")[0]) for action in ACTIONS for keys in (action.keys, action.letters) if keys]
-FIRST = {(action.id, action.binding.split(",")[0]) for action in ACTIONS}  # one key of each action
+FIRST = [(action.id, action.binding.split(",")[0]) for action in ACTIONS]  # one key of each action
 FROM_PALETTE = ("trouble", "export", "undo", "copy_line")
 ALONE = {"quit"}  # on a screen that nobody else uses
 
@@ -712,19 +712,26 @@ async def play(stage: Stage, id: str, do: Do) -> None:
         stage.played = True
 
 
+SIZES = {"120x40": (120, 40), "80x24": (80, 24)}
+
+
+def rows() -> Iterator[Any]:
+    """Every key of every action at both sizes: here the first of each at one of them, by turns; all others among the slow tests."""
+    for nth, size in enumerate(SIZES):
+        for id, key in KEYS:
+            if id not in ALONE:
+                turn = (id, key) in FIRST and FIRST.index((id, key)) % 2 == nth
+                yield pytest.param(SIZES[size], id, key, marks=() if turn else pytest.mark.slow, id=f"{size}-{id}-{key}")
+
+
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(
-    ("id", "key"),
-    [row if row in FIRST else pytest.param(*row, marks=pytest.mark.slow) for row in KEYS if row[0] not in ALONE],
-    ids=lambda word: word,
-)
+@pytest.mark.parametrize(("stage", "id", "key"), list(rows()), indirect=["stage"])
 async def test_by_its_key(stage: Stage, id: str, key: str) -> None:
-    if not wide(stage.pilot) and (id, key) not in FIRST:
-        pytest.skip("its letter does the same, as the wide screen shows")
     await play(stage, id, partial(strike, stage.pilot, key))
 
 
 @pytest.mark.asyncio(loop_scope="module")
+@pytest.mark.parametrize("stage", list(SIZES.values()), ids=list(SIZES), indirect=True)
 @pytest.mark.parametrize("id", FROM_PALETTE)
 async def test_from_the_palette(stage: Stage, id: str) -> None:
     async def do() -> None:

@@ -65,7 +65,12 @@ def agree(script: Script, session: Session, number: int) -> int:
     return len(rows)
 
 
-@pytest.mark.parametrize("path", REPLAYS, ids=lambda path: path.stem)
+LONG = ("r753ie4_sized",)
+
+
+@pytest.mark.parametrize(
+    "path", [pytest.param(p, marks=pytest.mark.slow) if p.stem in LONG else p for p in REPLAYS], ids=lambda path: path.stem
+)
 async def test_a_replay_is_typed_into_the_form(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(live, "AHEAD", 1000.0)
     script = load(path)

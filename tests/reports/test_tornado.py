@@ -9,6 +9,7 @@ import pytest
 from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series
+from reports import context
 from reports.flow import LEFT, PAGE, RIGHT
 from reports.plots import bar_colour, tick_words
 from reports.tornado import Lying, lies
@@ -28,7 +29,9 @@ def curve(names: tuple[str, ...] = NAMES, low: object = LOW, high: object = HIGH
 
 
 def report(*curves: Curve) -> bytes:
-    return with_outcome(solved(V12), "engine", curves=curves).report("audit")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(context, "CURVES", len(curves))  # all of them
+        return with_outcome(solved(V12), "engine", curves=curves).report()
 
 
 def bars(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:

@@ -185,7 +185,7 @@ def test_results_of_any_shape_are_refused(made: bytes, raw: bytes) -> None:
         verify(rewritten(made, {RESULTS: raw}), "x.pdf")
 
 
-@pytest.mark.parametrize("seed", ["1", "7"])
+@pytest.mark.parametrize("seed", ["1", pytest.param("7", marks=pytest.mark.slow)])
 def test_the_order_of_a_set_changes_nothing(seed: str, tmp_path: Path) -> None:
     """An Italian report is written, and verified in another process, whose sets have another order."""
     path = tmp_path / "r.pdf"

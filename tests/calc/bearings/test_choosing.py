@@ -213,6 +213,7 @@ def test_given_sections_leave_their_cylinder(source):
     assert room(shaft, None, "front", 0.062).longest is None
 
 
+@pytest.mark.slow
 def test_a_room_that_is_given_is_kept(sized):
     some = search(sized)
     assert some.kind == "all" and some.rows[0].what == "nearest" and not some.elsewhere
@@ -245,6 +246,7 @@ def test_numbers_run_on_over_all_tables(fitting):
     assert [row[0] for table in shorter for row in table.rows] == ["now", *map(str, range(1, 10))]
 
 
+@pytest.mark.slow
 def test_a_design_that_collides_hears_of_it_first(tight, fitting):
     """The room is that of the shaft without the overlap, and the design no row."""
     done = with_row(tight.bearings, fitting.beyond[0])
@@ -256,6 +258,7 @@ def test_a_design_that_collides_hears_of_it_first(tight, fitting):
     assert again.rows and all(row.too_long == (0, 0) for row in again.rows)
 
 
+@pytest.mark.slow
 def test_smoother_surfaces_come_after_all_else(source):
     """With Ra 2 µm on both Kreisle asks for more film than any oil has; smoother surfaces bring the rows back."""
     rough = replace(source.bearings.front, housing_roughness=2e-6, journal_roughness=2e-6)
@@ -283,6 +286,7 @@ def test_closer_fits_go_by_grades(source):
     assert closer_fits(replace(own, journal_fit="IT5", seat_fit="IT4")) == []
 
 
+@pytest.mark.slow
 def test_fits_with_a_place_become_widths(source):
     """A row with another clearance than that of the fits can not keep them."""
     placed = other(source, journal_fit="f7", seat_fit="H7")
@@ -354,6 +358,7 @@ def test_the_supplies_are_those_with_a_width(source):
     assert names >= {"10W-40 Q8 T905", "SAE 30", "20W-50"} and not any("MIL" in n or "FVA" in n for n in names)
 
 
+@pytest.mark.slow
 def test_an_oil_that_is_left_out_has_no_row(sized):
     """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none either."""
     some = search(sized)
