@@ -10,6 +10,7 @@ import re
 import shutil
 import sys
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
+from contextlib import asynccontextmanager
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -132,20 +133,31 @@ def put_aside() -> Iterator[None]:
         yield
 
 
-@pytest_asyncio.fixture(scope="module", loop_scope="module")
-async def stage(request: pytest.FixtureRequest, put_aside: None, tmp_path_factory: pytest.TempPathFactory) -> AsyncIterator[Stage]:
+@asynccontextmanager
+async def staged(size: tuple[int, int], folder: Path) -> AsyncIterator[Stage]:
     """The screen over the first three steps of the example."""
     text = EXAMPLE.read_text(encoding="utf-8").partition("\n[bearings]")[0] + "\n"
-    folder = tmp_path_factory.mktemp("stage")
     (folder / "light.toml").write_text(text, encoding="utf-8")
     session = Session.open(folder / "light.toml", memory=Memory(folder / "state"), now=lambda: NOON)
     session.solve()
     gc.collect()
     gc.freeze()  # these stay; they need not be looked through again and again
-    async with ContralberoApp(session).run_test(size=request.param) as pilot:
+    async with ContralberoApp(session).run_test(size=size) as pilot:
         await still(pilot)
         yield Stage(pilot, folder, text, session.results)
     gc.unfreeze()
+
+
+@pytest_asyncio.fixture(scope="module", loop_scope="module")
+async def wide_stage(put_aside: None, tmp_path_factory: pytest.TempPathFactory) -> AsyncIterator[Stage]:
+    async with staged((120, 40), tmp_path_factory.mktemp("wide")) as stage:
+        yield stage
+
+
+@pytest_asyncio.fixture(scope="module", loop_scope="module")
+async def narrow_stage(put_aside: None, tmp_path_factory: pytest.TempPathFactory) -> AsyncIterator[Stage]:
+    async with staged((80, 24), tmp_path_factory.mktemp("narrow")) as stage:
+        yield stage
 
 
 async def still(pilot: Pilot[int]) -> None:
@@ -712,40 +724,40 @@ async def play(stage: Stage, id: str, do: Do) -> None:
         stage.played = True
 
 
-SIZES = {"120x40": (120, 40), "80x24": (80, 24)}
-
-
-def rows() -> Iterator[Any]:
-    """Every key of every action at both sizes: here the first of each at one of them, by turns; all others among the slow tests."""
-    for nth, size in enumerate(SIZES):
-        for id, key in KEYS:
-            if id not in ALONE:
-                turn = (id, key) in FIRST and FIRST.index((id, key)) % 2 == nth
-                yield pytest.param(SIZES[size], id, key, marks=() if turn else pytest.mark.slow, id=f"{size}-{id}-{key}")
+def rows(turn: int) -> list[Any]:
+    """Every key of every action: here the first of each at one of the two sizes, by turns; all others among the slow tests."""
+    here = [row for n, row in enumerate(FIRST) if n % 2 == turn]
+    return [pytest.param(*row, marks=() if row in here else pytest.mark.slow, id="-".join(row)) for row in KEYS if row[0] not in ALONE]
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize(("stage", "id", "key"), list(rows()), indirect=["stage"])
-async def test_by_its_key(stage: Stage, id: str, key: str) -> None:
-    await play(stage, id, partial(strike, stage.pilot, key))
+@pytest.mark.parametrize(("id", "key"), rows(0))
+async def test_by_its_key_120x40(wide_stage: Stage, id: str, key: str) -> None:
+    await play(wide_stage, id, partial(strike, wide_stage.pilot, key))
 
 
 @pytest.mark.asyncio(loop_scope="module")
-@pytest.mark.parametrize("stage", list(SIZES.values()), ids=list(SIZES), indirect=True)
+@pytest.mark.parametrize(("id", "key"), rows(1))
+async def test_by_its_key_80x24(narrow_stage: Stage, id: str, key: str) -> None:
+    await play(narrow_stage, id, partial(strike, narrow_stage.pilot, key))
+
+
+@pytest.mark.asyncio(loop_scope="module")
 @pytest.mark.parametrize("id", FROM_PALETTE)
-async def test_from_the_palette(stage: Stage, id: str) -> None:
+async def test_from_the_palette(wide_stage: Stage, id: str) -> None:
     async def do() -> None:
-        await strike(stage.pilot, "ctrl+p")
-        palette = await over(stage.pilot, CommandPalette)
-        await type_in(stage.pilot, BY_ID[id].title)
+        await strike(wide_stage.pilot, "ctrl+p")
+        palette = await over(wide_stage.pilot, CommandPalette)
+        await type_in(wide_stage.pilot, BY_ID[id].title)
         await until(
-            stage.pilot, lambda: palette.query_one(CommandInput).value == BY_ID[id].title and chosen(palette).startswith(BY_ID[id].title)
+            wide_stage.pilot,
+            lambda: palette.query_one(CommandInput).value == BY_ID[id].title and chosen(palette).startswith(BY_ID[id].title),
         )
-        await strike(stage.pilot, "enter")
-        await until(stage.pilot, lambda: stage.pilot.app.screen is not palette)
-        await stage.pilot.pause()
+        await strike(wide_stage.pilot, "enter")
+        await until(wide_stage.pilot, lambda: wide_stage.pilot.app.screen is not palette)
+        await wide_stage.pilot.pause()
 
-    await play(stage, id, do)
+    await play(wide_stage, id, do)
 
 
 def chosen(palette: CommandPalette) -> str:
