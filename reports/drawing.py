@@ -17,6 +17,7 @@ from .context import Context
 from .flow import HEIGHT, LEFT, WIDTH, Block, heading
 from .letters import clean
 from .prose import SECTION, Style, lines
+from .tornado import dashed
 from .values import table_blocks
 
 if TYPE_CHECKING:
@@ -102,17 +103,10 @@ class _Sheet:
     def line(self, points: list[Point], layer: str) -> None:
         thick, colour, dashes = STYLES.get(layer, THIN)
         placed = [self.at(point) for point in points]
-        if not dashes:
+        if dashes:
+            dashed(self.pen, placed[0], placed[-1], (colour, dashes, thick))
+        else:
             self.pen.line(placed, thick, colour)
-            return
-        (x0, y0), (x1, y1) = placed[0], placed[-1]
-        length, done, n = math.hypot(x1 - x0, y1 - y0), 0.0, 0
-        while done < length:
-            step = min(dashes[n % len(dashes)], length - done)
-            if n % 2 == 0:
-                ends = [(x0 + (x1 - x0) * s / length, y0 + (y1 - y0) * s / length) for s in (done, done + step)]
-                self.pen.line(ends, thick, colour)
-            done, n = done + step, n + 1
 
     def words(self, box: Box, at: Point, *, middle: bool = False, upright: bool = False) -> None:
         """Text that reads along the sheet; upright: along its second axis, which is across the page."""
