@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from calc.languages import Language
-from calc.sheet.expression import Expr, Shown, plain, result, show, text
+from calc.sheet.expression import Shown, plain, result, show, text
 from calc.sheet.formula import Formula
 from calc.sheet.step import Step
 from calc.sheet.trace import Line
@@ -145,9 +145,10 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
     head = symbol(first.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, " ".join(spoken(first)), gap=GAP)]
+        said = f"{spoken(first)} {spoken_numbers(first)}"
+        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, said, gap=GAP)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
-    words_of_all = [spoken(first)[0]]
+    words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
     groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
     rest: list[tuple[str, Line]] = []
@@ -180,7 +181,7 @@ def _calculated(
     for label, line in calculations:
         if label != full or len(said) >= MOST:
             others.append((label, line))
-        elif (again := spoken(made := shown(line, say))[1]) not in said:
+        elif (again := spoken_numbers(made := shown(line, say))) not in said:
             name = label if labelled and not said else ""
             said.append(again)
             own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
@@ -217,12 +218,14 @@ def _others(rest: list[tuple[str, Line]], own: list[tuple[str, Box]], said: list
     return words["others"].format(values=f"{'; '.join(listed[:LISTED])} {unit}".rstrip() + more)
 
 
-def spoken(line: Shown) -> tuple[str, str]:
-    """The formula of a line and its numbers as plain text, for whoever copies them."""
+def spoken(line: Shown) -> str:
+    """The formula of a line as plain text, for whoever copies it."""
+    return f"{plain(line.symbol)}: {line.shows}" if line.formula is None else f"{plain(line.symbol)} = {text(line.formula)}"
+
+
+def spoken_numbers(line: Shown) -> str:
     value = f"= {line.value} {line.unit}".rstrip()
-    if line.formula is None or line.numbers is None:
-        return f"{plain(line.symbol)}: {line.shows}", value
-    return f"{plain(line.symbol)} = {text(line.formula)}", f"= {text(line.numbers)} {value}"
+    return value if line.numbers is None else f"= {text(line.numbers)} {value}"
 
 
 def _equals(pieces: list[Piece]) -> list[Piece]:
@@ -238,26 +241,10 @@ def _value(line: Shown) -> list[Piece]:
     return [Piece(space(0.34 * SIZE)), Piece(row(boxes), -0.5)]
 
 
-def _without_ones(tree: Expr, numbers: Expr) -> tuple[Expr, Expr]:
-    """Both trees without factors and divisors of 1, which only carry a unit."""
-    if not tree.args or len(tree.args) != len(numbers.args):
-        return tree, numbers
-    pairs = [_without_ones(a, b) for a, b in zip(tree.args, numbers.args)]
-    ones = [a.head == "number" and a.name == "1" for a, _ in pairs]
-    if tree.head in ("mul", "div") and ones[1]:
-        return pairs[0]
-    if tree.head == "mul" and ones[0]:
-        return pairs[1]
-    return Expr(tree.head, tuple(a for a, _ in pairs), tree.name), Expr(numbers.head, tuple(b for _, b in pairs), numbers.name)
-
-
 def shown(line: Line, say: Language) -> Shown:
     """A line as the report shows it."""
     made = show(line)
-    if made.formula is None or made.numbers is None:
-        return replace(made, shows=say(made.shows), where=say(made.where))
-    tree, numbers = _without_ones(made.formula, made.numbers)
-    return replace(made, formula=tree, numbers=numbers, where=say(made.where))
+    return replace(made, shows=say(made.shows), where=say(made.where))
 
 
 def _formula_lines(line: Shown, sign: float) -> list[Box]:

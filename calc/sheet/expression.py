@@ -70,7 +70,18 @@ def expression(formula: Formula[..., Any]) -> Expr | None:
     body = definition.body
     if not isinstance(body[-1], ast.Return) or body[-1].value is None:
         raise TypeError(f"{formula.__name__}: a formula is one return expression, or says `shows=`")
-    return _build(body[-1].value, formula)
+    return _without_ones(_build(body[-1].value, formula))
+
+
+def _without_ones(tree: Expr) -> Expr:
+    """The tree without factors and divisors of 1, which only carry a unit."""
+    args = tuple(_without_ones(a) for a in tree.args)
+    ones = [a.head == "number" and a.name == "1" for a in args]
+    if tree.head in ("mul", "div") and ones[1]:
+        return args[0]
+    if tree.head == "mul" and ones[0]:
+        return args[1]
+    return Expr(tree.head, args, tree.name)
 
 
 def _definition(function: Callable[..., Any]) -> ast.FunctionDef | None:

@@ -19,8 +19,8 @@ from calc.sheet.units import Newton
 from calc.solve import Results
 from calc.version import VERSION
 from reports.contents import PUBLICATION
-from reports.derivation import _others, shown
-from reports.derivation import spoken as spoken_line
+from reports.derivation import _others, shown, spoken_numbers
+from reports.derivation import spoken as spoken_formula
 from reports.flow import BOTTOM, HEIGHT, LEFT, PAGE, RIGHT, TOP, paginate
 from reports.report import write
 from reports.words import WORDS
@@ -101,8 +101,8 @@ def test_every_formula_stands_in_the_audit_and_can_be_copied(example: Solved, en
     read, said = squeezed(text_of(engineer)), spoken(audit)
     for outcome in example.results.outcomes.values():
         for line in outcome.lines:
-            formula, numbers = spoken_line(shown(line, language("en")))
-            assert formula in said and numbers in said
+            read_out = shown(line, language("en"))
+            assert spoken_formula(read_out) in said and spoken_numbers(read_out) in said
             published = PUBLICATION.search(line.formula.source)
             assert squeezed(published[0] if published else line.formula.source) in read, (
                 "the list of sources is that of the whole calculation"
@@ -123,7 +123,7 @@ def test_the_formulas_that_decide_stand_in_the_engineer_report(example: Solved, 
     assert len({line.formula for line in wanted}) >= 60 and len(failing) >= 7
     for line in wanted:
         if line.value.any() if hasattr(line.value, "any") else line.value != 0:
-            assert spoken_line(shown(line, language("en")))[0] in said
+            assert spoken_formula(shown(line, language("en"))) in said
             assert squeezed(line.formula.source) in read
             assert squeezed(line.formula.symbol) in read
 
