@@ -42,8 +42,6 @@ EMPTY = Box(0.0, 0.0, 0.0)
 
 
 def moved(marks: tuple[Mark, ...], dx: float, dy: float) -> list[Mark]:
-    if not dx and not dy:
-        return list(marks)
     made: list[Mark] = []
     for m in marks:
         if m[0] == "path":
@@ -84,10 +82,12 @@ def space(width: float) -> Box:
 
 def row(boxes: list[Box], gap: float = 0.0) -> Box:
     """Boxes side by side on one base line."""
+    if len(boxes) == 1:
+        return boxes[0]
     x, up, down = 0.0, 0.0, 0.0
     marks: list[Mark] = []
     for box in boxes:
-        marks += moved(box.marks, x, 0.0)
+        marks += moved(box.marks, x, 0.0) if x else box.marks
         x += box.width + gap
         up, down = max(up, box.up), max(down, box.down)
     return Box(max(0.0, x - gap) if boxes else 0.0, up, down, tuple(marks))

@@ -18,10 +18,11 @@ from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS, verdict
 
 VERDICT = 42.0
+SIGN = {state: Style(CELL.size, CELL.leading, BOLD, colour) for state, colour in STATE_COLOURS.items()}
 
 
 def sign_cell(context: Context, state: str) -> Cell:
-    return Cell(verdict(context.words, state), Style(CELL.size, CELL.leading, BOLD, STATE_COLOURS[state]))
+    return Cell(verdict(context.words, state), SIGN[state])
 
 
 def _knows(name: str, whose: str) -> bool:

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import groupby
+from operator import itemgetter
 
 from reportlab.pdfbase import pdfmetrics
 from reportlab.pdfgen.canvas import Canvas
@@ -14,17 +16,20 @@ from .boxes import BLACK, FAINT, GREY, Box, Colour, Mark
 from .flow import LEFT, PAGE, TOP, WIDTH, Page
 from .prose import NOTE, one_line
 
+Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
+Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
+
 
 class Pen:
     """Collects what one page holds.  x = 0 is the left margin, y is the height on the page."""
 
     def __init__(
-        self, canvas: Canvas, numbers: Mapping[str, int], strings: dict[tuple[str, str], list[tuple[str, str]]],
+        self, canvas: Canvas, numbers: Mapping[str, int], codes: dict[str, Codes],
         places: Mapping[str, list[int]] | None = None,
     ) -> None:  # fmt: skip
         self.canvas = canvas
         self.places = places or {}  # name in the index → its pages
-        self.strings = strings  # texts as their fonts encode them
+        self.codes = codes  # by typeface
         self.numbers = numbers  # anchor → page number
         self.text: list[tuple[float, float, Mark]] = []
         self.figures: list[Callable[[], None]] = []
@@ -36,6 +41,8 @@ class Pen:
         x += LEFT
         for mark in box.marks:
             match mark[0]:
+                case "text":
+                    self.text.append((x + mark[1], y + mark[2], mark))
                 case "rule":
                     self._fill(x + mark[1], y + mark[2], mark[3], mark[4], mark[5])
                 case "path":
@@ -106,7 +113,7 @@ class Pen:
             if unseen != hidden:
                 made.append(f"{3 if unseen else 0} Tr")
                 hidden = unseen
-            turned = "0 1 -1 0" if mark[0] == "turned" else f"1 0 0 {stretch:.3f}"
+            turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
             made.append(f"{turned} {x:.2f} {y:.2f} Tm")
             for name, string in self._encoded(face, words):
                 if (name, size) != font:
@@ -115,13 +122,17 @@ class Pen:
                 made.append(f"<{string}> Tj")
         return [*made, "ET"]
 
-    def _encoded(self, face: str, words: str) -> list[tuple[str, str]]:
-        """A text in the embedded parts of its font: (font name on the page, its codes)."""
-        if (known := self.strings.get((face, words))) is None:
-            font, document = pdfmetrics.getFont(face), self.canvas._doc
-            parts = font.splitString(words, document)
-            known = [(font.getSubsetInternalName(part, document), codes.hex()) for part, codes in parts]
-            self.strings[face, words] = known
+    def _encoded(self, face: str, words: str) -> list[Encoded]:
+        """A text in the embedded parts of its font."""
+        strings, letters = self.codes.setdefault(face, ({}, {}))
+        if (known := strings.get(words)) is None:
+            for c in words:
+                if c not in letters:
+                    font, document = pdfmetrics.getFont(face), self.canvas._doc
+                    ((part, code),) = font.splitString(c, document)
+                    letters[c] = font.getSubsetInternalName(part, document), code.hex()
+            runs = groupby([letters[c] for c in words], itemgetter(0))
+            known = strings[words] = [(name, "".join([code for _, code in run])) for name, run in runs]
         return known
 
 
@@ -144,10 +155,10 @@ def paint(
             if block.indexed and n not in places.setdefault(block.indexed, []):
                 places[block.indexed].append(n)
     upper = PAGE[1] - TOP
-    strings: dict[tuple[str, str], list[tuple[str, str]]] = {}
+    codes: dict[str, Codes] = {}
     for n, page in enumerate(pages, 1):
         tell(progress, (n - 1) / len(pages), counted.format(page=n, pages=len(pages)))
-        pen = Pen(canvas, numbers, strings, places)
+        pen = Pen(canvas, numbers, codes, places)
         canvas.bookmarkHorizontalAbsolute(f"page-{n}", PAGE[1], left=0)
         _running(pen, n, len(pages), head, foot, counted)
         for at, block in page.blocks:

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from .boxes import BLACK, GREY, Box, Colour, row, text
-from .letters import BOLD, UPRIGHT, clean
+from .letters import BOLD, UPRIGHT, clean, units
 from .letters import width as text_width
 from .typeset import symbol
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)  # the same only as itself: it is looked up for every cell
 class Style:
     size: float
     leading: float
@@ -60,26 +60,23 @@ def lines(words: str, style: Style, width: float, most: int = 0) -> list[Box]:
 def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, ...]:
     """The text of each line.  A word wider than the line is broken after a mark in it, or anywhere."""
     limit = width + 1e-6
-
-    def wide(part: str) -> float:
-        return _set_width(part, style)
-
-    if wide(words) <= limit:
+    if _set_width(words, style) <= limit:
         return (words.strip(),)
     made: list[str] = []
-    line, x = "", 0.0
-    for part, blank in _tokens(words, style, limit):
-        gap = " " if blank and line else ""
-        if line and x + wide(gap) + wide(part) > limit:
+    line, x, blank = "", 0.0, _set_width(" ", style)
+    for part, apart, wide in _tokens(words, style, limit):
+        if line and x + blank * apart + wide > limit:
             made.append(line)
-            line, x, gap = "", 0.0, ""
+            line, x = "", 0.0
             if most and len(made) > most:
                 break
-        line, x = line + gap + part, x + wide(gap) + wide(part)
+        if line and apart:
+            line, x = line + " ", x + blank
+        line, x = line + part, x + wide
     made += [line] if line else []
     if most and len(made) > most:
         last = made[most - 1]
-        while last and wide(last + " …") > limit:
+        while last and _set_width(last + " …", style) > limit:
             last = last[:-1]
         made = [*made[: most - 1], last.rstrip() + " …"]
     return tuple(made) or ("",)
@@ -87,14 +84,14 @@ def broken(words: str, style: Style, width: float, most: int = 0) -> tuple[str, 
 
 def _set_width(words: str, style: Style) -> float:
     """How wide words stand: an index is smaller than the letters that it is written with."""
-    return run(words, style).width if "_" in words else text_width(words, style.size, style.face)
+    return run(words, style).width if "_" in words else units(words, style.face) * style.size / 1000
 
 
-def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool]]:
-    """What may stand on a line of its own, each with whether a blank goes before it."""
+def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool, float]]:
+    """What may stand on a line of its own, each with whether a blank goes before it, and its width."""
     for word in words.split():
-        if _set_width(word, style) <= limit:
-            yield word, True
+        if (wide := _set_width(word, style)) <= limit:
+            yield word, True, wide
             continue
         first = True
         for piece in SOFT.split(word):
@@ -103,7 +100,7 @@ def _tokens(words: str, style: Style, limit: float) -> Iterator[tuple[str, bool]
                 while n < len(piece) and (x := x + text_width(piece[n], style.size, style.face)) <= limit:
                     n += 1
                 n = max(n, 1)
-                yield piece[:n], first
+                yield piece[:n], first, _set_width(piece[:n], style)
                 first, piece = False, piece[n:]
 
 

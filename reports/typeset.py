@@ -6,7 +6,7 @@ wider than the column and can not break (a fraction, a root, a power) is written
 """
 
 import re
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 
 from calc.sheet.expression import RANK, Expr
@@ -70,6 +70,12 @@ def _scripts(below: str, above: str, size: float, small: float, colour: Colour) 
     return Box(max(low.width, high.width), high.up, max(low.down, 0.0), marks)
 
 
+@lru_cache(maxsize=200)
+def _spaced(sign: str, size: float, gap: float) -> Box:
+    """A sign with room on both sides."""
+    return row([space(gap), text(sign, size), space(gap)])
+
+
 # --- trees ------------------------------------------------------------------------------------------------------------------
 class Setter:
     """Sets trees at one size for one column width."""
@@ -84,8 +90,7 @@ class Setter:
         return text(words, self.size, face)
 
     def operator(self, sign: str, gap: float) -> Box:
-        gap = gap * self.size * (0.5 if self.script else 1.0)
-        return row([space(gap), self.word(sign), space(gap)])
+        return _spaced(sign, self.size, gap * self.size * (0.5 if self.script else 1.0))
 
     def fitted(self, box: Box) -> Box:
         return scaled(box, self.column / box.width) if box.width > self.column else box
@@ -100,7 +105,7 @@ class Setter:
 
     def bracketed(self, inside: list[Piece], open: float, left: str = "(", right: str = ")") -> list[Piece]:
         up, down = max(p.box.up for p in inside), max(p.box.down for p in inside)
-        deeper = [replace(p, open=p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
+        deeper = [Piece(p.box, p.open + 1.0) if p.open is not None and p.open < open + 1.0 else p for p in inside]
         return [Piece(stretched(left, self.size, up, down)), *deeper, Piece(stretched(right, self.size, up, down))]
 
     def _pieces(self, tree: Expr, outer: float, open: float) -> tuple[float, list[Piece]]:
@@ -149,7 +154,7 @@ class Setter:
             if i:
                 inside_pieces.append(Piece(self.word("; ")))
             more = self.pieces(arg, 0, open)
-            inside_pieces += [replace(more[0], open=open + 1.0), *more[1:]] if i else more
+            inside_pieces += [Piece(more[0].box, open + 1.0), *more[1:]] if i else more
         name = Piece(row([self.word(tree.name), space(0.04 * self.size)]))
         return 5.0, [name, *self.bracketed(inside_pieces or [Piece(space(0.0))], open)]
 
@@ -160,7 +165,7 @@ class Setter:
             made = fraction(self.box(over), self.box(under), self.size)
             if made.width <= self.column * TIGHT:
                 return 4.4, [Piece(self.fitted(made))]
-        slash = Piece(row([space(0.04 * self.size), self.word("/"), space(0.04 * self.size)]), None if self.script else open + 0.5)
+        slash = Piece(_spaced("/", self.size, 0.04 * self.size), None if self.script else open + 0.5)
         return 2.0, [*self.pieces(over, 2, open), slash, *self.pieces(under, 2.5, open)]
 
     def power(self, base: Expr, exponent: Expr, open: float) -> tuple[float, list[Piece]]:
@@ -174,7 +179,7 @@ class Setter:
             if inside.width > 0.7 * self.column:
                 return 4.0, [*under, Piece(self.word("^")), *self.pieces(exponent, 5, open)]
             script = raised(inside, max(RAISE * self.size, high - 0.40 * self.size) + inside.down - 0.24 * inside.up)
-        return 4.0, [*under[:-1], replace(under[-1], box=row([under[-1].box, script]))]
+        return 4.0, [*under[:-1], Piece(row([under[-1].box, script]), under[-1].open)]
 
     def root(self, of: Expr, open: float) -> tuple[float, list[Piece]]:
         made = radical(self.box(of), self.size)
