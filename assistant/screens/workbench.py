@@ -28,7 +28,7 @@ from ..widgets.checks import Checks
 from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
-from ..widgets.field_help import FieldHelp, allowed, meaning
+from ..widgets.field_help import FieldHelp
 from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
@@ -357,22 +357,13 @@ class Workbench(Doing, Live):
         """The foot of the form: about the field that has the focus."""
         if not self.stands or not self.query(f"#form-{self.step.key}"):
             return
-        shown, say = self.query_one(FieldHelp), self.app.say
-        field = self.form.field
-        if field is not None:
-            shown.show(field.about.label, meaning(field.about, say), allowed(field.about, say))
-        elif isinstance(self.focused, (ArrayHeading, TableHeading)):
-            heading = self.focused
-            text = f"{heading.row.about.help} {say(heading.HELP)}".strip()
-            shown.show(
-                heading.row.about.label, f"{self.app.signs.mark('invalid')} {say(heading.reason)}. {text}" if heading.reason else text
-            )
-        elif isinstance(self.focused, Taken):
-            shown.show(say("From earlier steps"), say("Enter, or typing a number, goes to the step that owns the value."))
-        elif self.focused is not None and self.pane == "inputs":
-            shown.show(say("No field is being edited"), say("letters act as keys; Tab or ↓ goes back to the fields."))
+        source, say = self.form.field or self.focused, self.app.say
+        if isinstance(source, (Field, ArrayHeading, TableHeading, Taken)):
+            self.query_one(FieldHelp).show(*source.explained())
+        elif source is not None and self.pane == "inputs":
+            self.query_one(FieldHelp).show(say("No field is being edited"), say("letters act as keys; Tab or ↓ goes back to the fields."))
         else:
-            shown.show("", "")
+            self.query_one(FieldHelp).show("", "")
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
         if isinstance(event.source, Calculation) and self.stands:

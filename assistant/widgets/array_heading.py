@@ -13,6 +13,7 @@ from textual.widget import Widget
 from ..places import content_at
 from ..session import Session
 from .entry import LEAVING
+from .field_help import heading_help
 from .rows import Row
 from .wrap import fit
 
@@ -72,6 +73,10 @@ class ArrayHeading(Widget, can_focus=True):
 
     def names(self) -> list[str]:
         return [str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])]
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        return heading_help(self.row.about, self.HELP, self.reason, self.app)
 
     def render(self) -> Content:
         names = self.names()

@@ -20,6 +20,7 @@ from ..places import Place, key_at, owner
 from ..session import Session
 from .choice import Choice
 from .entry import Entry
+from .field_help import allowed, meaning
 from .rows import Row
 from .wrap import fit, pad, wrap
 
@@ -66,6 +67,10 @@ class Field(Widget):
     @property
     def box(self) -> Entry | Choice:
         return self._box
+
+    def explained(self) -> tuple[str, str, str]:
+        """What the foot of the form says about it."""
+        return self.about.label, meaning(self.about, self.app.say), allowed(self.about, self.app.say)
 
     def _made(self) -> Entry | Choice:
         text, optional = self.session.text(self.place), self.about.optional

@@ -33,6 +33,12 @@ def allowed(about: Quantity, say: Language) -> str:
     return f"{words[:1].upper()}{words[1:]}." if words else ""
 
 
+def heading_help(about: Quantity, keys: str, reason: str, app: "ContralberoApp") -> tuple[str, str]:
+    """Of a part that may be left out or repeated: why it is not accepted, what it is, and its keys."""
+    text = f"{about.help} {app.say(keys)}".strip()
+    return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
+
+
 def foot(said: str, rest: str, more: str, width: int, height: int) -> list[str]:
     """What is said in so many rows; `rest` behind it where all of it has room, `more` where the last row has."""
     rows = wrap(said, width)

@@ -14,6 +14,7 @@ from textual.widget import Widget
 from ..places import content_at
 from ..session import Session
 from .entry import LEAVING
+from .field_help import heading_help
 from .rows import Row
 
 if TYPE_CHECKING:
@@ -60,6 +61,10 @@ class TableHeading(Widget, can_focus=True):
         if looks != self._looks:
             self._looks = looks
             self.refresh()
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        return heading_help(self.row.about, self.HELP, self.reason, self.app)
 
     def render(self) -> Content:
         minus = "-" if self.app.signs.ascii else "−"

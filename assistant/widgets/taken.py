@@ -27,6 +27,11 @@ class Taken(ItemList):
         self.session = session
         self.step = step
 
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        say = self.app.say
+        return say("From earlier steps"), say("Enter, or typing a number, goes to the step that owns the value.")
+
     def build(self, width: int) -> list[Item]:
         found = []
         values, say = self.session.values(), self.app.say
