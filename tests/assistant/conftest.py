@@ -19,6 +19,7 @@ from assistant.screens import live
 from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
 
+pytest.register_assert_rewrite("tests.assistant.deeds")
 _wait.SLEEP_GRANULARITY, _wait.SLEEP_IDLE = 0.004, 0.0004  # it looks five times as often whether the program is idle
 
 
