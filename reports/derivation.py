@@ -145,8 +145,8 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
     head = symbol(first.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
-        said = f"{spoken(first)} {spoken_numbers(first)}"
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, said, gap=GAP)]
+        copied = f"{spoken(first)} {spoken_numbers(first)}"
+        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, copied, gap=GAP)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
     words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
