@@ -16,6 +16,7 @@ from .sheet.quantity import Published, Quantity, keys
 if TYPE_CHECKING:
     from .solve import Results
 
+EQUAL = "The two designs are equal: no input, verdict, check or value differs."
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
 LAST = ("oil", "material", "schema", "name", "note", "author", "checker", "revision", "date")  # stand behind what is calculated with

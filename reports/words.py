@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The report's own words, in English.  What the calculation says (labels, advice, sources) comes from the sheet."""
 
+from calc.compare import EQUAL
 from calc.sheet.check import SIGNS
 
 from .boxes import Colour
@@ -40,7 +41,7 @@ WORDS = {
     "count": "{fail} failed, {warn} warnings, {pass} passed of {total} checks", "waiting": "; not solved: {steps}",
     "missing_glyphs": "▯ stands for a character that this report's font does not have; the attached file has it.",
     "comparison": "Comparison of two designs", "design": "Design", "verdicts": "Verdicts of the steps",
-    "equal": "The two designs are equal: no input, verdict, check or value differs.",
+    "equal": EQUAL,
     "inputs_differ": "Inputs that differ: {count}.", "steps_move": "Steps that change their verdict: {count}.",
     "checks_move": "Checks that change their verdict: {count}, of them {worse} to the worse and {better} to the better.",
     "values_differ": "Values that differ: {count}; in one design only: {lone}.",

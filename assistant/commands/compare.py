@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from assistant.plain import finite, sign, table_lines
-from calc.compare import SAME, CheckDifference, Comparison, ValueDifference, compare
+from calc.compare import EQUAL, SAME, CheckDifference, Comparison, ValueDifference, compare
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document, design, read
@@ -20,7 +20,6 @@ from calc.sheet.step import Table
 from calc.solve import Results, solve
 from calc.version import VERSION
 
-EQUAL = "The two designs are equal: no input, verdict, check or value differs."
 MOST = 6  # values of a step that are shown
 LONGEST = 24  # characters of a name above a column
 Sides = tuple[tuple[Document, Results], tuple[Document, Results]]
