@@ -105,7 +105,7 @@ def _round(centre: Point, radius: Metre, angle: Radian) -> Point:
 
 # --- the sheet ----------------------------------------------------------------------------------------------------------
 def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, scale: str = "1:1") -> tuple[Primitive, ...]:
-    """Side view, cross-sections of the sectors to its right, dimensions and title.  `positions`: mid-planes of the supports.
+    """Side view, cross-sections of the sectors below it, dimensions and title.  `positions`: mid-planes of the supports.
 
     The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each is whole by itself.
     """
@@ -161,17 +161,24 @@ def _sections(outline: Outline, up: Radian, largest: Metre, h: Metre) -> list[Pr
         letter = letters.get(kind)
         if letter is None:
             letter = letters[kind] = chr(ord("A") + len(letters)) if len(letters) < 26 else f"A{len(letters) - 25}"
-            x = outline.end + 10 * h + largest + (len(letters) - 1) * (2 * largest + 16 * h)
+            x, y = _place(len(letters) - 1, outline, largest, h)
             reaches = largest + 2 * h
-            made += [Polyline("AXIS", ((x - reaches, 0.0), (x + reaches, 0.0))), Polyline("AXIS", ((x, -reaches), (x, reaches)))]
-            made += _section(piece, up, (x, 0.0))
+            made += [Polyline("AXIS", ((x - reaches, y), (x + reaches, y))), Polyline("AXIS", ((x, y - reaches), (x, y + reaches)))]
+            made += _section(piece, up, (x, y))
             said = (
                 f"Section {letter}", f"R {_mm(piece.outer_radius)}, core {_mm(piece.core_radius)}",
                 f"half-angle {_degrees(piece.half_angle)}°", f"middle at {_degrees(piece.angle % (2 * math.pi))}°",
             )  # fmt: skip
-            made += [Words("TEXT", (x - largest, -reaches - (2 + 1.7 * i) * h), line, h) for i, line in enumerate(said)]
+            made += [Words("TEXT", (x + reaches + h, y + (2 - 1.7 * i) * h), line, h) for i, line in enumerate(said)]
         made.append(Words("TEXT", ((piece.start + piece.end) / 2, largest + 2 * h), letter, h))
     return made
+
+
+def _place(n: int, outline: Outline, largest: Metre, h: Metre) -> Point:
+    """The centre of a cross-section: below the rows of dimensions, as many side by side as the shaft is long."""
+    wide, high = 2 * largest + 24 * h, 2 * largest + 8 * h
+    row, column = divmod(n, max(1, int((outline.end - outline.start) / wide)))
+    return outline.start + largest + 2 * h + column * wide, -2 * largest - 20 * h - row * high
 
 
 def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str, scale: str) -> list[Primitive]:
