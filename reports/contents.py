@@ -76,7 +76,7 @@ def _row(entry: Entry, columns: dict[str, tuple[float, Box]]) -> Block:
 
 
 def source_blocks(context: Context) -> list[Block]:
-    """Everything that was cited, by publication, with the steps that use it."""
+    """The publications behind all that was calculated, with the steps that use them; clauses and rules of what stands in the report."""
     w = context.words
     published: dict[str, tuple[dict[str, None], dict[str, None]]] = {}
     own: dict[str, list[str]] = {}
@@ -84,11 +84,11 @@ def source_blocks(context: Context) -> list[Block]:
         if found := PUBLICATION.search(source):
             clauses, users = published.setdefault(found[0], ({}, {}))
             clause = source[found.end() :].lstrip(" ,:;") if found.start() == 0 else source
-            clauses |= {clause: None} if clause else {}
+            clauses |= {clause: None} if clause and source in context.cited else {}
             users |= dict.fromkeys(steps)
-        else:
+        elif source in context.cited:
             own.setdefault(", ".join(steps), []).append(source)
-    made = paragraph(w["sources_note"], NOTE, gap=1.0)
+    made = paragraph(w["sources_note"] if context.audit else f"{w['sources_note']} {w['sources_rest']}", NOTE, gap=1.0)
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
     rows: list[Row] = [
         (Cell(name, under=("; ".join(clauses), NOTE)), Cell(", ".join(users), NOTE)) for name, (clauses, users) in sorted(published.items())

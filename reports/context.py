@@ -35,6 +35,7 @@ class Context:
     say: Language
     figures: int = 0
     sources: dict[str, list[str]] = field(default_factory=dict)  # source → titles of the steps that use it
+    cited: set[str] = field(default_factory=set)  # those of what stands in the report
     words: dict[str, str] = field(init=False)  # the report's own, in its language
     _deciding: Deciding = field(default_factory=dict)
     _values: dict[str, Published] = field(default_factory=dict)
@@ -69,12 +70,14 @@ class Context:
     def steps(self) -> list[tuple[int, Step, Outcome]]:
         return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
 
-    def cite(self, source: str, step: Step) -> str:
-        """Note that a step uses a source; gives it in the report's language."""
+    def cite(self, source: str, step: Step, *, stands: bool = True) -> str:
+        """Note that a step uses a source, and whether what it says stands in this report; gives it in the report's language."""
         source, title = self.say(source), self.say(step.title)
         used = self.sources.setdefault(source, [])
         if title not in used:
             used.append(title)
+        if stands:
+            self.cited.add(source)
         return source
 
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:

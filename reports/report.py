@@ -141,9 +141,10 @@ def _step(
     }  # fmt: skip
     if outcome.state in reasons:
         made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
-    for source in {line.formula.source: None for line in outcome.lines} | {check.source: None for check in outcome.checks}:
-        if source:
-            context.cite(source, step)
+    for source in dict.fromkeys(line.formula.source for line in outcome.lines):
+        context.cite(source, step, stands=False)
+    for source in dict.fromkeys(check.source for check in outcome.checks if check.source):
+        context.cite(source, step)
     for erratum in outcome.errata:
         context.cite(erratum.source, step)
     parts: tuple[tuple[str, Callable[[], list[Block]]], ...] = (

@@ -6,7 +6,7 @@ After them the tables that the step itself has put together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
 from calc.sheet.number import short
@@ -81,9 +81,14 @@ def _symbol(value: Published) -> Cell:
     return Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else Cell()
 
 
-def _named(context: Context, value: Published) -> Cell:
-    name = context.say(value.label)
-    return Cell(name, indexed=name)
+def _named(context: Context, values: Iterable[Published]) -> Iterator[tuple[Published, Cell]]:
+    """Values with their names; one that begins with a small letter ("its phase") goes on from the last that does not."""
+    head = ""
+    for value in values:
+        name = context.say(value.label)
+        goes_on = value.label[:1].islower()
+        head = head if goes_on else name
+        yield value, Cell(name, indexed=f"{head}: {name}" if goes_on else name)
 
 
 def _single(context: Context, part: _Part) -> list[Block]:
@@ -92,7 +97,7 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [(_named(context, v), _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v in part.values.values()]
+    rows: list[Row] = [(name, _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())]
     return named_table(_title(context, part), columns, rows)
 
 
@@ -103,18 +108,18 @@ def _title(context: Context, part: _Part) -> str:
 
 def _beside(context: Context, parts: list[_Part]) -> list[Block]:
     w = context.words
-    named: dict[str, Published] = {}
+    all_values: dict[str, Published] = {}
     for part in parts:
         for name, value in part.values.items():
-            named.setdefault(name, value)
+            all_values.setdefault(name, value)
     names = (Column(context.say(p.name), "r") for p in parts)
     columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
     rows: list[Row] = []
-    for name, value in named.items():
+    for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
         cells = [short(p.values[name].shown) if name in p.values else "–" for p in parts]
         if not context.audit and all(c in ("0", "–") for c in cells):
             continue
-        rows.append((_named(context, value), _symbol(value), *cells, value.unit))
+        rows.append((cell, _symbol(value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []
 
 

@@ -34,6 +34,7 @@ WORDS = {
     "drawing": "Drawing sheet", "index": "Index of values", "materials": "Oils and materials",
     "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
     "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
+    "sources_rest": "Publications are those of the whole calculation; clauses of lines that only the audit report shows stand there.",
     "own": "Definitions and rules without a publication",
     "not_asked_text": "the design file has no table [{key}].",
     "blocked_text": "this step {reason}.", "no_solution_text": "{reason}.",

@@ -63,7 +63,7 @@ class CountershaftResult:
     sector: "dict[str, SizedSector] | None" = group(default=None)
     utilisation: Number | None = value("Utilisation of the envelope", "", "u", default=None)
     mass: Kilogram | None = value("Mass of the whole shaft", "kg", "m_S", default=None)
-    centre_of_gravity: Metre | None = value("Its centre of gravity from mid-shaft", "mm", "z_S", default=None)
+    centre_of_gravity: Metre | None = value("its centre of gravity from mid-shaft", "mm", "z_S", default=None)
     moment_of_inertia: KilogramMetre2 | None = value("Moment of inertia about its axis", "kg·mm²", "J_S", default=None)
     outline_force_deviation: Newton | None = value("Force of the given sections, off the masses'", "N", "ΔF_O", default=None)
     outline_couple_deviation: NewtonMetre | None = value("Couple of the given sections, off the masses'", "N·m", "ΔC_O", default=None)

@@ -24,7 +24,7 @@ GREEK = dict(
     alpha="α", beta="β", gamma="γ", delta="δ", epsilon="ε", eps="ε", zeta="ζ", eta="η", theta="θ", kappa="κ", lam="λ", mu="μ", nu="ν",
     xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
     Sigma="Σ", Gamma="Γ",
-)  # fmt: skip
+) | {"lambda": "λ"}  # fmt: skip
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
 CALLS = {"sqrt": "sqrt", "total": "sum", "along": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}

@@ -28,7 +28,7 @@ def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
 
 
-@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K", names={"lambda_S": "λ_S"})
+@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
 def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: Number) -> PerKelvin:
     return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from functools import cache
 
 from ...sheet.check import Check, check
+from ...sheet.number import short
 from ...sheet.quantity import Described, Stated, group, result, value
 from ...sheet.record import record
 from ...sheet.step import Table
@@ -283,18 +284,18 @@ def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> tuple[st
     if any(side.cycles is None for side in sides):
         knees = sorted({endurance(flank_knees(side.strength.kind)) for side in sides})
         notes.append(
-            f"No life is given: flanks by their strength at {' or '.join(f'{N:.0e}' for N in knees)} cycles (Z_NT = 1), roots at 3e+06 "
-            "(Y_NT = 1). A given life past these takes up to 15 % off, down to 0.85 at 1e+10 cycles."
+            f"No life is given: flanks by their strength at {' or '.join(map(short, knees))} cycles (Z_NT = 1), roots at 3·10⁶ "
+            "(Y_NT = 1). A given life past these takes up to 15 % off, down to 0.85 at 10¹⁰ cycles."
         )
-    short = dict.fromkeys(s.name for s in sides if s.cycles is not None and s.cycles < endurance(root_knees(s.strength.kind)))
-    if short:
+    brief = dict.fromkeys(s.name for s in sides if s.cycles is not None and s.cycles < endurance(root_knees(s.strength.kind)))
+    if brief:
         notes.append(
-            f"Short life of {', '.join(short)}: film, notch and surface factors are kept as for long life, "
+            f"Short life of {', '.join(brief)}: film, notch and surface factors are kept as for long life, "
             "which the standard lets fade towards static strength."
         )
     if beyond := dict.fromkeys(s.name for s in sides if s.cycles is not None and s.cycles > LONGEST):
         notes.append(
-            f"More than 1e+10 cycles of {', '.join(beyond)}: the life curves of ISO 6336 end there; their last lines are continued."
+            f"More than 10¹⁰ cycles of {', '.join(beyond)}: the life curves of ISO 6336 end there; their last lines are continued."
         )
     notes.append(
         "Safety: S_H ≥ 1.0 and S_F ≥ 1.4 are limits, 1.2 and 1.6 advice: a rule of this program from the usual values; "

@@ -153,9 +153,9 @@ def test_notes_say_what_was_assumed():
     pinion, wheel, load = example_1()
     endless = replace(pinion, cycles=None, strength=strength_class())
     notes = " ".join(strength_notes({"m": mesh_strength(endless, wheel, load)}, 2006))
-    assert "5e+07 cycles" in notes and "Wheel pinion: strength class not given" in notes and "f_ZCa" not in notes
+    assert "5·10⁷ cycles" in notes and "Wheel pinion: strength class not given" in notes and "f_ZCa" not in notes
     brief = " ".join(strength_notes({"m": mesh_strength(replace(pinion, cycles=1e5), replace(wheel, cycles=1e11), load)}, 2019))
-    assert "Short life of pinion" in brief and "1e+10 cycles of wheel" in brief and "f_ZCa" in brief and "No life" not in brief
+    assert "Short life of pinion" in brief and "10¹⁰ cycles of wheel" in brief and "f_ZCa" in brief and "No life" not in brief
 
 
 def test_rough_roots_are_out_of_range():
