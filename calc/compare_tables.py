@@ -53,8 +53,8 @@ def _content(content: Any, missing: str, full: bool) -> str:
 
 
 def named(id: str, label: str, *, step: bool = False) -> str:
-    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings front)."""
-    where = " ".join(id.split(".")[0 if step else 1 : -1])
+    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings, front)."""
+    where = ", ".join(id.split(".")[0 if step else 1 : -1])
     return f"{label} ({where})" if where else label
 
 

@@ -10,7 +10,7 @@ from calc.sheet.check import Check
 from calc.sheet.number import short as number
 from calc.sheet.step import Erratum
 
-from .context import Context, part, severity
+from .context import Context, severity
 from .flow import Block
 from .letters import BOLD
 from .prose import CELL, NOTE, Style
@@ -37,7 +37,7 @@ def shown_value(check: Check) -> str:
 
 def name_of(context: Context, check: Check) -> str:
     """The check's name with the part that it judges."""
-    whose = context.say(part(check.id))
+    whose = " ".join(context.belongs(check.id))
     advice = f" ({context.words['advice']})" if check.kind == "advice" else ""
     return f"{check.name}{'' if _knows(check.name, whose) else f', {whose}'}{advice}"
 
@@ -99,6 +99,6 @@ def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
         mine = f"{number(ours.shown)} {ours.unit}".rstrip()
         if ours.unit == e.unit and ours.shown:
             deviation = f"{(e.source_value / ours.shown - 1) * 100:+.1f} %".replace("-", "−")
-    whose = context.say(part(e.about))
+    whose = " ".join(context.belongs(e.about))
     label = e.label if _knows(e.label, whose) else f"{e.label}, {whose}"
     return Cell(label, under=(under, NOTE)), f"{number(e.source_value)} {e.unit}".rstrip(), mine, deviation

@@ -80,6 +80,22 @@ class Context:
             self.cited.add(source)
         return source
 
+    def belongs(self, id: str) -> list[str]:
+        """What a value or check belongs to: `bearings.front.film_edge` → ["front"].  Wheels and meshes have the user's names."""
+        step, *parts = id.split(".")[:-1]
+        return [self._named(step, part) for part in parts]
+
+    def _named(self, step: str, part: str) -> str:
+        gears = self.design.gears
+        if step in ("gears", "friction") and gears is not None:
+            if any(part == wheel.name for wheel in gears.wheels):
+                return part
+            if mesh := next((mesh for mesh in gears.meshes if part == mesh.key), None):
+                return f"{mesh.driver}–{mesh.driven}"
+        address, words = f"{step}.{part}", part.replace("_", " ")  # a word like "crank" is a wheel's name elsewhere
+        said = self.say(address)
+        return said if said != address else self.say(words)
+
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
         """The curves of a step with their numbers: all of them for an audit, else the first two."""
         curves = curves if self.audit else curves[:CURVES]
@@ -107,11 +123,6 @@ def _deciding(results: Results) -> Deciding:
     for n in chains.leading_to(values):
         found.setdefault((keys[chains.steps[n]], chains.lines[n].formula), set()).add(variant(chains.lines[n]))
     return found
-
-
-def part(id: str) -> str:
-    """What a value or check belongs to: `bearings.front.film_edge` → "front"."""
-    return " ".join(id.split(".")[1:-1]).replace("_", " ")
 
 
 def severity(check: Check) -> tuple[int, float]:

@@ -29,15 +29,12 @@ class _Part:
     """The results under one address."""
 
     prefix: str
+    name: str
     values: dict[str, Published] = field(default_factory=dict)
 
     @property
     def zero(self) -> bool:
         return all(v.shown == 0 for v in self.values.values())
-
-    @property
-    def name(self) -> str:
-        return self.prefix.replace("_", " ").replace(".", ", ")
 
 
 def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
@@ -49,7 +46,7 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
         if value.id.startswith(covered):
             continue
         prefix, _, name = value.id.removeprefix(f"{outcome.key}.").rpartition(".")
-        parts.setdefault(prefix, _Part(prefix)).values[name] = value
+        parts.setdefault(prefix, _Part(prefix, ", ".join(context.belongs(value.id)))).values[name] = value
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
     made: list[Block] = []
     for cluster in _clusters(p for p in parts.values() if p not in nothing):
@@ -59,7 +56,7 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
             for start in range(0, len(cluster), ACROSS):
                 made += _beside(context, cluster[start : start + ACROSS])
     if nothing:
-        made += paragraph(context.words["zero_values"].format(names="; ".join(context.say(p.name) for p in nothing)), NOTE, gap=3.0)
+        made += paragraph(context.words["zero_values"].format(names="; ".join(p.name for p in nothing)), NOTE, gap=3.0)
     return made
 
 
@@ -98,12 +95,7 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
     rows: list[Row] = [(name, _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())]
-    return named_table(_title(context, part), columns, rows)
-
-
-def _title(context: Context, part: _Part) -> str:
-    name = context.say(part.name)
-    return name[:1].upper() + name[1:]
+    return named_table(part.name[:1].upper() + part.name[1:], columns, rows)
 
 
 def _beside(context: Context, parts: list[_Part]) -> list[Block]:
@@ -112,7 +104,7 @@ def _beside(context: Context, parts: list[_Part]) -> list[Block]:
     for part in parts:
         for name, value in part.values.items():
             all_values.setdefault(name, value)
-    names = (Column(context.say(p.name), "r") for p in parts)
+    names = (Column(p.name, "r") for p in parts)
     columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
     rows: list[Row] = []
     for name, (value, cell) in zip(all_values, _named(context, all_values.values())):

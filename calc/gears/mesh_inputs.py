@@ -57,6 +57,11 @@ class Mesh:
         help="Each with its kind: worst case, root of squares and by chance, side by side.",
     )
 
+    @property
+    def key(self) -> str:
+        """What its values are called by."""
+        return f"{self.driver}_{self.driven}"
+
     def problems(self) -> Iterable[tuple[str, str]]:
         if self.tolerance is not None and self.contributors is not None:
             yield "contributors_mm", "give either tolerance_um or contributors_mm"

@@ -32,7 +32,7 @@ from .rating.desk import Around
 from .rating.load import Power
 from .rating.rating import RatingResult, rating
 from .result import MeshResult, ToothSystem, TrainResult, WheelResult, working_circles
-from .train import Train, mesh_key, settle, speeds, tooth_system
+from .train import Train, settle, speeds, tooth_system
 from .wheel import solve_wheel
 
 __all__ = ["NOT_RATED", "Around", "Power", "geometry", "merge", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
@@ -58,7 +58,7 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome:
         }
         meshes = {}
         for i, mesh in enumerate(gears.meshes):
-            a_w = train.distances[key := mesh_key(mesh)]
+            a_w = train.distances[key := mesh.key]
             meshes[key] = solve_mesh(system, mesh, f"gears.meshes.{i}", a_w, wheels[mesh.driver], wheels[mesh.driven])
         last = gears.meshes[-1].driven
         with about(f"train, to {last}"):

@@ -19,10 +19,6 @@ MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, 
 CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by this, in modules
 
 
-def mesh_key(mesh: Mesh) -> str:
-    return f"{mesh.driver}_{mesh.driven}"
-
-
 def tooth_system(gears: GearsInputs) -> ToothSystem:
     m_n, alpha_n, beta = gears.normal_module, gears.pressure_angle, gears.helix_angle
     with about("tooth system"):
@@ -74,7 +70,7 @@ def settle(gears: GearsInputs, system: ToothSystem) -> Train:
         _choose(train, still_open)
     for i, mesh in enumerate(gears.meshes):
         with about(f"mesh {mesh.driver}–{mesh.driven}"):
-            train.distances[mesh_key(mesh)] = mesh.centre_distance if mesh.centre_distance is not None else _distance(train, mesh, i)
+            train.distances[mesh.key] = mesh.centre_distance if mesh.centre_distance is not None else _distance(train, mesh, i)
     return train
 
 

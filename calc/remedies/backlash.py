@@ -3,7 +3,6 @@
 
 import math
 
-from ..gears.train import mesh_key
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.number import short
@@ -40,7 +39,7 @@ def _thinner(state: State, missing: dict[str, int]) -> list[str]:
     """Each micrometre comes off the wheel that frees the most pairs by it, of several the one with the thickest teeth."""
     gears = state.design.gears
     assert gears is not None
-    pairs = {mesh_key(mesh): (mesh.driver, mesh.driven) for mesh in gears.meshes}
+    pairs = {mesh.key: (mesh.driver, mesh.driven) for mesh in gears.meshes}
     given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in gears.wheels}
     left, less = dict(missing), dict.fromkeys(given, 0)
 

@@ -7,7 +7,6 @@ from collections.abc import Iterator
 
 from ..gears.inputs import Wheel
 from ..gears.rating.classes import DEFAULT, class_names, strength_class
-from ..gears.train import mesh_key
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
 from ..sheet.progress import Progress, part, tell
@@ -45,7 +44,7 @@ def _wheels(state: State, failing: tuple[Check, ...]) -> list[str]:
     gears = state.design.gears
     assert gears is not None
     what = {c.id.split(".")[1] for c in failing}
-    pairs = [mesh for mesh in gears.meshes if {mesh_key(mesh), mesh.driver, mesh.driven} & what]
+    pairs = [mesh for mesh in gears.meshes if {mesh.key, mesh.driver, mesh.driven} & what]
     wanted = {name for mesh in pairs for name in (mesh.driver, mesh.driven)}
     return [wheel.name for wheel in gears.wheels if wheel.name in wanted]
 

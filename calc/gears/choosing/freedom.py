@@ -14,7 +14,7 @@ from ...sheet.record import record
 from ...sheet.units import Metre
 from ..inputs import GearsInputs
 from ..result import ToothSystem
-from ..train import Train, mesh_key, settle
+from ..train import Train, settle
 
 STARTS = (None, 0.0, 0.25, 0.5, 1.0)  # shifts at which the train is settled once; None: that of the design
 STEP = 1e-3  # by which a free shift is moved to see who follows
@@ -88,7 +88,7 @@ def freedoms(gears: GearsInputs, system: ToothSystem) -> tuple[Freedom, ...]:
         made = _freedom("designed", "as the design", gears, system, given)
         found.append(_with(made, name=_copied(made, gears, given)))
     if now is not None:
-        held = {i: round(now.distances[mesh_key(m)], HELD) for i, m in enumerate(gears.meshes) if m.centre_distance is None}
+        held = {i: round(now.distances[m.key], HELD) for i, m in enumerate(gears.meshes) if m.centre_distance is None}
         meshes = tuple(replace(m, centre_distance=held.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
         name = "distance held" if len(held) == 1 else "distances held"
         whole = tied(fixed := replace(gears, meshes=meshes))

@@ -14,7 +14,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.progress import Progress, part, tell
 from ...sheet.record import record
 from ..inputs import GearsInputs, Wheel
-from ..train import mesh_key, tooth_system
+from ..train import tooth_system
 from .freedom import Freedom, freedoms, settled
 from .limits import Limit, limits, nothing, stretch, too_narrow
 from .optimum import GRID, Case, Slice, best, evaluated, first, refined, slice_of
@@ -197,7 +197,7 @@ def _wants(case: Case, along: Slice, at: Mapping[str, float]) -> list[Row]:
     """The optimum of each pair alone, by its own rules."""
     found = []
     for mesh in case.gears.meshes if len(case.gears.meshes) > 1 else ():
-        key = mesh_key(mesh)
+        key = mesh.key
         own = [one for one in along.rules if one.mesh == key or (not one.mesh and one.wheel in (mesh.driver, mesh.driven))]
         margin = least(own)
         if (margin >= 0).any():

@@ -17,7 +17,6 @@ from ..measures.formulas import generating_shift
 from ..practice import above_fillet
 from ..profile.outline import Cut, form_diameter_of_undercut
 from ..result import ToothSystem
-from ..train import mesh_key
 
 NODES = 33  # of the form diameter over the shift, where it comes from the tool's trochoid
 
@@ -96,7 +95,7 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], 
     ratios: dict[str, Array] = {}
     parts: tuple[dict[Place, Array], ...] = ({}, {}, {}, {}, {})
     for mesh in gears.meshes:
-        key, a_w = mesh_key(mesh), _distance(system, mesh, circles, x)
+        key, a_w = mesh.key, _distance(system, mesh, circles, x)
         distances[key] = np.broadcast_to(np.asarray(a_w, dtype=float), every[0].shape)
         ratios[key] = _mesh(system, key, a_w, (circles[mesh.driver], circles[mesh.driven]), parts)
     sap, sliding, lpstc, margin, clearance = parts
