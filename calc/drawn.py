@@ -13,7 +13,7 @@ def shaft(results: Results) -> tuple[Primitive, ...]:
     asked, found = results.design.countershaft, results.outcomes["countershaft"]
     if asked is None or found.result is None or found.result.outline is None:
         return ()
-    return shaft_drawing(found.result.outline, asked.bearing_positions, results.design.name, "to no scale")
+    return shaft_drawing(found.result.outline, asked.bearing_positions, results.design.name, "not to scale")
 
 
 def wheels(results: Results) -> Table | None:

@@ -21,7 +21,7 @@ NUMBER = 16.0  # of a part's page number with the space before it
 PARTS = WIDTH - TITLE - 6.0 - 22.0  # of all parts
 # A publication: names and a year, or a standard with its number.
 PUBLICATION = re.compile(
-    r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
+    r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and | e )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
     r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|JIS|SAE|UNI)(?:/(?:TR|TS))?[ -](?:ISO |EN )?[A-Z]?\d+(?:-[A-Z]?\d+)*(?::\d{4})?"
 )
 

@@ -57,6 +57,7 @@ def derivation(context: Context, step: Step, traced: list[Line], total: int) -> 
         made += paragraph(words["zero_lines"], NOTE, gap=0.0)
     if len(traced) < total:
         made += paragraph(words["resting"].format(count=total - len(traced)), NOTE, gap=0.0)
+    made = [replace(block, keep=True) for block in made]  # with the first formula
     for about, entries in _runs(shown_lines) if context.audit else _clusters(shown_lines):
         if about:
             made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)

@@ -130,9 +130,12 @@ class _Sheet:
         length = abs(one.end[n] - one.start[n]) * 1e3
         number = f"{'⌀' if one.diameter else ''}{length:.2f}".rstrip("0").rstrip(".")
         middle = _with(ends[0], n, (ends[0][n] + ends[1][n]) / 2 + one.shift)
+        box = text(clean(number), max(LEAST, self.scale * one.height))
         off = 0.25 * one.height
-        place = (middle[0] - off, middle[1]) if one.upright else (middle[0], middle[1] + off)
-        self.words(text(clean(number), max(LEAST, self.scale * one.height)), place, middle=True, upright=one.upright)
+        if not one.upright and box.width > self.scale * length / 1e3:
+            off = -one.height  # a number longer than its dimension stands where no line crosses it
+        place = (middle[0] + off, middle[1]) if one.upright else (middle[0], middle[1] + off)
+        self.words(box, place, middle=True, upright=one.upright)
 
 
 def _with(point: Point, n: int, value: float) -> Point:

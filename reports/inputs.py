@@ -74,7 +74,7 @@ def _left_out(key: Key, say: Language) -> str:
     """The label of a key that is left out, with what the help says about that."""
     said = LEFT_OUT.split(say(key.about.help))[-1].rstrip(".") if LEFT_OUT.search(key.about.help) else ""
     label = say(key.about.label)
-    label = label[:1].lower() + label[1:]
+    label = label if label[1:2].isupper() else label[:1].lower() + label[1:]
     return f"{label} ({said})" if said else label
 
 
@@ -269,6 +269,6 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value
-            cells.append("–" if known is None else exact(known, rounded=True))
+            cells.append("–" if known is None else context.say(known) if isinstance(known, str) else exact(known, rounded=True))
         rows.append(cells)
     return table(head, rows, gap=6.0)

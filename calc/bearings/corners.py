@@ -20,7 +20,12 @@ from .routes.states import Duty, Film, Seat
 ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))
 CORNERS = tuple(product(ENDS, ENDS, OILS))
-NAMES = tuple(f"{j} journal, {s} seat, {o} oil" for (j, _), (s, _), (o, _) in CORNERS)
+NAMES = (  # in the order of CORNERS, written out: adjectives are inflected in other languages
+    "smallest journal, smallest seat, thinner oil", "smallest journal, smallest seat, thicker oil",
+    "smallest journal, largest seat, thinner oil", "smallest journal, largest seat, thicker oil",
+    "largest journal, smallest seat, thinner oil", "largest journal, smallest seat, thicker oil",
+    "largest journal, largest seat, thinner oil", "largest journal, largest seat, thicker oil",
+)  # fmt: skip
 
 
 @result

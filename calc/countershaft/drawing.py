@@ -16,10 +16,16 @@ from .outline import TOUCH, Outline, Piece
 LAYERS = ("OUTLINE", "SECTORS", "JOURNALS", "GEAR", "AXIS", "SUPPORTS", "DIMENSIONS", "TEXT")
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
 LETTER = 0.01  # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
+FINE = 5e-5  # m: a shorter piece is what rounding leaves between two others; it is not drawn, and they meet
 FLAT = 1e-9  # rad and shares of a radius: below it an edge is seen from its end
 
 
 # --- shapes -------------------------------------------------------------------------------------------------------------
+def drawn(outline: Outline) -> list[Piece]:
+    """The pieces that a drawing shows: each ends where the next begins."""
+    return [piece for piece in outline.pieces if piece.length > FINE]
+
+
 def upwards(outline: Outline) -> Radian:
     """The direction that is drawn up: that of the first sector, 0 for a shaft without one."""
     return next((piece.angle for piece in outline.pieces if piece.half_angle is not None), 0.0)
@@ -42,10 +48,11 @@ def _highest(middle: Radian, half: Radian) -> float:
 def silhouette(outline: Outline) -> tuple[Point, ...]:
     """The shaft seen across its axis, as one closed polyline: above from front to rear, below back again."""
     up = upwards(outline)
-    ends = [piece.start for piece in outline.pieces] + [outline.end]  # pieces touch: each ends where the next begins
+    pieces = drawn(outline)
+    ends = [piece.start for piece in pieces] + [outline.end]
     above: list[Point] = []
     below: list[Point] = []
-    for piece, (start, end) in zip(outline.pieces, pairwise(ends)):
+    for piece, (start, end) in zip(pieces, pairwise(ends)):
         high, low = reach(piece, up)
         above += [(start, high), (end, high)]
         below += [(start, -low), (end, -low)]
@@ -126,7 +133,7 @@ def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, sc
 
 def _lengths(outline: Outline, positions: tuple[Metre, ...], largest: Metre, h: Metre) -> list[Primitive]:
     """Three rows below the side view: every piece, the spans of the supports, the whole shaft."""
-    ends = [piece.start for piece in outline.pieces] + [outline.end]
+    ends = [piece.start for piece in drawn(outline)] + [outline.end]
     rows = (tuple(ends), positions, (outline.start, outline.end))
     return [
         Dimension("DIMENSIONS", (start, -largest), (end, -largest), (start, -largest - (6 + 4 * row) * h), h)
@@ -206,7 +213,7 @@ def _degrees(angle: Radian) -> str:
 def outline_curve(outline: Outline, positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
     names = ("front support", *(f"support {n}" for n in range(2, len(positions))), "rear support")
-    series = [_series("shaft", (*silhouette(outline), silhouette(outline)[0])), _series("axis", axis(outline))]
+    series = [_series("outline", (*silhouette(outline), silhouette(outline)[0])), _series("axis", axis(outline))]
     series += [_series(name, (*mark, mark[0])) for name, mark in zip(names, support_marks(outline, positions))]
     return Curve("outline", "Outline of the shaft", "z, mm", "up: first eccentric mass, mm", tuple(series), equal=True)
 

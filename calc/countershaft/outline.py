@@ -116,6 +116,11 @@ def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogr
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
 
+@formula("J_S", "moment of inertia about the axis, of the pieces", unit="kg·mm²")
+def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMetre2:
+    return rho * resultant(I_p * l)
+
+
 @formula("J_S", "moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²")
 def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
     return rho * resultant(I_p * l) + resultant(m * e**2)
@@ -353,7 +358,7 @@ def turning_inertia(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra 
     m: Any = np.array([x.mass for x in extras])
     e: Any = np.array([x.radius for x in extras])
     I_p = s.polar_moment(gamma=gamma, R=found.each("outer_radius"), r_0=core)
-    return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e)
+    return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
 @formula("F_O", "force of the pieces of the outline and the further elements")

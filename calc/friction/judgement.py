@@ -68,7 +68,7 @@ def _models(result: FrictionResult) -> Check:
         float(len(MODELS)),
         "",
         "ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley",
-        f"Outside: {', '.join(MODELS[name].authors for name in outside) or 'none'}; the tables of the models say by what. Their losses are "
+        f"Outside: {'; '.join(MODELS[name].authors for name in outside) or 'none'}. The tables of the models say by what. Their losses are "
         "extrapolations; nothing is judged by them.",
         kind="advice",
     )

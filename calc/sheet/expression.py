@@ -16,7 +16,7 @@ from functools import cache
 from typing import Any, get_type_hints
 
 from .formula import Formula
-from .number import SUBSCRIPTS, SUPERSCRIPTS, scalar, several, short
+from .number import DIGITS, SUBSCRIPTS, SUPERSCRIPTS, rounded, scalar, several, short
 from .trace import Line
 from .units import UNITS
 
@@ -25,7 +25,11 @@ GREEK = dict(
     xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
     Sigma="Σ", Gamma="Γ",
 ) | {"lambda": "λ"}  # fmt: skip
+MOST_DIGITS = 10  # of an argument
+AGAIN = 5e-3  # share of a value by which the numbers that are shown for its arguments may miss it
+PLAIN = (bool, int, float, complex, str, type(None))
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
+ENOUGH = 5  # digits of a constant that has no end: 30° in radians
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
 CALLS = {"sqrt": "sqrt", "total": "sum", "along": "sum", "resultant": "sum", "cis": "cis", "modulus": "abs", "abs": "abs"}
 CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
@@ -119,7 +123,7 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
                 return Expr("symbol", name=formula.names.get(name, symbol(name)))
             constant = formula.function.__globals__.get(name)
             if isinstance(constant, (int, float)) and name != "pi":
-                return Expr("number", name=short(constant, WRITTEN))
+                return Expr("number", name=short(constant, WRITTEN if len(f"{constant:.{WRITTEN}g}") < WRITTEN else ENOUGH))
             return Expr("symbol", name=symbol(name))
         case ast.BinOp(left=a, op=op, right=b):
             return Expr(BINARY[type(op)], (sub(a), sub(b)))
@@ -170,19 +174,38 @@ def _governing(line: Line) -> tuple[int, ...] | None:
     return tuple(int(i) for i in np.unravel_index(int(flat), line.value.shape))
 
 
-def _argument(x: Any, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> str:
-    if isinstance(x, (str, bool)) or x is None:
-        return str(x)
-    if not hasattr(x, "shape") and not isinstance(x, (list, tuple)):
-        return scalar(x)
+def _element(x: Any, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> Any:
+    """Of an argument, the number that enters the element which is shown; the whole of what has no such element."""
     if index is not None and hasattr(x, "shape"):
         import numpy as np
 
         try:
-            return scalar(np.broadcast_to(x, shape)[index])
+            x = np.broadcast_to(x, shape)[index]
         except ValueError:
-            pass
-    return scalar(x) if getattr(x, "shape", None) == () else several(getattr(x, "ravel", lambda: x)())
+            return x
+    return x.item() if getattr(x, "shape", None) == () else x
+
+
+def _argument(x: Any, digits: int) -> str:
+    if isinstance(x, (str, bool)) or x is None:
+        return str(x)
+    if not hasattr(x, "shape") and not isinstance(x, (list, tuple)):
+        return scalar(x, digits)
+    return several(getattr(x, "ravel", lambda: x)())
+
+
+def _digits(formula: Formula[..., Any], arguments: Mapping[str, Any], value: Any) -> int:
+    """With how many digits the arguments give the value again: where a difference takes the first ones away, more of them are shown."""
+    if not isinstance(value, (float, complex)) or not value or not all(isinstance(x, PLAIN) for x in arguments.values()):
+        return DIGITS
+    for digits in range(DIGITS, MOST_DIGITS, 2):
+        try:
+            again = formula.function(**{name: rounded(x, digits) for name, x in arguments.items()})
+        except (ValueError, ZeroDivisionError, OverflowError):
+            continue
+        if abs(again - value) <= AGAIN * abs(value):
+            return digits
+    return MOST_DIGITS
 
 
 @cache
@@ -208,14 +231,16 @@ def show(line: Line) -> Shown:
     formula = line.formula
     index = _governing(line)
     shape = getattr(line.value, "shape", ())
+    arguments = {name: _element(x, index, shape) for name, x in line.arguments.items()}
     tree = expression(formula)
     numbers = None
     if tree is not None:
-        texts = {formula.names.get(k, symbol(k)): _argument(v, index, shape) for k, v in line.arguments.items()}
+        digits = _digits(formula, arguments, _element(line.value, index, shape))
+        texts = {formula.names.get(k, symbol(k)): _argument(v, digits) for k, v in arguments.items()}
         numbers = substituted(tree, texts)
     shows = formula.shows
     if tree is None and not shows:
-        shows = f"{formula.__name__}({', '.join(f'{symbol(k)} = {_argument(v, index, shape)}' for k, v in line.arguments.items())})"
+        shows = f"{formula.__name__}({', '.join(f'{symbol(k)} = {_argument(v, DIGITS)}' for k, v in arguments.items())})"
     words = {"max": "largest", "min": "smallest"}[formula.governs]
     where = f"{words} of {line.value.size}, number {index[-1] + 1}" if index is not None and line.value.size > 1 else ""
     return Shown(formula.symbol, tree, numbers, shows, *_result(line, index), formula.source, line.about, where)

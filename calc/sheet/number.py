@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """How numbers are written: four significant digits, 6.2·10⁻³ and not 6.2e-03, a true minus sign."""
 
+import cmath
 import math
 from typing import Any
 
@@ -29,17 +30,24 @@ def short(number: float, digits: int = DIGITS) -> str:
     return f"{mantissa}·10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
-def phasor(z: complex) -> str:
+def phasor(z: complex, digits: int = DIGITS) -> str:
     """A vector in the transverse plane: its length and its angle."""
-    return f"{short(abs(z))}∠{short(round(math.degrees(math.atan2(z.imag, z.real)), 9) + 0.0)}°" if abs(z) else "0"
+    return f"{short(abs(z), digits)}∠{short(round(math.degrees(math.atan2(z.imag, z.real)), 9) + 0.0, digits)}°" if abs(z) else "0"
 
 
-def scalar(x: Any) -> str:
+def scalar(x: Any, digits: int = DIGITS) -> str:
     if isinstance(x, bool):
         return str(x)
     if isinstance(x, complex) or getattr(getattr(x, "dtype", None), "kind", "") == "c":
-        return phasor(complex(x))
-    return short(x)
+        return phasor(complex(x), digits)
+    return short(x, digits)
+
+
+def rounded(x: Any, digits: int) -> Any:
+    """A number as it reads when it is written with so many digits."""
+    if isinstance(x, complex):
+        return cmath.rect(rounded(abs(x), digits), math.radians(rounded(math.degrees(cmath.phase(x)), digits)))
+    return float(f"{x:.{digits - 1}e}") if isinstance(x, float) else x
 
 
 def several(values: Any, most: int = 4) -> str:

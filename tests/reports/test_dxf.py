@@ -131,12 +131,22 @@ def test_a_shaft_without_sectors_is_drawn_as_well():
     assert [p for p in drawn if isinstance(p, Dimension) and p.diameter]
 
 
+def test_what_rounding_leaves_between_two_pieces_is_not_drawn():
+    """A hundredth of a millimetre of core between two pieces: no step, no dimension."""
+    parts = (piece(0, 10, 40, "full"), piece(10, 10.01, 15, "full"), piece(10.01, 50, 40, "full"))
+    drawn = shaft_drawing(outline(parts, derived=False), (), "")
+    (path,) = (p.points for p in drawn if p.layer == "OUTLINE")
+    assert {round(abs(y), 9) for _, y in path} == {0.04}
+    lengths = sorted({round(abs(p.end[0] - p.start[0]), 9) for p in drawn if isinstance(p, Dimension) and not p.upright})
+    assert lengths == [0.01001, 0.03999, 0.05]
+
+
 def test_the_curve_has_the_points_of_the_drawing():
     whole = shaft()
     curve = outline_curve(whole, POSITIONS)
     assert (curve.id, curve.title, curve.equal) == ("outline", "Outline of the shaft", True)
     labels = [series.label for series in curve.series]
-    assert labels == ["shaft", "axis", "front support", "rear support"]
+    assert labels == ["outline", "axis", "front support", "rear support"]
     drawn = next(p for p in shaft_drawing(whole, POSITIONS, "") if p.layer == "OUTLINE")
     body = list(zip(curve.series[0].x, curve.series[0].y))
     assert body[0] == body[-1]

@@ -127,7 +127,7 @@ def table(bearings: Mapping[str, Running], chosen: str) -> Table:
         (
             ("material", ""), ("what it is", ""), ("p allowed", "MPa"), ("p used", "%"), ("p·v allowed", "MPa·m/s"),
             ("p·v used", "%"),
-            ("up to", "°C"), ("left", "K"), ("journal, HB", ""), ("emergency running", ""),
+            ("up to", "°C"), ("in reserve", "K"), ("journal, HB", ""), ("emergency running", ""),
         ),
         tuple(found),
         "Used: by the harder of the bearings. Handbook values at the lower end of their range; empty where no source was found. The "

@@ -56,12 +56,12 @@ def share_of_length(b: Metre, l: Metre) -> Number:
     return b / l
 
 
-@formula("q_H", TABLE, names={"x": "(d_H/l)"})
+@formula("q", f"{TABLE}: q_H of a hole")
 def hole_factor(x: Number) -> Number:
     return 1.204 + 0.368 * x - 1.046 * x**2 + 1.942 * x**3
 
 
-@formula("q_P", TABLE, names={"x": "(b_P/l)"})
+@formula("q", f"{TABLE}: q_P of a pocket")
 def pocket_factor(x: Number) -> Number:
     return 1.188 + 1.582 * x - 2.585 * x**2 + 5.563 * x**3
 

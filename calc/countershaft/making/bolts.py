@@ -53,7 +53,11 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 4
 
 
-@formula("F_V", "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)")
+@formula(
+    "F_V",
+    "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
+    names={"rho": "ρ′"},
+)
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
     """`rho` is the angle of friction on the flanks."""
     return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
@@ -74,7 +78,7 @@ def helix_angle_source(p: Metre, D: Metre) -> Radian:
     return atan(p / (pi * D))
 
 
-@formula("ρ", f"{SOURCE}: angle of friction without the flanks' inclination")
+@formula("ρ′", f"{SOURCE}: angle of friction without the flanks' inclination")
 def friction_angle_source(mu: Number) -> Radian:
     return atan(mu)
 

@@ -136,7 +136,7 @@ class Support:
         help="From finite elements, without the bolts' preload; it turns with the shaft.",
     )  # fmt: skip
     load_stress_limit: float = quantity(
-        "the latter's limit", "MPa", default=20e6, above=0, high=10000, source="Finotti 2013, ch. 6",
+        "Limit of the stress from the loads", "MPa", default=20e6, above=0, high=10000, source="Finotti 2013, ch. 6",
         help="What the support endures without end under the turning load.",
     )  # fmt: skip
 

@@ -112,7 +112,7 @@ def _holes(
             check(
                 "countershaft.holes.range", "Couple beyond the required one, for drilling to take away", round(over, 9), "in",
                 (0.0, drilled.hole_range), "N·m",
-                "drilling only takes away: the shaft as drawn lies above the couple to be balanced, by no more than the holes take",
+                "drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than the holes take",
                 f"Aim at {drilled.hole_range / 2:.1f} N·m beyond, half of the range (overdesign_percent in mode size).", kind="advice",
             )
         )  # fmt: skip

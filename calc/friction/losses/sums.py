@@ -8,22 +8,22 @@ ON = "sum over what a wheel carries of it, one after the other"
 OVER = "sum over the wheels, one after the other"
 
 
-@formula("P_C", ON, names={"P": "P_C"})
+@formula("P_C", ON, names={"P": "P_C,0"})
 def churning_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_J", ON, names={"P": "P_J"})
+@formula("P_J", ON, names={"P": "P_J,0"})
 def thrown_oil_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_D", ON, names={"P": "P_D"})
+@formula("P_D", ON, names={"P": "P_D,0"})
 def seals_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_L", ON, names={"P": "P_L"})
+@formula("P_L", ON, names={"P": "P_L,0"})
 def bearings_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
@@ -33,42 +33,42 @@ def no_other_loss() -> Watt:
     return float("0")
 
 
-@formula("P_X", ON, names={"P": "P_X"})
+@formula("P_X", ON, names={"P": "P_X,0"})
 def other_losses_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ", "P_i": "P_VZ"})
+@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ,0", "P_i": "P_VZ"})
 def meshes(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_W", OVER, names={"P": "ΣP_W", "P_i": "P_W"})
+@formula("ΣP_W", OVER, names={"P": "ΣP_W,0", "P_i": "P_W"})
 def windage(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_C", OVER, names={"P": "ΣP_C", "P_i": "P_C"})
+@formula("ΣP_C", OVER, names={"P": "ΣP_C,0", "P_i": "P_C"})
 def churning(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_J", OVER, names={"P": "ΣP_J", "P_i": "P_J"})
+@formula("ΣP_J", OVER, names={"P": "ΣP_J,0", "P_i": "P_J"})
 def thrown_oil(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_D", OVER, names={"P": "ΣP_D", "P_i": "P_D"})
+@formula("ΣP_D", OVER, names={"P": "ΣP_D,0", "P_i": "P_D"})
 def seals(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_L", OVER, names={"P": "ΣP_L", "P_i": "P_L"})
+@formula("ΣP_L", OVER, names={"P": "ΣP_L,0", "P_i": "P_L"})
 def bearings(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_X", OVER, names={"P": "ΣP_X", "P_i": "P_X"})
+@formula("ΣP_X", OVER, names={"P": "ΣP_X,0", "P_i": "P_X"})
 def other_losses(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 

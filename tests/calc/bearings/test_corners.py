@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from calc.bearings.corners import limits
+from calc.bearings.corners import CORNERS, NAMES, limits
 from calc.bearings.routes.balance import balanced
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.routes.states import Seat
@@ -19,6 +19,10 @@ def outcome(document, **changes):
 
 def front(found):
     return found.result.bearings["front"]
+
+
+def test_the_names_are_those_of_the_corners():
+    assert NAMES == tuple(f"{journal} journal, {seat} seat, {oil} oil" for (journal, _), (seat, _), (oil, _) in CORNERS)
 
 
 def test_without_fits_the_band_is_it7_of_both(gamma_results):

@@ -135,7 +135,7 @@ def test_the_table_shows_what_the_harder_bearing_uses():
     assert len({name for name, _ in shown.columns}) == len(shown.columns)
     assert column(shown, "p used")["SnSb8Cu4"] == pytest.approx(20.0)  # 1.1 of 5.5 MPa, the front
     assert column(shown, "p·v used")["SnSb8Cu4"] == pytest.approx(55.0)  # 8.8 of 16 MPa·m/s, the rear
-    assert column(shown, "left")["AlSn20Cu"] == pytest.approx(-3.0) and column(shown, "p allowed")["AlSn20Cu"] is None
+    assert column(shown, "in reserve")["AlSn20Cu"] == pytest.approx(-3.0) and column(shown, "p allowed")["AlSn20Cu"] is None
 
 
 # --- references ---------------------------------------------------------------------------------------------------------

@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
@@ -43,6 +45,19 @@ def looked_up(S: Number) -> Number:
     for _ in range(3):
         S = S / 2
     return S
+
+
+@formula("δ", "a formula for this test", unit="µm")
+def gap(a: Metre, b: Metre) -> Metre:
+    return a - b
+
+
+HALF: Number = 0.5235987755982988
+
+
+@formula("w", "a formula for this test")
+def with_unit(u: Metre) -> Number:
+    return HALF * u / 1
 
 
 def only(call, *args, **kwargs):
@@ -123,3 +138,26 @@ def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
 ])  # fmt: skip
 def test_symbols(name, shown):
     assert symbol(name) == shown
+
+
+# --- numbers that give the result ----------------------------------------------------------------------------------------------
+def test_a_difference_shows_as_many_digits_as_its_result_needs():
+    assert line_text(only(gap, 0.0658080476, 0.0657517430))[1] == "= 0.065808 − 0.0657517 = 56.3 µm"
+    assert line_text(only(gap, 0.0658080476, 0.02))[1] == "= 0.06581 − 0.02 = 45810 µm"
+
+
+@given(a=st.floats(0.01, 1.0), b=st.floats(0.01, 1.0))
+def test_the_numbers_that_are_shown_give_the_result(a, b):
+    line = only(gap, a, b)
+    shown = expression.show(line)
+    left, right = (float(part.name) for part in shown.numbers.args)
+    assert left - right == pytest.approx(a - b, rel=5.1e-3) or abs(a - b) < 1e-8
+
+
+def test_numbers_of_an_array_are_those_of_the_element_that_governs():
+    line = only(gap, np.array([0.5, 0.0658080476, 0.2]), np.array([0.5, 0.0657517430, 0.2]))
+    assert line_text(line)[1].startswith("= 0.065808 − 0.0657517 = 56.3 µm")
+
+
+def test_constants_are_short_and_factors_of_one_are_left_out():
+    assert line_text(only(with_unit, 2.0))[:2] == ("w = 0.5236·u", "= 0.5236·2 = 1.047")
