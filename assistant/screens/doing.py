@@ -216,6 +216,7 @@ class Doing(DoingCurves, DoingFiles):
         from ..others import edit_text
 
         me, before = self._me, self.session.data
+        idle = isinstance(me.focused, Form)  # a letter was the key, and the next one shall be a key as well
         place = travel()
         if place is None:
             me.app.tell(nothing)
@@ -230,6 +231,8 @@ class Doing(DoingCurves, DoingFiles):
             await self.to_field(place)
             if (there := me.form.field) is not None:
                 there.rewrite()
+            if idle:
+                me.form.focus(scroll_visible=False)
 
     # --- mending and choosing
     def action_mend(self) -> None:

@@ -151,7 +151,7 @@ class DoingFiles(Part):
             return False
         if not self.session.valid:
             place, reason = next(iter(self.session.reasons().items()))
-            me.app.tell(f"No report and no export while the input is not valid: {'.'.join(map(str, place))} {reason}", "error")
+            me.app.tell(f"No report, export or replay while the input is not valid: {'.'.join(map(str, place))} {reason}", "error")
             return False
         return True
 
@@ -213,8 +213,7 @@ class DoingFiles(Part):
             me.app.tell(f"Every edit is recorded from here on; {me.app.shown_key('record')} once more ends it and writes a replay.")
             self._show_top()
             return
-        if me.app.writing:
-            self._can_write()
+        if not self._can_write():
             return
         from .save_dialog import RecordDialog
 

@@ -3,6 +3,7 @@
 
 from typing import ClassVar
 
+from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Size
 from textual.reactive import Reactive
@@ -40,6 +41,16 @@ class Entry(Input):
 
     def on_mount(self) -> None:
         self.virtual_size = Size(self.content_width, 1)
+
+    async def _on_key(self, event: events.Key) -> None:
+        """Keys that edit act at once and not when they have come back from all parents: those that were struck later would come first."""
+        own = () if event.is_printable else self._bindings.key_to_bindings.get(event.key, ())
+        for binding in own:
+            event.stop()
+            event.prevent_default()
+            await self.run_action(binding.action)
+        if not own:
+            await super()._on_key(event)
 
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""

@@ -95,3 +95,12 @@ async def test_keys_for_a_form_that_is_being_made(screen: Screen) -> None:
         await settled(pilot)
         await until(pilot, lambda: bool(work(pilot).form.stops()))
         assert isinstance(work(pilot).form, Form) and pilot.app._exception is None
+
+
+@pytest.mark.parametrize("keys", [("ctrl+u",), ("home", "ctrl+k"), ("end", *("backspace",) * 8)])
+async def test_what_deletes_comes_before_what_is_typed_after_it(screen: Screen, keys: tuple[str, ...]) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        burst(pilot, *keys, "1", "1", "3")
+        await settled(pilot)
+        assert isinstance(box, Input) and box.value == "113" and work(pilot).session.value("engine.bore_mm") == 113.0

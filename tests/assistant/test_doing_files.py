@@ -76,8 +76,10 @@ async def test_a_recorded_session_replays(screen: Screen, light: Session, tmp_pa
         await type_in(pilot, "2.5")
         await strike(pilot, "ctrl+z")
         await go_to(pilot, BORE)
-        await type_in(pilot, "0")  # not allowed: left out
+        await type_in(pilot, "0")  # not allowed
         await pilot.press("escape", "R")
+        await until(pilot, lambda: "No report, export or replay while the input is not valid" in told(pilot))
+        await pilot.press("u", "R")
         asked = await dialog(pilot)
         path = light.home.with_name("light-replay.toml")
         assert asked.query_one("#path", Input).value == str(path)
@@ -172,7 +174,7 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen
         await type_in(pilot, "0")
         await pilot.press("escape", "E")
         await pilot.pause()
-        assert "no export while the input is not valid" in told(pilot) and isinstance(pilot.app.screen, Workbench)
+        assert "No report, export or replay while the input is not valid" in told(pilot) and isinstance(pilot.app.screen, Workbench)
 
 
 @pytest.mark.slow

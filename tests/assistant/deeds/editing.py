@@ -16,7 +16,8 @@ async def undo(pilot: Pilot[int], do: Do) -> None:
     await do()
     await still(pilot)
     assert session.value(SHARE) == 0.5 and "[0.5      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
-    assert work(pilot).form.here() == session.place(SHARE)  # where it was taken back
+    form = work(pilot).form
+    assert form.last == session.place(SHARE) and pilot.app.focused is form  # no field had the focus: the next letter is a key again
     assert "Undone: " in told(pilot) and "0.4 → 0.5" in told(pilot)
 
 
