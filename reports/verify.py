@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from typing import Any
 
-from pypdf import PageObject, PdfReader
+from pypdf import PdfReader
 from pypdf.errors import DependencyError, PyPdfError
 
 from calc.compare import SAME, relative, size_of_nothing
@@ -21,40 +21,24 @@ from calc.version import VERSION
 
 from .attach import NAME, RESULTS, results_bytes
 from .context import DEPTHS
+from .likeness import Difference, about, annotations, attachments, pages, signs
 from .report import render
 
 logging.getLogger("pypdf").setLevel(logging.CRITICAL)  # what it finds wrong with a file is said once, by the error
 UNREADABLE = (
-    PyPdfError,
-    DependencyError,
-    NotImplementedError,
-    ValueError,
-    OSError,
-    KeyError,
-    IndexError,
-    TypeError,
-    AttributeError,
-    RecursionError,
-    AssertionError,
-)  # what a damaged or forged file makes the reader raise
-ALLOWED = ("Link", "Widget")  # annotations: those of the report, and the field of a signature
+    PyPdfError, DependencyError, NotImplementedError, ValueError, OSError, KeyError, IndexError, TypeError, AttributeError,
+    RecursionError, AssertionError,
+)  # what a damaged or forged file makes the reader raise  # fmt: skip
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
-
-
-@dataclass(frozen=True)
-class Difference:
-    """Something that is not as it was: a value, a verdict, the text of a page."""
-
-    what: str
-    was: str
-    now: str
+PARTS = ("steps", "checks", "values")  # of the results inside a report
 
 
 @dataclass(frozen=True)
 class Verification:
     """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that wrote it.
 
-    `same_bytes`: the file is, byte for byte, what this program writes.
+    `same_bytes`: the file is, byte for byte, what this program writes.  `signed`: the pages that carry the field of a signature; what
+    that shows is not the report's.
     """
 
     design: str
@@ -62,6 +46,7 @@ class Verification:
     changed: tuple[str, ...]
     differences: tuple[Difference, ...]
     same_bytes: bool
+    signed: tuple[int, ...] = ()
 
     @property
     def same_version(self) -> bool:
@@ -73,19 +58,19 @@ class Verification:
 
 
 def verify(raw: bytes, place: str) -> Verification:
-    """Solve the design that is attached to a report again, and compare values, verdicts and the text of the pages.
+    """Solve the design that is attached to a report again, and compare values, verdicts and pages.
 
-    `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose design this
-    version does not accept.
+    `place`: the name of the file, for messages.  A report of another version is compared in its texts, not in how they are drawn.
+    Raises BadInput for a file that is no report of this program, or whose design this version does not accept.
     """
     reader, said, attached = _read(raw, place)
     missing = [name for name in (NAME, RESULTS) if name not in attached]
     if missing:
         raise _refused(place, f"has no attachment {' and none '.join(missing)}; a report of this program has both")
     wanted = {NAME: said["sha256"], RESULTS: said["results"]}
-    changed = [name for name, sum in wanted.items() if [hashlib.sha256(one).hexdigest() for one in attached[name]] != [sum]]
+    changed = [name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}]
     changed += [name for name in attached if name not in wanted]
-    first = attached[NAME][0]
+    first = next((one for one in attached[NAME] if hashlib.sha256(one).hexdigest() == said["sha256"]), attached[NAME][0])
     document = parse(first, f"{place}: {NAME}")
     results = solve(design(document))
     try:
@@ -94,12 +79,15 @@ def verify(raw: bytes, place: str) -> Verification:
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise _refused(place, f"has an attachment {RESULTS} that can not be read; the report was damaged") from None
     again = render(document, results, first, depth=said["depth"], lang=said["lang"])
+    signed: list[int] = []
     if raw != again:
         try:
-            differences += _pages(reader, PdfReader(io.BytesIO(again)))
+            fresh = PdfReader(io.BytesIO(again))
+            differences += [*about(reader, fresh), *pages(reader, fresh, said["version"])]
+            signed = [n for n, page in enumerate(reader.pages, 1) if any(map(signs, annotations(page)))]
         except UNREADABLE as error:
             raise _refused(place, f"has pages that can not be read ({error}); the report was damaged") from None
-    return Verification(results.design.name, said["version"], tuple(changed), tuple(differences), raw == again)
+    return Verification(results.design.name, said["version"], tuple(changed), tuple(differences), raw == again, tuple(signed))
 
 
 def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, list[bytes]]]:
@@ -108,9 +96,8 @@ def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, 
         reader = PdfReader(io.BytesIO(raw))
         if reader.is_encrypted:
             raise _refused(place, "is encrypted; give the report as it was written")
-        about = reader.metadata
-        keywords = str(about.keywords or "") if about is not None else ""
-        attached = {name: list(contents) for name, contents in reader.attachments.items()}
+        keywords = str(reader.metadata.keywords or "") if reader.metadata is not None else ""
+        attached = attachments(reader)
     except UNREADABLE as error:
         raise _refused(place, f"can not be read as a PDF ({error}); give a report that `contralbero report` wrote") from None
     said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
@@ -132,7 +119,10 @@ def _values(before: dict[str, Any], now: dict[str, Any], results: Results) -> li
     found = []
     floors = {o.key: size_of_nothing((v.unit, v.shown) for v in o.values()) for o in results.outcomes.values()}
     units = {v.id: v.unit for o in results.outcomes.values() for v in o.values()}
-    for part, what in (("steps", "step"), ("checks", "check"), ("values", "value")):
+    if more := sorted(set(before) - set(PARTS)):
+        found.append(Difference(f"the attachment {RESULTS}", ", ".join(more), "nothing of that name"))
+    for part in PARTS:
+        what = part.removesuffix("s")
         for id in dict.fromkeys([*before[part], *now[part]]):
             was, is_now = (side[part].get(id, "–") for side in (before, now))
             floor = floors.get(id.partition(".")[0], {}).get(units.get(id, ""), 0.0)
@@ -143,31 +133,3 @@ def _values(before: dict[str, Any], now: dict[str, Any], results: Results) -> li
 
 def _near(a: Any, b: Any, floor: float) -> bool:
     return isinstance(a, float) and isinstance(b, float) and relative(a, b, floor) <= SAME
-
-
-def _pages(before: PdfReader, now: PdfReader) -> list[Difference]:
-    """The pages whose text or drawing is another one, and what was laid over them."""
-    if len(before.pages) != len(now.pages):
-        return [Difference("pages", str(len(before.pages)), str(len(now.pages)))]
-    found = []
-    for number, (old, new) in enumerate(zip(before.pages, now.pages), 1):
-        name = f"page {number}"
-        was, is_now = (page.extract_text().split() for page in (old, new))
-        if was != is_now:
-            first = next((n for n, (a, b) in enumerate(zip(was, is_now)) if a != b), min(len(was), len(is_now)))
-            found.append(Difference(name, *(" ".join(words[max(0, first - 3) : first + 4]) for words in (was, is_now))))
-        elif _drawn(old) != _drawn(new):
-            found.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
-        over = [kind for kind in _over(old) if kind not in ALLOWED]
-        found += [Difference(f"{name}, laid over it", kind, "nothing") for kind in over]
-    return found
-
-
-def _drawn(page: PageObject) -> bytes:
-    contents = page.get_contents()
-    return contents.get_data().strip() if contents is not None else b""
-
-
-def _over(page: PageObject) -> list[str]:
-    """What kinds of annotations stand on a page."""
-    return [str(one.get_object().get("/Subtype", "")).removeprefix("/") for one in page.get("/Annots") or []]

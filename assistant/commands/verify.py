@@ -19,17 +19,24 @@ def run(asked: Namespace) -> int:
         reason = f"cannot be read: {error.strerror or error}; give a report that `contralbero report` wrote"
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
     found = verify(raw, str(path))
-    print(f"{path}: {found.design}")
+
+    def say(text: str) -> None:
+        """What stands in the file may hold anything; a terminal must not obey it."""
+        print("".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text))
+
+    say(f"{path}: {found.design}")
     if not found.same_version:
-        print(f"written by version {found.version}; this is version {VERSION}, and what differs may come from that")
+        say(f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs may come from that")
     for name in found.changed:
-        print(f"the attachment {name} is not the one that the report was written with")
+        say(f"the attachment {name} is not the one that the report was written with")
     for one in found.differences[: MOST if not asked.all else None]:
-        print(f"{one.what}: {one.was} in the report, {one.now} now")
+        say(f"{one.what}: {one.was} in the report, {one.now} now")
     if not asked.all and len(found.differences) > MOST:
         print(f"and {len(found.differences) - MOST} more; --all lists them")
+    for number in found.signed:
+        print(f"page {number} carries the field of a signature; what that shows is not the report's")
     if not found.identical:
         print("differs")
         return 1
-    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and pages, written anew")
+    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and pages; other bytes")
     return 0

@@ -1,22 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """A report is checked against the design inside it."""
 
+import hashlib
 import io
 import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from random import Random
 
 import pytest
 from pypdf import PdfReader, PdfWriter
 from pypdf.annotations import FreeText
-from pypdf.generic import DecodedStreamObject, NameObject
+from pypdf.generic import ArrayObject, DecodedStreamObject, DictionaryObject, NameObject, NumberObject, StreamObject, TextStringObject
 
 from assistant.cli import main
 from calc.compare import compare
 from calc.sheet.errors import BadInput
+from reports import binding, summary
 from reports import verify as verifying
 from reports.attach import NAME, RESULTS
 from reports.comparison import render as compared
@@ -159,6 +162,109 @@ def test_what_is_laid_over_a_page_or_hidden_beside_the_design_is_found(made: byt
     writer.add_attachment("other.toml", b"x = 1")
     found = verify(written(writer), "x.pdf")
     assert found.changed == ("other.toml",) and not found.identical
+
+
+def forged(made: bytes, how: Callable[[PdfWriter], None]) -> list[str]:
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    how(writer)
+    found = verify(written(writer), "x.pdf")
+    return [*(f"attachment {name}" for name in found.changed), *(one.what for one in found.differences)]
+
+
+def painted(writer: PdfWriter) -> StreamObject:
+    """What an annotation may look like: a green field over everything."""
+    stream = DecodedStreamObject()
+    stream.set_data(b"0 1 0 rg 0 0 500 500 re f")
+    stream.update({NameObject("/Subtype"): NameObject("/Form"), NameObject("/BBox"): ArrayObject(map(NumberObject, (0, 0, 500, 500)))})
+    return writer._add_object(stream)
+
+
+def laid(writer: PdfWriter, **kind: str) -> DictionaryObject:
+    """An annotation on the first page that paints over it."""
+    one = DictionaryObject({NameObject("/Rect"): ArrayObject(map(NumberObject, (50, 600, 500, 700)))})
+    one.update({NameObject(f"/{key}"): NameObject(f"/{value}") for key, value in kind.items()})
+    one[NameObject("/AP")] = DictionaryObject({NameObject("/N"): painted(writer)})
+    page = writer.pages[0]
+    page[NameObject("/Annots")] = ArrayObject([*page.get("/Annots", []), writer._add_object(one)])
+    return one
+
+
+def another_font(writer: PdfWriter) -> None:
+    fonts = {one.idnum: one for page in writer.pages for one in page["/Resources"]["/Font"].values()}  # type: ignore[index]
+    file = next(iter(fonts.values())).get_object()["/FontDescriptor"]["/FontFile2"]  # type: ignore[index]
+    file.set_data(file.get_data()[:-4] + b"abcd")
+
+
+def another_file(writer: PdfWriter) -> None:
+    """A specification may name its file twice, and readers differ in which of them they take."""
+    names = writer._root_object["/Names"]["/EmbeddedFiles"]["/Names"]  # type: ignore[index]
+    specification = names[1].get_object()
+    raw = DecodedStreamObject()
+    raw.set_data(b"schema = 1")
+    specification["/EF"][NameObject("/F")] = writer._add_object(raw)
+
+
+def opened(writer: PdfWriter) -> None:
+    action = {NameObject("/S"): NameObject("/URI"), NameObject("/URI"): TextStringObject("https://example.org")}
+    writer._root_object[NameObject("/OpenAction")] = DictionaryObject(action)
+
+
+@pytest.mark.parametrize(
+    ("how", "what"),
+    [
+        (lambda w: w.pages[0].cropbox.__setitem__(3, NumberObject(400)), "page 1, what is drawn on it"),
+        (lambda w: w.pages[0].rotate(180), "page 1, what is drawn on it"),
+        (another_font, "page 1, what is drawn on it"),
+        (lambda w: laid(w, Subtype="Link"), "page 1, laid over it"),
+        (lambda w: laid(w, Subtype="Widget", FT="Btn"), "page 1, laid over it"),
+        (another_file, "attachment design.toml"),
+        (opened, "the document as a whole"),
+        (lambda w: w.add_metadata({"/Title": "all checks pass"}), "the document's title"),
+        (lambda w: w._root_object["/Names"].update({NameObject("/JavaScript"): DictionaryObject()}), "the document as a whole"),
+    ],
+    ids=["crop", "turn", "font", "link", "button", "file", "action", "title", "script"],
+)
+def test_what_a_reader_would_see_or_take_otherwise_is_found(made: bytes, how: Callable[[PdfWriter], None], what: str) -> None:
+    assert what in forged(made, how)
+    assert not forged(made, lambda writer: None), "a clone alone is no forgery"
+
+
+def test_a_signature_may_be_added_and_is_said(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    laid(writer, Subtype="Widget", FT="Sig")
+    path = tmp_path / "signed.pdf"
+    path.write_bytes(written(writer))
+    assert main(["verify", str(path)]) == 0
+    assert "page 1 carries the field of a signature" in capsys.readouterr().out
+
+
+def test_a_name_that_a_terminal_would_obey_is_written_out(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    writer.add_attachment("x\x1b[2K\ridentical\x1b[8m", b"1")
+    path = tmp_path / "x.pdf"
+    path.write_bytes(written(writer))
+    assert main(["verify", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert "\x1b" not in out and "\\x1b[2K" in out and out.endswith("differs\n")
+
+
+def test_more_than_results_in_the_results_is_found(made: bytes) -> None:
+    kept = json.loads(PdfReader(io.BytesIO(made)).attachments[RESULTS][0])
+    raw = json.dumps({**kept, "approved": "by everybody"}).encode()
+    about = str(PdfReader(io.BytesIO(made)).metadata.keywords)  # type: ignore[union-attr]
+    sums = [hashlib.sha256(one).hexdigest() for one in (PdfReader(io.BytesIO(made)).attachments[RESULTS][0], raw)]
+    found = verify(rewritten(made, {RESULTS: raw}, keywords=about.replace(*sums)), "x.pdf")
+    assert not found.changed and [one.was for one in found.differences] == ["approved"]
+
+
+def test_a_report_of_another_version_is_compared_by_its_texts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Its version stands at the foot of every page; that alone is no difference."""
+    with monkeypatch.context() as then:
+        for module in (binding, summary):
+            then.setattr(module, "PROGRAM", "Contralbero 0.0.9")
+        old = solved(V12).report("summary")
+    found = verify(old, "x.pdf")
+    assert found.version == "0.0.9" and not found.same_version and found.identical
 
 
 def test_a_line_drawn_otherwise_is_found(made: bytes) -> None:
