@@ -191,8 +191,7 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
         return 2
     encoding = (getattr(sys.stdout, "encoding", None) or "").lower().replace("-", "")
     settings = memory.settings()
-    if lang is not None and lang != settings.language:
-        memory.set_setting("language", lang)
+    if lang is not None:  # this time; the session's palette changes it for good
         settings = replace(settings, language=lang)
     app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), settings=settings)
     result = app.run()

@@ -148,7 +148,7 @@ def parser() -> argparse.ArgumentParser:
     session = commands.add_parser("session", help="the guided session (the same as no command)", description="The guided session.")
     session.add_argument("file", nargs="?")
     session.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")
-    session.add_argument("--lang", choices=("en", "it"), help="English or Italian (default: as last time)")
+    session.add_argument("--lang", choices=("en", "it"), help="English or Italian, this time (default: as set in the session)")
     return top
 
 

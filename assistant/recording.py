@@ -183,7 +183,7 @@ def expected(results: "Results") -> Iterator[dict[str, Any]]:
         yield {"check": id, "verdict": "fail"}
     values = results.values()
     for one in asked:
-        found = next((values[id] for id in one.headlines if id in values), None)
+        found = values.get(one.headline(values) or "")
         if found is not None and math.isfinite(found.shown):
             held = {"rel": REL} if abs(found.shown) > NOTHING else {"abs": NOTHING}
             yield {"value": found.id, "is": float(found.shown), "unit": found.unit, **held, "kind": "recorded"}

@@ -150,10 +150,18 @@ def _tables(value: Any) -> bool:
 
 
 # --- bytes --------------------------------------------------------------------------------------------------------------
+def spare(target: Path, *designs: str) -> None:
+    """Raises BadInput where a command was asked to write over a design that it reads."""
+    for design in designs:
+        with contextlib.suppress(OSError):
+            if target.samefile(design):
+                raise BadInput(str(target), [InputError(0, "", "", "is the design itself; give another name with -o")])
+
+
 def write_asked(path: Path, text: str) -> None:
     """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
     try:
-        write_atomic(path, text.encode("utf-8"))
+        _replace(path, text.encode("utf-8"), backup=True)
     except OSError as error:
         raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
 
@@ -163,6 +171,14 @@ def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
 
     With `backup` the old file is kept as `NAME.bak`.  A link is followed; the rights of the old file are kept.
     """
+    try:
+        _replace(path, data, backup)
+    except OSError as error:
+        place = os.path.realpath(path)
+        raise SaveError(f"{place} can not be written: {error.strerror or error}; save under another name (nothing was changed)") from None
+
+
+def _replace(path: Path, data: bytes, backup: bool) -> None:
     path = Path(os.path.realpath(path))
     draft = path.with_name(f".{path.name}.{os.getpid()}.new")
     with contextlib.suppress(OSError):
@@ -178,8 +194,6 @@ def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
             if backup:
                 _keep(path)
         os.replace(draft, path)
-    except OSError as error:
-        raise SaveError(f"{path} can not be written: {error.strerror or error}; save under another name (nothing was changed)") from None
     finally:
         with contextlib.suppress(OSError):
             draft.unlink(missing_ok=True)

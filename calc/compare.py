@@ -146,6 +146,16 @@ class Comparison:
     def checks_moved(self) -> tuple[CheckDifference, ...]:
         return tuple(c for c in self.checks if c.moved)
 
+    @property
+    def checks_lone(self) -> tuple[CheckDifference, ...]:
+        """Of one design only, in a step that both have, and not passed."""
+        return tuple(c for c in self.checks if not c.both and c.worse and c.step in self.steps_shared)
+
+    @property
+    def checks_kept(self) -> tuple[CheckDifference, ...]:
+        """Of both designs with the same verdict, at another value or limit."""
+        return tuple(c for c in self.checks if c.both and not c.moved)
+
 
 def compare(a: Any, b: Any, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""

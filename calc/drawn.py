@@ -24,7 +24,6 @@ def wheels(results: Results) -> Table | None:
     if train is None or gears is None:
         return None
     data = {name: dict(data_table(train, name, gears)) for name in train.wheels}
-    labels = list(dict.fromkeys(label for rows in data.values() for label in rows))
-    labels.sort(key=lambda label: label in ("Accuracy grade (ISO 1328-1)", "Profile"))  # those that all have stand last
-    rows = tuple((label, *(rows.get(label, "–") for rows in data.values())) for label in labels if label != "Profile")
+    labels = dict.fromkeys(label for rows in data.values() for label in rows)
+    rows = tuple((label, *(rows.get(label, "–").replace("-", "−") for rows in data.values())) for label in labels)
     return Table("drawing_data", "Data of the wheels, lengths in mm", (("", ""), *((name, "") for name in data)), rows)

@@ -96,15 +96,18 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
     def sign(verdict: str) -> str:
         return f"{SIGNS[verdict]} {w[verdict]}"
 
+    def _named(said: Table, table: Table) -> Table:
+        """The columns of the two designs are called by their names, whatever words these are."""
+        heads = {**{name: name for name in names}, **{f"Margin, {name}": f"{say('Margin')}, {name}" for name in names}}
+        columns = tuple((heads.get(was, label), unit) for (was, _), (label, unit) in zip(table.columns, said.columns))
+        return replace(said, columns=columns)
+
     def section(key: str, tables: list[Table]) -> list[Block]:
-        tables = [_said_inputs(t, say) if t.id == "inputs" else said_table(t, say) for t in tables if t.rows]
+        tables = [_named(_said_inputs(t, say) if t.id == "inputs" else said_table(t, say), t) for t in tables if t.rows]
         if not tables:
             return []
         return heading(w[key], HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
 
-    moved = found.checks_moved
-    lone = [d for d in found.checks if not d.both and d.worse and d.step in found.steps_shared]
-    rest = [d for d in found.checks if d.both and d not in moved]
     values = []
     for step in STEPS:
         of_step = [d for d in found.values if d.step == step.key and d.both]
@@ -114,9 +117,9 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
     made = section("inputs", [replace(input_table(found.inputs, names, ids=False), title="")])
     made += section("verdicts", [replace(verdict_table(found, names, sign), title="")])
     made += section("checks", [
-        replace(check_table(moved, names, sign, ids=False), title=w["moved"]),
-        replace(check_table(lone, names, sign, ids=False), title=w["lone"]),
-        replace(check_table(rest, names, sign, ids=False), title=w["kept"]),
+        replace(check_table(found.checks_moved, names, sign, ids=False), title=w["moved"]),
+        replace(check_table(found.checks_lone, names, sign, ids=False), title=w["lone"]),
+        replace(check_table(found.checks_kept, names, sign, ids=False), title=w["kept"]),
     ])  # fmt: skip
     made += section("results", values)
     lone_values, lone_checks = any(not d.both for d in found.values), any(not d.both for d in found.checks)

@@ -96,6 +96,10 @@ class Context:
         said = self.say(address)
         return said if said != address else self.say(words)
 
+    def holds_all(self, outcome: Outcome) -> bool:
+        """Whether all curves and tables of a step stand in the report."""
+        return self.audit or (len(outcome.curves) <= CURVES and outcome.further is None)
+
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
         """The curves of a step with their numbers: all of them for an audit, else the first two."""
         curves = curves if self.audit else curves[:CURVES]
@@ -113,7 +117,7 @@ def _deciding(results: Results) -> Deciding:
     """The formulas, each with its step and variants, that lead to the values which stand for the steps, to the limit that each step
     comes closest to (where it has none, to the advice), and to whatever fails."""
     chains = Chains(results)
-    values = {id for step in STEPS for id in [i for i in step.headlines if i in chains.values][:1]}
+    values = {id for step in STEPS if (id := step.headline(chains.values)) is not None}
     for outcome in results.outcomes.values():
         limits = [check for check in outcome.checks if check.kind != "advice"] or outcome.checks
         judged = [*sorted(limits, key=severity)[:1], *(check for check in limits if check.verdict == "fail")]

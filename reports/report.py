@@ -31,7 +31,7 @@ from .index import index_blocks
 from .inputs import input_blocks, material_blocks
 from .letters import FACES, widths
 from .plots import Plots
-from .prose import BODY, HEADING, SECTION, lines
+from .prose import BODY, HEADING, NOTE, SECTION, lines
 from .summary import NOTE_LINES, step_anchor, summary_blocks
 from .values import table_blocks, value_blocks
 from .words import verdict
@@ -127,6 +127,11 @@ def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> l
     return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
+def _further(context: Context, outcome: Outcome) -> list[Block]:
+    """That there is more, where there is."""
+    return [] if context.holds_all(outcome) else paragraph(context.words["further"], NOTE, gap=3.0)
+
+
 def _step(
     context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots, progress: Progress | None
 ) -> list[Block]:
@@ -155,7 +160,7 @@ def _step(
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
         ("checks", lambda: check_blocks(context, outcome.checks)),
-        ("figures", lambda: figure_blocks(context.number(outcome.curves), w["figure"], plots)),
+        ("figures", lambda: figure_blocks(context.number(outcome.curves), w["figure"], plots) + _further(context, outcome)),
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )
     for n, (key, make) in enumerate(parts):

@@ -48,15 +48,16 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
         prefix, _, name = value.id.removeprefix(f"{outcome.key}.").rpartition(".")
         parts.setdefault(prefix, _Part(prefix, ", ".join(context.belongs(value.id)))).values[name] = value
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]
+    zero = [p.name for p in nothing]
     made: list[Block] = []
     for cluster in _clusters(p for p in parts.values() if p not in nothing):
         if len(cluster) == 1:
             made += _single(context, cluster[0])
         else:
             for start in range(0, len(cluster), ACROSS):
-                made += _beside(context, cluster[start : start + ACROSS])
-    if nothing:
-        made += paragraph(context.words["zero_values"].format(names="; ".join(p.name for p in nothing)), NOTE, gap=3.0)
+                made += _beside(context, cluster[start : start + ACROSS], zero)
+    if zero:
+        made += paragraph(context.words["zero_values"].format(names=" · ".join(dict.fromkeys(zero))), NOTE, gap=3.0)
     return made
 
 
@@ -98,7 +99,8 @@ def _single(context: Context, part: _Part) -> list[Block]:
     return named_table(part.name[:1].upper() + part.name[1:], columns, rows)
 
 
-def _beside(context: Context, parts: list[_Part]) -> list[Block]:
+def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:
+    """`zero`: takes the names of what is zero in all of these parts."""
     w = context.words
     all_values: dict[str, Published] = {}
     for part in parts:
@@ -110,6 +112,7 @@ def _beside(context: Context, parts: list[_Part]) -> list[Block]:
     for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
         cells = [short(p.values[name].shown) if name in p.values else "–" for p in parts]
         if not context.audit and all(c in ("0", "–") for c in cells):
+            zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
             continue
         rows.append((cell, _symbol(value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []

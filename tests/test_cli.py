@@ -461,3 +461,13 @@ def test_explain_says_what_is_a_check_and_what_has_no_solution():
     small = DESIGNS / "r753ie4_sized.toml"
     done = run("check", small, "--set", "countershaft.outer_radius_mm=38", "--step", "countershaft")
     assert done.returncode == 3 and "the journals as they are leave an outer radius of 43 mm" in done.stdout
+
+
+@pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])
+def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
+    path = tmp_path / "mine.json"
+    raw = (ROOT / "designs" / "r753ie4_gamma.toml").read_bytes()
+    path.write_bytes(raw)
+    made = run(*(part.format(path) for part in command), "-o", path)
+    assert made.returncode == 2 and "is the design itself; give another name with -o" in made.stderr
+    assert path.read_bytes() == raw

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from assistant.plain import finite, sign, table_lines
+from assistant.saving import spare
 from calc.compare import EQUAL, SAME, CheckDifference, Comparison, ValueDifference, compare
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
@@ -41,6 +42,7 @@ def run(asked: Namespace) -> int:
     sides = ((a, solve(made_a)), (b, solve(made_b)))
     found = compare(a.data, b.data, sides[0][1], sides[1][1])
     if asked.output:
+        spare(Path(asked.output), asked.a, asked.b)
         return _write(sides, found, Path(asked.output), asked.lang)
     if asked.json:
         import json
@@ -110,11 +112,10 @@ def _summary(found: Comparison) -> Iterator[str]:
 def _checks(found: Comparison, names: Names, everything: bool) -> Iterator[str]:
     """Those whose verdict moved; then, in the steps that both have, what fails or warns in one design only."""
     moved = found.checks_moved
-    lone = tuple(d for d in found.checks if not d.both and d.worse and d.step in found.steps_shared)
     if everything:
         tables = [("Checks that differ", found.checks)]
     else:
-        tables = [("Checks whose verdict moved", moved), ("Checks of one design only that do not pass", lone)]
+        tables = [("Checks whose verdict moved", moved), ("Checks of one design only that do not pass", found.checks_lone)]
     shown: set[str] = set()
     for title, rows in tables:
         if rows:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from assistant.exporting import KINDS, drawing_text, draws_gears, exported, gears_text
 from assistant.plain import print_summary
-from assistant.saving import write_asked
+from assistant.saving import spare, write_asked
 from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.solve import Results, solve
@@ -27,6 +27,7 @@ def run(asked: Namespace) -> int:
         raise BadInput("contralbero export", wrong)
     results = solve(made)
     text = _drawing(asked, document, results) if kind == "dxf" else exported(kind, document, results)
+    spare(target, asked.file)
     write_asked(target, text)
     print_summary(results)
     print(f"\n{target}")

@@ -6,25 +6,29 @@ from argparse import Namespace
 from pathlib import Path
 
 from assistant.plain import print_summary
+from assistant.saving import spare
 from calc.design_file import design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.solve import solve
 
 
 def run(asked: Namespace) -> int:
-    gc.disable()  # the process ends with the report; looking for garbage took a tenth of it
     source = Path(asked.file)
     document = read(source)
-    results = solve(design(document))
     target = Path(asked.output) if asked.output else Path(source.stem + ".pdf")
-    from reports.report import write
-
+    spare(target, asked.file)
+    gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made
     try:
-        write(document, results, source.read_bytes(), target, depth=asked.depth, lang=asked.lang)
+        results = solve(design(document))
+        from reports.report import write
+
+        write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
     except OSError as error:
         raise BadInput(
             str(target), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place with -o")]
         ) from None
+    finally:
+        gc.enable()
     print_summary(results)
     print(f"\n{target}")
     return 0

@@ -102,8 +102,7 @@ class ComparisonList(ItemList):
         lone = [d for d in found.checks if not d.both and d.worse]
         if lone:
             parts.append(self._checks(f"{len(lone)} checks stand in one design only, and do not pass", lone, roomy))
-        rest = [d for d in found.checks if d.both and not d.moved]
-        if rest:
+        if rest := found.checks_kept:
             parts.append(self._checks(f"{len(rest)} checks keep their verdict at another value or limit", rest, roomy))
         lone = [d for d in found.checks if not d.both and not d.worse]
         if lone:

@@ -13,7 +13,6 @@ from .item_list import Item, ItemList
 from .signs import Signs
 from .wrap import fit
 
-HEADLINES = {step.key: step.headlines for step in STEPS}
 NUMBERS = {step.title: n for n, step in enumerate(STEPS, 1)}
 
 
@@ -32,9 +31,10 @@ def headline(session: Session, key: str, say: Language) -> str:
     if outcome.state == "no_solution":
         return say("no solution")
     values = session.values()
-    found = next((values[id] for id in HEADLINES[key] if id in values), None)
-    if found is None:
+    step = next(step for step in STEPS if step.key == key)
+    if (id := step.headline(values)) is None:
         return ""
+    found = values[id]
     return f"{plain(found.symbol) + ' ' if found.symbol else ''}{short(found.shown, 3)} {found.unit}".rstrip()
 
 

@@ -2,7 +2,7 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Container, Iterator
 from dataclasses import replace
 from functools import cached_property
 from typing import Any
@@ -23,6 +23,10 @@ class Step:
     title: str
     inputs: type
     headlines: tuple[str, ...] = ()
+
+    def headline(self, values: Container[str]) -> str | None:
+        """The value that stands for the step, of those that there are."""
+        return next((id for id in self.headlines if id in values), None)
 
 
 @record

@@ -21,7 +21,7 @@ from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]
 # what speaks English only: the commands, and what they alone use
-ENGLISH = ("calc/validate.py", "calc/sweep.py", "calc/replay.py", "calc/oils.py", "calc/version.py", "calc/languages/", "reports/verify.py", "assistant/commands/",
+ENGLISH = ("calc/validate.py", "calc/sweep.py", "calc/replay.py", "calc/oils.py", "calc/version.py", "calc/languages/", "reports/verify.py", "reports/likeness.py", "assistant/commands/",
            "assistant/cli.py", "assistant/plain.py")  # fmt: skip
 # calls whose words nobody sees: names of things, patterns, formats
 SILENT = set(

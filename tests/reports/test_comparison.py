@@ -64,3 +64,10 @@ def test_the_command_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert str(path) in capsys.readouterr().out and path.read_bytes().startswith(b"%PDF-1.7")
     assert main(["compare", str(BETA), str(EXAMPLE), "-o", str(tmp_path / "none" / "c.pdf")]) == 2
     assert "cannot be written" in capsys.readouterr().err
+
+
+def test_designs_with_names_that_are_words_keep_them(sides: tuple[Solved, Solved]) -> None:
+    """`front` and `rear` are words of the program; as names of files they are the user's."""
+    (a, b), names = sides, ("front", "rear")
+    read = squeezed(text_of(render((a.document, a.results), (b.document, b.results), found(a, b), names, lang="it")))
+    assert squeezed("Margine, front Margine, rear") in read and squeezed("anteriore posteriore") not in read

@@ -38,7 +38,7 @@ def wheel_drawing(
     made += _circles(wheel, working_circles(train.meshes, name), 0j)
     h = LETTER * wheel.tip_diameter
     left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
-    rows = data_table(train, name, gears)
+    rows = (*data_table(train, name, gears), ("Profile", "transverse section, without allowance; MAX, MIN: at its ends"))
     made.append(Words("TEXT", (left, top), f"{title}: {name}" if title else name, 1.6 * h))
     for i, (label, said) in enumerate(rows):
         y = top - (3 + 1.8 * i) * h
@@ -145,11 +145,10 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
         ("Root diameter d_f", _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
         ("Form diameter d_Ff", _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
     ]  # fmt: skip
-    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in working_circles(train.meshes, name)]
-    rows += _measures(known)
     if gears is not None:
         rows.append(("Accuracy grade (ISO 1328-1)", str(gears.accuracy_grade)))
-    return (*rows, ("Profile", "transverse section, without allowance; MAX, MIN: at its ends"))
+    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in working_circles(train.meshes, name)]
+    return (*rows, *_measures(known))
 
 
 def _measures(known: Mapping[str, Published]) -> list[tuple[str, str]]:
