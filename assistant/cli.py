@@ -49,7 +49,7 @@ class Help(argparse.HelpFormatter):
 def parser() -> argparse.ArgumentParser:
     top = argparse.ArgumentParser(
         prog="contralbero", description=ABOUT, formatter_class=Help,
-        epilog="contralbero COMMAND --help tells more. contralbero [FILE] opens the guided session.",
+        epilog="contralbero COMMAND --help tells more. contralbero [FILE] [--lang en|it] [--ascii] opens the guided session.",
     )  # fmt: skip
     top.add_argument("--version", action="version", version=f"contralbero {VERSION}")
     commands = top.add_subparsers(dest="command", metavar="COMMAND", title="commands", prog="contralbero")  # saves formatting it
@@ -149,16 +149,32 @@ def parser() -> argparse.ArgumentParser:
     session.add_argument("file", nargs="?")
     session.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")
     session.add_argument("--lang", choices=("en", "it"), help="English or Italian, this time (default: as set in the session)")
+    for command in commands.choices.values():
+        command.set_defaults(error=command.error)  # says how this command is used
     return top
+
+
+def _meant(word: str | None) -> str | None:
+    """The command that a word comes close to, which is none, and no file either."""
+    if word is None or os.path.exists(word):
+        return None
+    from difflib import get_close_matches
+
+    return next(iter(get_close_matches(word, COMMANDS, 1)), None)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     first = next((a for a in given if not a.startswith("-")), None)
     if not {"-h", "--help", "--version"} & set(given[:1]) and first not in (*COMMANDS, "session"):
+        if (meant := _meant(first)) is not None:
+            print(f"contralbero: {first}: is neither a command nor a file; did you mean {meant}?", file=sys.stderr)
+            return 2
         given = ["session", *given]  # no command: the guided session
     try:
-        asked = parser().parse_args(given)
+        asked, unknown = parser().parse_known_args(given)
+        if unknown:
+            asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
         return int(import_module(f"assistant.commands.{asked.command}").run(asked))
     except SystemExit as usage:
         return int(usage.code or 0)

@@ -82,12 +82,15 @@ def parse(raw: bytes, place: str) -> Document:
     except tomllib.TOMLDecodeError as error:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
-        raise refuse(f"is not TOML: {re.sub(r' *[(]at .*[)]', '', str(error))}", line) from None
+        comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
+        hint = f"; decimals are written with a point: {comma[0].replace(',', '.')}" if comma else ""
+        raise refuse(f"is not TOML: {re.sub(r' *[(]at .*[)]', '', str(error))}{hint}", line) from None
     except (RecursionError, ValueError) as error:
         raise refuse("is not a design: " + ("nested too deeply" if isinstance(error, RecursionError) else str(error))) from None
     return Document(data, place, key_lines(text), raw)
 
 
+COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
 HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(?:#.*)?\Z")
 ASSIGNMENT = re.compile(r"""\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=""")
 
@@ -111,7 +114,7 @@ def key_lines(text: str) -> dict[str, int]:
                     counts[prefix] = counts.get(prefix, -1) + 1
                 if prefix in counts:
                     prefix = f"{prefix}.{counts[prefix]}"
-            lines.setdefault(prefix, number)
+                lines.setdefault(prefix, number)
             continue
         if depth == 0 and (assignment := ASSIGNMENT.match(line)):
             key = ".".join(p.strip().strip("\"'") for p in assignment[1].split("."))
@@ -195,7 +198,8 @@ class _Reader:
     def number(self, about: Quantity, value: Any, key: str) -> Any:
         whole = about.kind in ("integer", "integers")
         if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
-            return self.error(key, value, f"must be {about.allowed()}", "number")
+            point = f"; write {value.replace(',', '.')}" if isinstance(value, str) and COMMA.fullmatch(value) else ""
+            return self.error(key, value, f"must be {about.allowed()}{point}", "number")
         if abs(value) > 1e300 or not math.isfinite(value):
             return self.error(key, value, f"must be {about.allowed()}, and finite", "number")
         low, high, above = about.low, about.high, about.above
