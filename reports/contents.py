@@ -4,8 +4,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from calc.publications import full
 
 from .boxes import FAINT, Box, text
 from .context import Context
@@ -23,6 +26,7 @@ PARTS = WIDTH - TITLE - 6.0 - 22.0  # of all parts
 PUBLICATION = re.compile(
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and | e )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
     r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|JIS|SAE|UNI)(?:/(?:TR|TS))?[ -](?:ISO |EN )?[A-Z]?\d+(?:-[A-Z]?\d+)*(?::\d{4})?"
+    r"|gear friction thesis|tesi sull'attrito degli ingranaggi"
 )
 
 
@@ -91,7 +95,8 @@ def source_blocks(context: Context) -> list[Block]:
     made = paragraph(w["sources_note"] if context.audit else f"{w['sources_note']} {w['sources_rest']}", NOTE, gap=1.0)
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
     rows: list[Row] = [
-        (Cell(name, under=("; ".join(clauses), NOTE)), Cell(", ".join(users), NOTE)) for name, (clauses, users) in sorted(published.items())
+        (Cell(name, under=(_what(name, clauses), NOTE)), Cell(", ".join(users), NOTE))
+        for name, (clauses, users) in sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
     ]
     made += table(columns, rows, gap=3.0) if rows else []
     if own:
@@ -99,3 +104,14 @@ def source_blocks(context: Context) -> list[Block]:
         columns = (Column(w["used_in"], width=110.0), Column(w["source"]))
         made += table(columns, [(steps, Cell("; ".join(sources), NOTE)) for steps, sources in own.items()], gap=2.0)
     return made
+
+
+def _what(name: str, clauses: Iterable[str]) -> str:
+    """What a publication is, and its clauses; what several of them begin with stands once."""
+    together: dict[str, list[str]] = {}
+    for clause in clauses:
+        head, mark, rest = clause.partition(": ")
+        together.setdefault(head + mark, []).append(rest) if mark else together.setdefault(clause, [""])
+    known = full(name.replace(" e ", " and "))
+    said = "; ".join(head + "; ".join(rests) for head, rests in together.items())
+    return f"{known}. {said}" if known and said else known or said

@@ -94,6 +94,11 @@ def natural(cell: Cell, column: Column) -> float:
     return max(own + (5.0 if column.align == "r" else 0.0), under)
 
 
+def _longest(cell: Cell, column: Column) -> float:
+    """The width of the longest word of a cell."""
+    return max((run(word, cell.style or column.style).width for word in cell.words.split()), default=0.0)
+
+
 def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> list[float]:
     fixed = sum(c.width or 0.0 for c in columns)
     free = width - GAP * (len(columns) - 1) - fixed
@@ -107,9 +112,14 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
             need[i] = max([14.0, _header_width(column.header), *(natural(_cell(r[i]), column) for r in rows if not isinstance(r, Group))])
     total = sum(need.values())
     if total > free:
-        # Narrow columns keep what they need; the wide ones share the rest.
-        fair = _fair(list(need.values()), free)
-        need = {i: min(n, fair) for i, n in need.items()}
+        # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word, if there is room.
+        words = {
+            i: min(n, max((_longest(_cell(r[i]), columns[i]) for r in rows if not isinstance(r, Group)), default=0.0))
+            for i, n in need.items()
+        }
+        whole = words if sum(words.values()) <= free else dict.fromkeys(need, 0.0)
+        fair = _fair([n - whole[i] for i, n in need.items()], free - sum(whole.values()))
+        need = {i: whole[i] + min(n - whole[i], fair) for i, n in need.items()}
     elif need:
         widest = max(need, key=lambda i: need[i])
         if columns[widest].align == "l":

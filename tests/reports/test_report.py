@@ -3,12 +3,14 @@
 
 import io
 import re
+import tomllib
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 from pypdf import PdfReader
 
+from calc import publications
 from calc.explain import Chains, behind
 from calc.languages import language
 from calc.sheet.check import Check
@@ -209,6 +211,15 @@ def test_nothing_overlaps(depth: str, request: pytest.FixtureRequest) -> None:
                 assert y2 >= top or top2 <= y or end2 <= x2, f"page {page + 1}: {(x, y, end, top)} and {(x2, y2, end2, top2)}"
 
 
+def without_titles(line: str) -> str:
+    """A line without what it holds of the title of a publication: three words of one that follow each other."""
+    words = line.split()
+    titles = [title.split() for title in tomllib.loads(publications.TABLE.read_text(encoding="utf-8"))["full"].values()]
+    threes = {tuple(word.strip(".,") for word in title[n : n + 3]) for title in titles for n in range(len(title) - 2)}
+    held = {n + k for n in range(len(words) - 2) for k in range(3) if tuple(word.strip(".,") for word in words[n : n + 3]) in threes}
+    return " ".join(word for n, word in enumerate(words) if n not in held)
+
+
 def test_the_italian_report_says_the_same_in_italian(example: Solved, engineer: bytes, relazione: bytes) -> None:
     """The same verdicts and numbers; and no English sentence but what the design file says, symbols and titles of books."""
     english, italian = text_of(engineer), text_of(relazione)
@@ -226,7 +237,7 @@ def test_the_italian_report_says_the_same_in_italian(example: Solved, engineer: 
         assert english.count(sign) == italian.count(sign) > 0
     symbols, simboli = (set(re.findall(r"^[^\s:=]+(?= = )", spoken(pdf), re.M)) for pdf in (engineer, relazione))
     assert symbols == simboli and len(symbols) > 60
-    left = [line for line in italian.splitlines() if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1]
+    left = [line for line in map(without_titles, italian.splitlines()) if len(re.findall(r"\b(the|of|with|and|is|for|which)\b", line)) > 1]
     allowed = ("The source's final design", "shear coefficient", "film at the edge", "Schlenk, Niemann and Winter")
     design = example.results.design
     quoted = squeezed(" ".join(entry.source for entry in (*design.oils.values(), *design.materials.values())))

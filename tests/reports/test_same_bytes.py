@@ -71,6 +71,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.drawn",
         "calc.explain",
         "calc.languages",
+        "calc.publications",
         "calc.solve",
         "calc.version",
     )
