@@ -18,6 +18,7 @@ LEAVING: tuple[Binding, ...] = (
     Binding("down", "screen.down", "Next field", show=False, priority=True),
     Binding("up", "screen.up", "Previous field", show=False, priority=True),
 )
+EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
 
 class Entry(Input):
@@ -44,13 +45,13 @@ class Entry(Input):
 
     async def _on_key(self, event: events.Key) -> None:
         """Keys that edit act at once and not when they have come back from all parents: those that were struck later would come first."""
-        own = () if event.is_printable else self._bindings.key_to_bindings.get(event.key, ())
-        for binding in own:
-            event.stop()
-            event.prevent_default()
-            await self.run_action(binding.action)
-        if not own:
+        action = EDITS.get(event.key)
+        if action is None or event.is_printable:
             await super()._on_key(event)
+            return
+        event.stop()
+        event.prevent_default()
+        await self.run_action(action)
 
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""

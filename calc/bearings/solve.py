@@ -12,7 +12,7 @@ from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..fits import deviations, parse
 from ..lubricant import Lubricant
-from ..sheet.check import Check
+from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
 from ..sheet.trace import about, trace
@@ -62,6 +62,7 @@ def solve(
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
             tables += [routes_table(place, results[place].side), corners_table(place, results[place].corners, bearings)]
     found = tuple(c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r)))
+    found += tuple(_slopes_given(bearings, shaft))
     surface = bearings.bush_material or bearings.housing_material
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     tables.append(bushes_table(runs, surface))
@@ -118,6 +119,19 @@ def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None)
     if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
         return 0.0
     return (shaft.slope_front, shaft.slope_rear)[at]
+
+
+def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Iterator[Check]:
+    """Slopes that are given, held against those of the shaft as this design bends it."""
+    if inputs.slope is None or shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
+        return
+    for place, at, bent in (("front", 0, shaft.slope_front), ("rear", -1, shaft.slope_rear)):
+        if bent is not inputs.slope[at]:  # where nothing bends, the shaft has them from here
+            yield check(
+                f"bearings.{place}.slope_given", f"Slope as given, {place}, against that of the shaft's bending", inputs.slope[at], ">=",
+                bent, "mrad", "bending of the stepped shaft, with the stiffness share of its sectors",
+                "Take out bearings.slope_mrad: the slope is then that of the bending, and the film at the edge follows it.", kind="advice",
+            )  # fmt: skip
 
 
 def _duty(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> Duty:

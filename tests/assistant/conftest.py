@@ -27,9 +27,11 @@ async def _wait_for_screen(self: Pilot[int], timeout: float = 30.0) -> bool:
     """Wait until nobody has a message left.  Textual's own way sends one to each of the hundreds of widgets, which took longer than the
     tests themselves."""
     app, end, calm = self.app, time.perf_counter() + timeout, 0
-    handled = asyncio.Event()
-    app.call_later(app.screen.call_later, handled.set)  # what either of them is at is done then
+    handled, asked = asyncio.Event(), None
     while calm < 3 or not handled.is_set():
+        if asked is not app.screen:  # one that is closed in the meantime does not answer
+            asked = app.screen
+            app.call_later(asked.call_later, handled.set)  # what either of them is at is done then
         if app._exception is not None or not app.is_running:
             return False
         if time.perf_counter() > end:
