@@ -14,7 +14,7 @@ os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is impo
 from textual.app import App, SystemCommand
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
-from textual.command import CommandPalette
+from textual.command import CommandList, CommandPalette
 from textual.screen import Screen
 
 from calc.languages import LANGUAGES, language
@@ -35,6 +35,14 @@ def _palette() -> Any:
 
 
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
+
+
+class Search(CommandPalette):
+    """The palette; its list may be asked to turn a page before it has a place on the screen, and would fail."""
+
+    def _action_command_list(self, command: str) -> None:
+        if self.query_one(CommandList).size.height:
+            super()._action_command_list(command)
 
 
 class ContralberoApp(App[int]):
@@ -132,12 +140,12 @@ class ContralberoApp(App[int]):
     def action_command_palette(self) -> None:
         """The palette, asking in the user's language."""
         if not isinstance(self.screen, CommandPalette):
-            self.push_screen(CommandPalette(placeholder=self.say("Search for commands…"), id="--command-palette"))
+            self.push_screen(Search(placeholder=self.say("Search for commands…"), id="--command-palette"))
 
     def search_themes(self) -> None:
         from textual.theme import ThemeProvider
 
-        self.push_screen(CommandPalette([ThemeProvider], placeholder=self.say("Search for themes…")))
+        self.push_screen(Search([ThemeProvider], placeholder=self.say("Search for themes…")))
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         say = self.say

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich.segment import Segment
+from textual import events
 from textual.app import ComposeResult
 from textual.containers import Grid
 from textual.content import Content
@@ -96,6 +97,10 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.reading: Reading | None = None
         self._taken: dict[Cell, tuple[str, str]] = {}  # character and colour of the cells that series run through
         self._shown: tuple[Sight, Signs] | None = None
+
+    def on_mount(self, event: events.Mount | None = None) -> None:
+        if event is not None and not self.query(Grid):  # the end of the program came before its parts
+            event.prevent_default()
 
     def compose(self) -> ComposeResult:
         with Grid():

@@ -104,3 +104,12 @@ async def test_what_deletes_comes_before_what_is_typed_after_it(screen: Screen, 
         burst(pilot, *keys, "1", "1", "3")
         await settled(pilot)
         assert isinstance(box, Input) and box.value == "113" and work(pilot).session.value("engine.bore_mm") == 113.0
+
+
+async def test_the_palette_is_paged_before_its_list_has_a_place(screen: Screen) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "ctrl+p")
+        await until(pilot, lambda: isinstance(pilot.app.screen, CommandPalette))
+        burst(pilot, "f", "i", "pagedown", "backspace", "pagedown", "pageup", "end")
+        await pilot.pause()
+        assert pilot.app.is_running and pilot.app._exception is None

@@ -120,7 +120,7 @@ async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen
             for pane in panes:
                 here = pane.id == work(pilot).pane
                 assert pane.title.styles.text_style.bold is (True if here else None), pane.id
-            return [str(pane.id) for pane in panes if str(pane.title.render())[0] == (">" if ascii else "▸")]
+            return [str(pane.id) for pane in panes if str(pane.title.render())[:1] == (">" if ascii else "▸")]
 
         for key in ("f6", "f6", "f6", "f6", "escape"):
             await strike(pilot, key)
