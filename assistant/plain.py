@@ -111,8 +111,9 @@ def print_summary(results: Results, step: str | None = None) -> None:
         if found:
             print()
         for check in found:
-            needs = f"{short(check.value)} {check.unit}".rstrip() + f", needs {check.limit_text()} ({check.margin_text()})"
-            print(f"{sign(verdict)}  {check.name}: {needs}. {check.advice}".rstrip())
+            value = f"{short(check.value)} {check.unit}".rstrip()
+            needs = f"{'only just' if check.narrow else 'needs'} {check.limit_text()} ({check.margin_text()})"
+            print(f"{sign(verdict)}  {check.name}: {value}, {needs}. {check.advice}".rstrip())
             if verdict == "fail":
                 print(f"        {check.id} · {check.source}")
 

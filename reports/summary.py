@@ -40,6 +40,8 @@ def summary_blocks(context: Context) -> list[Block]:
     if attention := attention_blocks(context, results.checks()):
         above += heading(w["attention"], SECTION, gap=11.0, after=0.0)
         above += attention
+    if results.verdict == "fail":
+        above += paragraph(w["nearest"], NOTE, gap=4.0)
     below: list[Block] = []
     errata = [e for _, _, outcome in context.steps() for e in outcome.errata]
     if errata:

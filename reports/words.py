@@ -28,6 +28,8 @@ WORDS = {
     "zero_lines": "Lines whose value is exactly zero are left out here; the audit report has every line.",
     "resting": "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {count} more lines "
     "stand in the audit report.",
+    "nearest": "`contralbero check` ends with the nearest design that passes, as a command with all that it changes; in the session F5 "
+    "applies it.",
     "further": "Further figures and tables of this step stand in the audit report.",
     "zero_values": "Zero throughout, not shown: {names}.",
     "more": "and {count} more, in the audit report", "others": "further: {values}",

@@ -84,7 +84,7 @@ class MessageLine(Widget):
         say = self.app.say
         advice = say(check.advice)
         advice = f". {advice}" if advice else ""
-        needs = say("should be") if check.kind == "advice" else say("needs")
+        needs = say("only just" if check.narrow else "should be" if check.kind == "advice" else "needs")
         return f"{say(check.name)} {value}, {needs} {say(check.limit_text())}{advice}"
 
     def offer(self) -> str:

@@ -45,6 +45,11 @@ class Check:
         return gap / abs(limit) if limit else gap
 
     @property
+    def narrow(self) -> bool:
+        """Kept, but by so little that it is a warning."""
+        return self.verdict == "warn" and self.nearest[0] >= 0
+
+    @property
     def verdict(self) -> str:
         margin = self.margin
         if math.isnan(margin):

@@ -93,3 +93,10 @@ def test_a_jump_through_zero_is_a_root_and_no_change_of_sign_is_an_error():
     assert root(lambda x: 1.0 if x < 0.3 else -1.0, 0, 1) == pytest.approx(0.3)
     with pytest.raises(ValueError, match="no change of sign"):
         root(lambda x: x * x + 1, 0, 1)
+
+
+def test_a_limit_that_is_kept_narrowly_is_told_from_one_that_is_passed_over():
+    near, over, far = (check("a.b", "Room", value, ">=", 1.0, "", "for this test", "") for value in (1.01, 0.9, 2.0))
+    assert (near.verdict, over.verdict, far.verdict) == ("warn", "fail", "pass")
+    assert near.narrow and not over.narrow and not far.narrow
+    assert not check("a.b", "Room", 0.9, ">=", 1.0, "", "for this test", "", kind="advice").narrow
