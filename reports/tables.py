@@ -94,9 +94,9 @@ def natural(cell: Cell, column: Column) -> float:
     return max(own + (5.0 if column.align == "r" else 0.0), under)
 
 
-def _longest(cell: Cell, column: Column) -> float:
-    """The width of the longest word of a cell."""
-    return max((run(word, cell.style or column.style).width for word in cell.words.split()), default=0.0)
+def _longest(words: str, style: Style) -> float:
+    """The width of the longest word."""
+    return max((run(word, style).width for word in words.split()), default=0.0)
 
 
 def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> list[float]:
@@ -113,10 +113,10 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
     total = sum(need.values())
     if total > free:
         # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word, if there is room.
-        words = {
-            i: min(n, max((_longest(_cell(r[i]), columns[i]) for r in rows if not isinstance(r, Group)), default=0.0))
-            for i, n in need.items()
-        }
+        words = {}
+        for i, n in need.items():
+            cells = [_longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style) for r in rows if not isinstance(r, Group)]
+            words[i] = min(n, max(_longest(columns[i].header, HEADER), *cells, 0.0))
         whole = words if sum(words.values()) <= free else dict.fromkeys(need, 0.0)
         fair = _fair([n - whole[i] for i, n in need.items()], free - sum(whole.values()))
         need = {i: whole[i] + min(n - whole[i], fair) for i, n in need.items()}
