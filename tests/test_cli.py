@@ -5,15 +5,9 @@ import os
 import shutil
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 import pytest
-
-from assistant.plain import print_results, results_json, table_lines
-from calc.design_file import design, parse
-from calc.sheet.step import Table
-from calc.solve import Results, solve
 
 from .conftest import DESIGNS, GAMMA, ROOT
 
@@ -320,108 +314,6 @@ def test_nothing_of_this_machine_is_printed():
     assert str(Path.home()) not in run("check", "designs/r753ie4_gamma.toml").stdout
 
 
-# --- tables -----------------------------------------------------------------------------------------------------------------
-LONG = "counterweights on the crank that carry one half of all reciprocating masses"
-TABLE = Table(
-    "remedies", "Before and after", (("Remedy", ""), ("Couple left of first order", "N·m"), ("Phase", "°"), ("Said", "")),
-    (("none", 572.92134, 30, None), (LONG, float("inf"), -1.25e-7, "turns back"), ("shaft", float("nan"), None, "–")), "At rated speed.",
-)  # fmt: skip
-
-
-def with_table():
-    document = parse(Path(GAMMA).read_bytes(), str(GAMMA))
-    solved = solve(design(document))
-    outcome = replace(solved.outcomes["engine"], tables=(TABLE,))
-    return document, Results(solved.design, {**solved.outcomes, "engine": outcome})
-
-
-def test_a_table_is_printed_with_aligned_columns():
-    lines = table_lines(TABLE)
-    assert lines[0] == TABLE.title and lines[-1].strip() == TABLE.note
-    rule = next(i for i, line in enumerate(lines) if set(line) <= set("─ "))
-    assert " ".join(lines[1:rule]).split() == "Couple left of first order Phase Remedy N·m ° Said".split()
-    body = lines[rule + 1 : -1]
-    edges = [i + 1 for i, c in enumerate(lines[rule]) if c == "─" and lines[rule][i + 1 : i + 2] in (" ", "")]
-    starts = [i for i, c in enumerate(lines[rule]) if c == "─" and lines[rule][i - 1] == " "]
-    for number, column in (("572.921", 1), ("30", 2), ("−1.25·10⁻⁷", 2), ("∞", 1), ("no value", 1)):
-        (line,) = [line for line in body if f" {number}" in line]
-        assert line.index(number) + len(number) == edges[column]
-    for words, column in (("none", 0), ("turns back", 3), ("shaft", 0), ("–", 3)):
-        assert any(line[starts[column] :].startswith(words) for line in body)
-    assert " ".join(line[starts[0] : edges[0]].strip() for line in body[1:-1]).split() == LONG.split(), "wrapped, not shortened"
-    assert all(len(line) <= 120 for line in lines) and "None" not in "".join(lines)
-
-
-def test_tables_without_rows_or_of_any_width_are_printed():
-    wide = Table("w", "Wide", tuple((f"column {i}", "mm") for i in range(40)), (tuple(1000.5 + i for i in range(40)),))
-    assert table_lines(wide)[-1].split() == [str(1000.5 + i) for i in range(40)]
-    assert [line.strip() for line in table_lines(replace(wide, rows=(), columns=(("A", "mm"),)))] == ["Wide", "A", "mm", "──"]
-
-
-def test_check_prints_tables_after_the_values_of_their_step(capsys):
-    _, results = with_table()
-    print_results(results, "engine")
-    printed = capsys.readouterr().out
-    assert (
-        printed.index("engine.lambda")
-        < printed.index("\n  Before and after\n")
-        < printed.index("turns back")
-        < printed.index("At rated speed.")
-    )
-    print_results(results, "gears")
-    assert "Before and after" not in capsys.readouterr().out
-
-
-def test_tables_in_json():
-    document, results = with_table()
-    found = json.loads(json.dumps(results_json(document, results, "engine"), allow_nan=False))["tables"]
-    assert found == {
-        "engine.remedies": {
-            "title": "Before and after",
-            "columns": [
-                {"label": "Remedy", "unit": ""}, {"label": "Couple left of first order", "unit": "N·m"}, {"label": "Phase", "unit": "°"},
-                {"label": "Said", "unit": ""},
-            ],
-            "rows": [["none", 572.92134, 30, None], [LONG, None, -1.25e-7, "turns back"], ["shaft", None, None, "–"]],
-            "note": "At rated speed.",
-        }
-    }  # fmt: skip
-    assert "engine.remedies" not in results_json(document, results, "gears")["tables"]
-
-
-# --- sweep and choose ---------------------------------------------------------------------------------------------------------
-def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):
-    out = tmp_path / "speeds.csv"
-    done = run("sweep", GAMMA, "--vary", "engine.rated_speed_rpm=1000:2600:5", "--step", "imbalance", "-o", out)
-    assert done.returncode == 0 and "5 designs: 5 ▲ warn" in done.stdout
-    rows = out.read_text(encoding="utf-8").splitlines()
-    assert len(rows) == 6 and rows[0].startswith("engine.rated_speed_rpm,imbalance.order_1.force_forward [N]")
-
-
-def test_sweep_without_a_file_prints_the_table_alone():
-    done = run(
-        "sweep",
-        GAMMA,
-        "--vary",
-        "countershaft.masses.rear.angle_deg=20,30",
-        "--step",
-        "countershaft",
-        "--values",
-        "countershaft.residual_order_1_couple",
-    )
-    assert done.returncode == 0
-    assert (
-        done.stdout.splitlines()[0] == "countershaft.masses.rear.angle_deg,countershaft.residual_order_1_couple [N·m],verdict.countershaft"
-    )
-    assert [line.rsplit(",", 1)[1] for line in done.stdout.splitlines()[1:]] == ["fail", "warn"] and "2 designs" in done.stderr
-
-
-def test_sweep_names_all_that_is_wrong():
-    done = run("sweep", GAMMA, "--vary", "engine.rated_sped_rpm=1:2:3", "engine.cylinders=3:4:3")
-    assert done.returncode == 2 and done.stdout == ""
-    assert "did you mean" in done.stderr and "whole numbers" in done.stderr and "Traceback" not in done.stderr
-
-
 def test_choose_lists_the_firing_orders_and_writes_one(tmp_path):
     path = tmp_path / "five.toml"
     assert run("new", path, "--engine", "inline-5").returncode == 0
@@ -461,37 +353,3 @@ def test_explain_says_what_is_a_check_and_what_has_no_solution():
     small = DESIGNS / "r753ie4_sized.toml"
     done = run("check", small, "--set", "countershaft.outer_radius_mm=38", "--step", "countershaft")
     assert done.returncode == 3 and "the journals as they are leave an outer radius of 43 mm" in done.stdout
-
-
-@pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])
-def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
-    path = tmp_path / "mine.json"
-    raw = (ROOT / "designs" / "r753ie4_gamma.toml").read_bytes()
-    path.write_bytes(raw)
-    made = run(*(part.format(path) for part in command), "-o", path)
-    assert made.returncode == 2 and "is the design itself; give another name with -o" in made.stderr
-    assert path.read_bytes() == raw
-
-
-@pytest.mark.parametrize(
-    ("arguments", "said"),
-    [
-        (["chek", "designs/r753ie4_gamma.toml"], "chek: is neither a command nor a file; did you mean check?"),
-        (["check", "designs/r753ie4_gamma.toml", "--stp", "bearings"], "contralbero check: error: unrecognized arguments: --stp bearings"),
-        (["check", "designs/r753ie4_gamma.toml", "--set", "engine.bore_mm=3,5"], "must be a number above 0 and up to 1000 mm; write 3.5"),
-    ],
-)
-def test_a_slip_is_named_with_what_was_meant(arguments, said):
-    made = run(*arguments)
-    assert made.returncode == 2 and said in made.stderr and not made.stdout
-
-
-def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
-    path = tmp_path / "x.toml"
-    text = (ROOT / "designs" / "r753ie4_gamma.toml").read_text(encoding="utf-8")
-    path.write_text(text.replace("bore_mm = 94.0", "bore_mm = 94,5"), encoding="utf-8")
-    at = text[: text.index("bore_mm")].count("\n") + 1
-    assert f"x.toml:{at}: is not TOML" in (error := run("check", path).stderr) and "written with a point: 94.5" in error
-    path.write_text(text.replace("[bearings.front]", "[bearing.front]"), encoding="utf-8")
-    at = text[: text.index("[bearings.front]")].count("\n") + 1
-    assert f'x.toml:{at}: bearing: is not known; did you mean "bearings"?' in run("check", path).stderr

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events, work
 from textual.app import ComposeResult
@@ -43,9 +43,6 @@ from ..widgets.top_line import TopLine
 from .doing import VIEWS, Doing
 from .live import Live
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 KEEP = 1.5  # seconds after the first edit that is not kept aside until all of them are: typing does not put it off
 COMPLAIN = 0.6  # seconds until a field that is being typed into says what is wrong with it
 PANES = ("steps", "inputs", "checks", "calculation", "curve")
@@ -54,13 +51,11 @@ PANES = ("steps", "inputs", "checks", "calculation", "curve")
 class Workbench(Doing, Live):
     """What is shown, and when it is made anew.  What the keys do stands in `Doing`, how it is solved in `Live`."""
 
-    app: "ContralberoApp"
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]  # noqa: RUF012
     BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
     AUTO_FOCUS = ""
-    focused: Reactive[Widget | None] = Reactive(
-        None, repaint=False
-    )  # a change of the focus is drawn by the two widgets; the whole screen need not be
+    # a change of the focus is drawn by the two widgets; the whole screen need not be
+    focused: Reactive[Widget | None] = Reactive(None, repaint=False)
 
     def __init__(self, session: Session) -> None:
         super().__init__()

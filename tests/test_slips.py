@@ -1,0 +1,40 @@
+"""Slips at the command line: what was meant is named, and no design is lost."""
+
+import pytest
+
+from .conftest import ROOT
+from .test_cli import run
+
+
+@pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])
+def test_no_command_writes_over_the_design_that_it_reads(command, tmp_path):
+    path = tmp_path / "mine.json"
+    raw = (ROOT / "designs" / "r753ie4_gamma.toml").read_bytes()
+    path.write_bytes(raw)
+    made = run(*(part.format(path) for part in command), "-o", path)
+    assert made.returncode == 2 and "is the design itself; give another name with -o" in made.stderr
+    assert path.read_bytes() == raw
+
+
+@pytest.mark.parametrize(
+    ("arguments", "said"),
+    [
+        (["chek", "designs/r753ie4_gamma.toml"], "chek: is neither a command nor a file; did you mean check?"),
+        (["check", "designs/r753ie4_gamma.toml", "--stp", "bearings"], "contralbero check: error: unrecognized arguments: --stp bearings"),
+        (["check", "designs/r753ie4_gamma.toml", "--set", "engine.bore_mm=3,5"], "must be a number above 0 and up to 1000 mm; write 3.5"),
+    ],
+)
+def test_a_slip_is_named_with_what_was_meant(arguments, said):
+    made = run(*arguments)
+    assert made.returncode == 2 and said in made.stderr and not made.stdout
+
+
+def test_a_comma_and_a_table_of_another_name_are_found_in_their_lines(tmp_path):
+    path = tmp_path / "x.toml"
+    text = (ROOT / "designs" / "r753ie4_gamma.toml").read_text(encoding="utf-8")
+    path.write_text(text.replace("bore_mm = 94.0", "bore_mm = 94,5"), encoding="utf-8")
+    at = text[: text.index("bore_mm")].count("\n") + 1
+    assert f"x.toml:{at}: is not TOML" in (error := run("check", path).stderr) and "written with a point: 94.5" in error
+    path.write_text(text.replace("[bearings.front]", "[bearing.front]"), encoding="utf-8")
+    at = text[: text.index("[bearings.front]")].count("\n") + 1
+    assert f'x.toml:{at}: bearing: is not known; did you mean "bearings"?' in run("check", path).stderr
