@@ -6,26 +6,33 @@ while no field is being edited, because a field takes them as text, or moves in 
 shown.
 """
 
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from calc.design import STEPS
+from calc.languages import Language
+from calc.sheet.text import EMPTY, Text
 
 
 @dataclass(frozen=True)
 class Action:
-    """`id` names the binding, in a key map too.  `call` is the method `action_…` of the main screen; left out, it is called like the id."""
+    """`id` names the binding, in a key map too.  `call` is a method of one of the main screen's parts, and its arguments; left out,
+    the method is called like the id."""
 
     id: str
     keys: str
     letters: str
-    footer: str  # empty: not in the footer
-    title: str
-    help: str
-    call: str = ""
+    footer: Text  # empty: not in the footer
+    title: Text
+    help: Text
+    call: tuple[Any, ...] = ()
 
     @property
     def does(self) -> str:
-        return self.call or self.id
+        """What a binding or a link of the main screen runs."""
+        return f"act('{self.id}')"
 
     @property
     def binding(self) -> str:
@@ -33,93 +40,122 @@ class Action:
 
 
 ACTIONS: tuple[Action, ...] = (
-    Action("help", "f1", "question_mark", "Help", "Help",
-           "Explains the field, the check or the step that you are at, and lists all keys."),
-    Action("back", "f2,pageup", "left_square_bracket", "Back", "Previous step",
-           "Goes to the step before. Page up scrolls inside a long list."),
-    Action("next", "f3,pagedown", "right_square_bracket", "Next", "Next step",
-           "Goes to the step after. Page down scrolls inside a long list."),
-    Action("view", "f4", "v", "View", "Other view",
-           "Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again."),
-    Action("mend", "f5", "m", "Mend", "Mend what fails",
-           "Applies the remedy that the message line offers: the nearest change by which the limits of the step hold. Undo takes it back."),
-    Action("choose", "ctrl+t", "t", "Choose", "Choose from a table",
-           "Searches for this step: firing orders, counter-shafts, bearings or profile shifts, ranked; shows what each does to all steps."),
-    Action("guide", "", "G", "", "Guide on and off", "Shows at the head of each form what is to be decided, or leaves it out."),
-    Action("pane", "f6", "l", "Pane", "Next pane", "Moves to the next pane.", call="pane(1)"),
-    Action("pane_back", "shift+f6", "h", "", "Previous pane", "Moves to the pane before.", call="pane(-1)"),
-    Action("trouble", "f7", "n", "Fault", "Next fault", "Goes to the next check that fails or warns, and to its step."),
-    Action("explain", "", "x", "", "Explain",
-           "Walks back from the value, the check or the line that you are at, through its formulas to the inputs. So does Enter."),
-    Action("line", "", "g", "", "Go to the line", "On a check: goes to the line of the calculation that gives its value."),
-    Action("report", "f8", "p", "PDF", "PDF report", "Writes the calculation report beside the design file."),
-    Action("export", "", "E", "", "Export …",
-           "Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the report (.pdf)."),
-    Action("curve", "f9", "c", "Plot", "Next curve",
-           "Shows the next curve of the step; after the curves its tables. In the pane itself Space does so too."),
-    Action("curve_back", "", "backspace", "", "Curve before", "Shows the curve or table before."),
-    Action("curves", "shift+f9", "C", "", "List of curves and tables", "Lists all curves and tables of the step, to be found by words."),
-    Action("read", "", "right", "", "Cursor to the right",
-           "On a curve: reads it off at a cursor, with the distance to its limits. ↑ ↓ choose the line, Esc takes the cursor away. "
-           "On a table that is too wide: further columns.", call="read(1)"),
-    Action("read_back", "", "left", "", "Cursor to the left", "The same, to the left.", call="read(-1)"),
-    Action("read_fine", "", "shift+right", "", "Cursor a little to the right",
-           "A tenth of a step; on a locus or an outline the next point.", call="read(1, True)"),
-    Action("read_fine_back", "", "shift+left", "", "Cursor a little to the left", "The same, to the left.", call="read(-1, True)"),
-    Action("read_first", "", "home", "", "Cursor to the beginning", "On a curve: reads it off at its first point.", call="read_end(False)"),
-    Action("read_last", "", "end", "", "Cursor to the end", "On a curve: reads it off at its last point.", call="read_end(True)"),
-    Action("variant", "f10", "b", "Variant", "Next variant of the curve",
-           "Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it."),
-    Action("crank_on", "", "greater_than_sign", "", "Turn the crank on", "Turns the vectors of a curve on by 10°.", call="crank(1)"),
-    Action("crank_back", "", "less_than_sign", "", "Turn the crank back", "Turns the vectors of a curve back by 10°.", call="crank(-1)"),
-    Action("undo", "ctrl+z", "u", "Undo", "Undo", "Takes back the last edit of the design; the edits of one field in a row are one."),
-    Action("redo", "ctrl+y", "r", "", "Redo", "Makes the edit again that was taken back."),
-    Action("save", "ctrl+s", "w", "Save", "Save",
-           "Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder."),
-    Action("save_as", "f12", "W", "", "Save as …", "Saves the design under another name and goes on with that file."),
-    Action("open", "ctrl+o", "o", "", "Open …", "Opens another design."),
-    Action("reload", "", "L", "", "Read the file anew",
-           "Takes what another program has written into the file, or drops all unsaved edits. Undo takes it back."),
-    Action("record", "", "R", "", "Record a replay",
-           "Records every edit from here on; pressed again it writes them as a replay file, with what the design came to."),
-    Action("compare", "shift+f7", "equals_sign", "", "Compare with …",
-           "Sets the design beside its saved file, an earlier state or another design, what differs first."),
-    Action("palette", "ctrl+p", "colon", "palette", "Palette", "Finds any action, step or field by a few letters."),
-    Action("down", "down", "j", "", "Next field or line", "Moves down: to the next field, check or line."),
-    Action("up", "up", "k", "", "Previous field or line", "Moves up: to the field, check or line before."),
-    Action("go_on", "enter", "", "", "Accept, go there",
-           "In a field: accepts it and goes on. On “+ add”: adds. On a check or a line: explains it. On a step: opens it."),
-    Action("more", "shift+up", "", "", "One step more", "In a field: raises the number by one increment.", call="nudge(1)"),
-    Action("less", "shift+down", "", "", "One step less", "In a field: lowers the number by one increment.", call="nudge(-1)"),
-    Action("leave", "escape", "", "", "Leave the field",
-           "Leaves the field, so that letters act as keys. Takes nothing back; undo does that."),
-    Action("copy", "", "y", "", "Copy the value",
-           "Copies the value that you are at: of the field, the check or the line, or of a curve at its cursor."),
-    Action("copy_line", "", "Y", "", "Copy the line",
-           "Copies the whole line: of the formula with its numbers and source, of the check, or all that is read off a curve."),
-    Action("quit", "ctrl+q", "q", "Quit", "Quit",
-           "Ends the program. Unsaved edits are kept and come back with the next start."),
-    *(Action(f"step_{n}", "", str(n), "", f"Step {n}: {step.title}", f"Goes to step {n}, {step.title}.", call=f"step({n})")
+    Action("help", "f1", "question_mark", Text("Help"), Text("Help"),
+           Text("Explains the field, the check or the step that you are at, and lists all keys.")),
+    Action("back", "f2,pageup", "left_square_bracket", Text("Back"), Text("Previous step"),
+           Text("Goes to the step before. Page up scrolls inside a long list."), call=("turn_step", -1)),
+    Action("next", "f3,pagedown", "right_square_bracket", Text("Next"), Text("Next step"),
+           Text("Goes to the step after. Page down scrolls inside a long list."), call=("turn_step", 1)),
+    Action("view", "f4", "v", Text("View"), Text("Other view"),
+           Text("Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again.")),
+    Action("fix", "f5", "m", Text("Fix"), Text("Fix what fails"),
+           Text("Applies the remedy that the message line offers: the nearest change by which the limits of the step hold. Undo takes it "
+                "back.")),
+    Action("choose", "ctrl+t", "t", Text("Choose"), Text("Choose from a table"),
+           Text("Searches for this step: firing orders, counter-shafts, bearings or profile shifts, ranked; shows what each does to all "
+                "steps.")),
+    Action("guide", "", "G", EMPTY, Text("Guide on and off"),
+           Text("Shows at the head of each form what is to be decided, or leaves it out.")),
+    Action("pane", "f6", "l", Text("Pane"), Text("Next pane"), Text("Moves to the next pane."), call=("turn_pane", 1)),
+    Action("pane_back", "shift+f6", "h", EMPTY, Text("Previous pane"), Text("Moves to the pane before."), call=("turn_pane", -1)),
+    Action("trouble", "f7", "n", Text("Fault"), Text("Next fault"), Text("Goes to the next check that fails or warns, and to its step.")),
+    Action("explain", "", "x", EMPTY, Text("Explain"),
+           Text("Walks back from the value, the check or the line that you are at, through its formulas to the inputs. So does Enter.")),
+    Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that gives its value.")),
+    Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the design file.")),
+    Action("export", "", "E", EMPTY, Text("Export …"),
+           Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the report (.pdf).")),
+    Action("curve", "f9", "c", Text("Plot"), Text("Next curve"),
+           Text("Shows the next curve of the step; after the curves its tables. In the pane itself Space does so too."),
+           call=("turn_curve", 1)),
+    Action("curve_back", "", "backspace", EMPTY, Text("Curve before"), Text("Shows the curve or table before."), call=("turn_curve", -1)),
+    Action("curves", "shift+f9", "C", EMPTY, Text("List of curves and tables"),
+           Text("Lists all curves and tables of the step, to be found by words.")),
+    Action("read", "", "right", EMPTY, Text("Cursor to the right"),
+           Text("On a curve: reads it off at a cursor, with the distance to its limits. ↑ ↓ choose the line, Esc takes the cursor away. "
+                "On a table that is too wide: further columns."), call=("read", 1)),
+    Action("read_back", "", "left", EMPTY, Text("Cursor to the left"), Text("The same, to the left."), call=("read", -1)),
+    Action("read_fine", "", "shift+right", EMPTY, Text("Cursor a little to the right"),
+           Text("A tenth of a step; on a locus or an outline the next point."), call=("read", 1, True)),
+    Action("read_fine_back", "", "shift+left", EMPTY, Text("Cursor a little to the left"),
+           Text("The same, to the left."), call=("read", -1, True)),
+    Action("read_first", "", "home", EMPTY, Text("Cursor to the beginning"),
+           Text("On a curve: reads it off at its first point."), call=("read_end", False)),
+    Action("read_last", "", "end", EMPTY, Text("Cursor to the end"),
+           Text("On a curve: reads it off at its last point."), call=("read_end", True)),
+    Action("variant", "f10", "b", Text("Variant"), Text("Next variant of the curve"),
+           Text("Shows the other variant of the curve, in the same scale: without the counter-shaft, and with it.")),
+    Action("crank_on", "", "greater_than_sign", EMPTY, Text("Turn the crank on"),
+           Text("Turns the vectors of a curve on by 10°."), call=("crank", 1)),
+    Action("crank_back", "", "less_than_sign", EMPTY, Text("Turn the crank back"),
+           Text("Turns the vectors of a curve back by 10°."), call=("crank", -1)),
+    Action("undo", "ctrl+z", "u", Text("Undo"), Text("Undo"),
+           Text("Takes back the last edit of the design; the edits of one field in a row are one.")),
+    Action("redo", "ctrl+y", "r", EMPTY, Text("Redo"), Text("Makes the edit again that was taken back.")),
+    Action("save", "ctrl+s", "w", Text("Save"), Text("Save"),
+           Text("Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder.")),
+    Action("save_as", "f12", "W", EMPTY, Text("Save as …"), Text("Saves the design under another name and goes on with that file.")),
+    Action("open", "ctrl+o", "o", EMPTY, Text("Open …"), Text("Opens another design.")),
+    Action("reload", "", "L", EMPTY, Text("Read the file anew"),
+           Text("Takes what another program has written into the file, or drops all unsaved edits. Undo takes it back.")),
+    Action("record", "", "R", EMPTY, Text("Record a replay"),
+           Text("Records every edit from here on; pressed again it writes them as a replay file, with what the design came to.")),
+    Action("compare", "shift+f7", "equals_sign", EMPTY, Text("Compare with …"),
+           Text("Sets the design beside its saved file, an earlier state or another design, what differs first.")),
+    Action("palette", "ctrl+p", "colon", Text("palette"), Text("Palette"), Text("Finds any action, step or field by a few letters.")),
+    Action("down", "down", "j", EMPTY, Text("Next field or line"), Text("Moves down: to the next field, check or line."), call=("move", 1)),
+    Action("up", "up", "k", EMPTY, Text("Previous field or line"),
+           Text("Moves up: to the field, check or line before."), call=("move", -1)),
+    Action("go_on", "enter", "", EMPTY, Text("Accept, go there"),
+           Text("In a field: accepts it and goes on. On “+ add”: adds. On a check or a line: explains it. On a step: opens it.")),
+    Action("more", "shift+up", "", EMPTY, Text("One step more"),
+           Text("In a field: raises the number by one increment."), call=("nudge", 1)),
+    Action("less", "shift+down", "", EMPTY, Text("One step less"),
+           Text("In a field: lowers the number by one increment."), call=("nudge", -1)),
+    Action("leave", "escape", "", EMPTY, Text("Leave the field"),
+           Text("Leaves the field, so that letters act as keys. Takes nothing back; undo does that.")),
+    Action("copy", "", "y", EMPTY, Text("Copy the value"),
+           Text("Copies the value that you are at: of the field, the check or the line, or of a curve at its cursor."),
+           call=("copy", "value")),
+    Action("copy_line", "", "Y", EMPTY, Text("Copy the line"),
+           Text("Copies the whole line: of the formula with its numbers and source, of the check, or all that is read off a curve."),
+           call=("copy", "line")),
+    Action("quit", "ctrl+q", "q", Text("Quit"), Text("Quit"),
+           Text("Ends the program. Unsaved edits are kept and come back with the next start.")),
+    *(Action(f"step_{n}", "", str(n), EMPTY, Text("Step {n}: {title}", n=n, title=step.title),
+             Text("Goes to step {n}, {title}.", n=n, title=step.title), call=("to_step", n))
       for n, step in enumerate(STEPS, 1)),
 )  # fmt: skip
 
 BY_ID = {action.id: action for action in ACTIONS}
+OLD_IDS = {"mend": "fix"}  # names that key maps of earlier versions may have
 
-KEY_NAMES = {
+
+def methods(*parts: object) -> dict[str, Callable[[], Awaitable[None] | None]]:
+    """What runs each action, by its id: exactly one of the parts has the method."""
+    runs: dict[str, Callable[[], Awaitable[None] | None]] = {}
+    for action in ACTIONS:
+        name, *arguments = action.call or (action.id,)
+        (method,) = [getattr(part, name) for part in parts if hasattr(part, name)]
+        runs[action.id] = partial(method, *arguments)
+    return runs
+
+
+KEY_NAMES: dict[str, str] = {
     "question_mark": "?", "left_square_bracket": "[", "right_square_bracket": "]", "colon": ":", "equals_sign": "=",
-    "greater_than_sign": ">", "less_than_sign": "<", "escape": "Esc", "enter": "Enter", "pageup": "PgUp", "pagedown": "PgDn",
-    "up": "↑", "down": "↓", "left": "←", "right": "→", "backspace": "Backspace", "home": "Home", "end": "End",
+    "greater_than_sign": ">", "less_than_sign": "<", "escape": Text("Esc"), "enter": Text("Enter"), "pageup": "PgUp", "pagedown": "PgDn",
+    "up": "↑", "down": "↓", "left": "←", "right": "→", "backspace": Text("Backspace"), "home": Text("Home"), "end": Text("End"),
 }  # fmt: skip
 
 
 def key_name(key: str) -> str:
-    """A key as it is printed on the keyboard: F1, ^s, Shift+F6."""
+    """A key as it is printed on the keyboard: F1, ^s, Shift+F6; a Text where that is a word."""
     *modifiers, name = key.split("+")
     shown = KEY_NAMES.get(name, name.upper() if name[:1] == "f" and name[1:].isdigit() else name)
     if "ctrl" in modifiers:
         shown = f"^{shown}"
-    return "Shift+" + shown if "shift" in modifiers else shown
+    return Text("Shift+{key}", key=shown) if "shift" in modifiers else shown
 
 
-def key_names(keys: str) -> str:
-    return " ".join(key_name(key) for key in keys.split(",") if key)
+def key_names(keys: str, say: Language) -> str:
+    return " ".join(say(key_name(key)) for key in keys.split(",") if key)

@@ -19,8 +19,9 @@ from textual.screen import Screen
 
 from calc.languages import LANGUAGES, language
 from calc.sheet.errors import BadInput
+from calc.sheet.text import EMPTY, Text
 
-from .actions import BY_ID, key_name
+from .base_app import BaseApp
 from .recovery import Settings
 from .screens.workbench import Workbench
 from .session import Session
@@ -45,8 +46,8 @@ class Search(CommandPalette):
             super()._action_command_list(command)
 
 
-class ContralberoApp(App[int]):
-    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what the user chose in earlier sessions."""
+class ContralberoApp(BaseApp):
+    """One main screen over one session, which may be exchanged for another design."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
@@ -56,16 +57,8 @@ class ContralberoApp(App[int]):
     def __init__(
         self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
     ) -> None:
-        self.ascii = ascii
         settings = settings or Settings()
-        self.say = language(settings.language if settings.language in LANGUAGES else "en")
-        self.signs = Signs(ascii, say=self.say)
-        self.key_map = {id: keys for id, keys in (key_map or {}).items() if id in BY_ID}
-        super().__init__()
-        self.session = session
-        self.warned_of: Path | None = None  # the file of which was said that another program has changed it
-        self.writing = ""  # a file that is being written, and how far it is
-        self.guiding = settings.guide  # each form begins with what is to be decided in its step
+        super().__init__(session, ascii=ascii, key_map=key_map, settings=settings)
         if settings.theme in self.available_themes:
             self.theme = settings.theme
         self._theme_kept = self.theme
@@ -97,7 +90,11 @@ class ContralberoApp(App[int]):
     def look(self) -> None:
         """Say, once, that another program has changed the file."""
         if self.session.look():
-            text = f"{self.session.name} was changed by another program: {self.shown_key('reload')} takes it over, and undo would return."
+            text = Text(
+                "{name} was changed by another program: {key} takes it over, and undo would return.",
+                name=self.session.name,
+                key=self.shown_key("reload"),
+            )
             self.tell(text, "warning")
 
     async def speak(self, code: str) -> None:
@@ -116,45 +113,31 @@ class ContralberoApp(App[int]):
         """Go on with another design; unsaved edits of this one are kept aside."""
         self.session.autosave()
         if self.session.recording is not None:
-            self.tell("The recording is given up: it was one of the design before.", "warning")
+            self.tell(Text("The recording is given up: it was one of the design before."), "warning")
         self.session = session
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
 
-    def shown_key(self, id: str) -> str:
-        """The first key of an action, as the table and the user's key map have it."""
-        return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
-
-    def forget(self, *texts: str) -> None:
-        """Take back what was said, if it still stands there."""
-        said = {*texts, *map(self.say, texts)}
-        for notification in [n for n in self._notifications if n.message in said]:
-            self._unnotify(notification)
-
-    def tell(self, text: str, severity: Any = "information") -> None:
-        """Say something for a moment; the text is never read as markup."""
-        text = self.say(text)
-        self.forget(text)  # the same thing is not said twice at a time
-        self.notify(text, severity=severity, markup=False, timeout=10 if severity == "error" else 5)
-
     def action_command_palette(self) -> None:
         """The palette, asking in the user's language."""
         if not isinstance(self.screen, CommandPalette):
-            self.push_screen(Search(placeholder=self.say("Search for commands…"), id="--command-palette"))
+            self.push_screen(Search(placeholder=self.say(Text("Search for commands…")), id="--command-palette"))
 
     def search_themes(self) -> None:
         from textual.theme import ThemeProvider
 
-        self.push_screen(Search([ThemeProvider], placeholder=self.say("Search for themes…")))
+        self.push_screen(Search([ThemeProvider], placeholder=self.say(Text("Search for themes…"))))
 
     def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
         say = self.say
         yield SystemCommand(
-            say("Theme"), say("Other colours; ansi-dark and ansi-light take those of the terminal"), self.action_change_theme
+            say(Text("Theme")), say(Text("Other colours; ansi-dark and ansi-light take those of the terminal")), self.action_change_theme
         )
         for code, name in LANGUAGES.items():
             if code != say.code:
-                yield SystemCommand(f"{say('Language')}: {name}", say("The session in this language"), partial(self.speak, code))
+                yield SystemCommand(
+                    say(Text("Language: {name}", name=name)), say(Text("The session in this language")), partial(self.speak, code)
+                )
 
     def on_unmount(self) -> None:
         """However the program ends, a closed page of a browser too: edits are kept aside."""
@@ -168,15 +151,17 @@ class ContralberoApp(App[int]):
             return
         from .screens.ask import Ask
 
-        why = self.session.autosave_failure or "what was added last is not complete, and such a part is not kept"
-        question = "The recorded replay is not written." if self.session.recording is not None else ""
+        why = self.session.autosave_failure or Text("what was added last is not complete, and such a part is not kept")
+        question = Text("The recorded replay is not written.") if self.session.recording is not None else EMPTY
         if self.writing:
-            question = f"{self.writing} is still being written: it would be lost."
+            question = Text("{writing} is still being written: it would be lost.", writing=self.writing)
         if not self.session.safe:
-            question = f"The edits are not saved: {why}."
+            question = Text("The edits are not saved: {why}.", why=why)
         if not isinstance(self.screen, Ask):
             say = self.say
-            self.push_screen(Ask(f"{say(question)}\n{say('End all the same?')}", say("end"), say("go back")), self._quit_anyway)
+            self.push_screen(
+                Ask(f"{say(question)}\n{say(Text('End all the same?'))}", say(Text("end")), say(Text("go back"))), self._quit_anyway
+            )
 
     def _quit_anyway(self, yes: bool | None) -> None:
         if yes:

@@ -5,8 +5,8 @@ from collections.abc import Iterable
 from typing import Any
 
 from calc.design_file import Document, parse_assignment, quantity_of, value_at
-from calc.languages import Language
 from calc.sheet.errors import BadInput
+from calc.sheet.text import SEMICOLON, Amount, Name, Part, Text
 
 
 def applied(document: Document, changes: Iterable[str]) -> Document:
@@ -16,21 +16,27 @@ def applied(document: Document, changes: Iterable[str]) -> Document:
     return document
 
 
-def told(document: Document, changes: Iterable[str], say: Language) -> list[str]:
+def told(document: Document, changes: Iterable[str]) -> Text:
     """What each change does: "Length bearings.front.length_mm 27.5 → 34 mm"; those that change nothing are left out."""
-    found = []
+    texts = []
     for key, value in map(parse_assignment, changes):
         try:
             about, before = quantity_of(document.data, key), value_at(document.data, key)
         except BadInput:  # the key of an element that is only made by these changes
-            found.append(f"{key} {_text(value)}")
+            texts.append(Text("{key} {value}", key=key, value=_part(value)))
             continue
         if before != value:
-            found.append(f"{say(about.label)} ({key}) {_text(before)} → {_text(value)} {about.unit}".rstrip())
-    return found
+            texts.append(
+                Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
+            )
+    return SEMICOLON.join(texts)
 
 
-def _text(value: Any) -> str:
+def _part(value: Any, unit: str = "") -> Part:
+    """A value of the design file as the part of a sentence."""
     if value is None:
         return "(auto)"
-    return "; ".join(map(_text, value)) if isinstance(value, list) else f"{value:g}" if isinstance(value, float) else str(value)
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        return Amount(value, unit, form="g" if isinstance(value, float) else "d")
+    text = SEMICOLON.join(Text("{item}", item=_part(item)) for item in value) if isinstance(value, list) else Name(str(value))
+    return Text("{text} {unit}", text=text, unit=unit) if unit else text

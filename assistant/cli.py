@@ -15,6 +15,7 @@ from calc.version import VERSION
 
 ABOUT = """From the engine's data to the imbalance, the counter-rotating balance shaft, its plain bearings, its gear train and the
 friction it costs.  Without a command: the guided session."""
+LANGUAGES = ("en", "it")  # the codes of calc.languages, which --help does not load
 COMMANDS = {
     "new": "write a design from a shipped engine",
     "check": "solve a design and print values, checks and verdicts",
@@ -33,6 +34,7 @@ COMMANDS = {
     "oils": "the oils a design may name, or one with the source and confidence of every value",
 }
 KEY_VALUE = "KEY=VALUE"
+SELDOM = (200_000, 20, 100)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
 
 
 class Help(argparse.HelpFormatter):
@@ -66,7 +68,10 @@ def parser() -> argparse.ArgumentParser:
     add["check"].add_argument(
         "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run"
     )
-    add["check"].add_argument("--step", help="print this step only")
+    add["check"].add_argument("--step", help="print this step only, with its further tables")
+    add["check"].add_argument(
+        "--all", action="store_true", help="every finding in full: advice, method and what shares a cause as well; and all tables"
+    )
     add["check"].add_argument("--short", action="store_true", help="leave out vectors of no length")
     add["check"].add_argument("--json", action="store_true", help="print one JSON object")
 
@@ -77,7 +82,7 @@ def parser() -> argparse.ArgumentParser:
     add["report"].add_argument("file")
     add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
     add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
-    add["report"].add_argument("--lang", choices=("en", "it"), default="en", help="English or Italian (default: %(default)s)")
+    add["report"].add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
     add["verify"].add_argument("file", metavar="REPORT.pdf")
     add["verify"].add_argument("--all", action="store_true", help="list every difference")
@@ -103,7 +108,7 @@ def parser() -> argparse.ArgumentParser:
     kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
     kinds.add_argument("--all", action="store_true", help="all checks and values that differ, tables of one design written out")
     kinds.add_argument("-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report")
-    add["compare"].add_argument("--lang", choices=("en", "it"), default="en", help="of the PDF (default: %(default)s)")
+    add["compare"].add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
     add["sweep"].add_argument("file")
     add["sweep"].add_argument(
@@ -145,10 +150,12 @@ def parser() -> argparse.ArgumentParser:
     add["oils"].add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
     add["oils"].add_argument("--json", action="store_true", help="print one JSON object")
 
-    session = commands.add_parser("session", help="the guided session (the same as no command)", description="The guided session.")
+    session = commands.add_parser(
+        "session", help="the guided session (the same as no command)", description="The guided session.", formatter_class=Help
+    )
     session.add_argument("file", nargs="?")
     session.add_argument("--ascii", action="store_true", help="plain signs for terminals without Unicode")
-    session.add_argument("--lang", choices=("en", "it"), help="English or Italian, this time (default: as set in the session)")
+    session.add_argument("--lang", choices=LANGUAGES, help="English or Italian, this time (default: as set in the session)")
     for command in commands.choices.values():
         command.set_defaults(error=command.error)  # says how this command is used
     return top
@@ -175,6 +182,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         asked, unknown = parser().parse_known_args(given)
         if unknown:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
+        if arguments is None and asked.command not in ("session", "serve"):
+            gc.set_threshold(*SELDOM)
         return int(import_module(f"assistant.commands.{asked.command}").run(asked))
     except SystemExit as usage:
         return int(usage.code or 0)

@@ -14,6 +14,7 @@ from calc.design import Design
 from calc.design_file import Document, Table, address, changed, design, parse
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Quantity, keys
+from calc.sheet.text import EMPTY, Text
 from calc.shipped import EXAMPLE
 
 from . import numbers
@@ -66,21 +67,21 @@ class Editing:
             return self._state.texts[where][0]
         return numbers.written(self.value(where), described(where))
 
-    def reason(self, key: str | Place) -> str:
+    def reason(self, key: str | Place) -> Text:
         """Why this field is not accepted; empty where it is."""
         where = self.place(key)
-        return self.reasons().get(where, "")
+        return self.reasons().get(where, EMPTY)
 
-    def reasons(self) -> dict[Place, str]:
+    def reasons(self) -> dict[Place, Text]:
         """Every field that is not accepted, with the reason; mistakes that belong to a table stand at the place of the table."""
-        found: dict[Place, str] = {}
+        reasons: dict[Place, Text] = {}
         for error in self.errors:
-            found.setdefault(error_place(self._state.data, error.key), error.reason)
-        found.update({where: reason for where, (_, reason) in self._state.texts.items()})
-        return found
+            reasons.setdefault(error_place(self._state.data, error.key), error.reason)
+        reasons.update({where: reason for where, (_, reason) in self._state.texts.items()})
+        return reasons
 
     # --- editing
-    def edit(self, key: str | Place, text: str) -> str:
+    def edit(self, key: str | Place, text: str) -> Text:
         """Type a text into a field.  Gives the reason why it is not accepted, or nothing.
 
         Edits of one field that follow each other are one step of the undo; `seal()` ends the step.
@@ -91,8 +92,8 @@ class Editing:
             gone = not text.strip() and optional_table(where) is not None  # such a table goes with its last key, so a key must go too
             content = None if gone else numbers.value(text, described(where))
         except numbers.NotUnderstood as no:
-            self._step(State(self._state.data, {**texts, where: (text, str(no))}), where)
-            return str(no)
+            self._step(State(self._state.data, {**texts, where: (text, no.reason)}), where)
+            return no.reason
         old = self.value(where)
         if isinstance(content, list) and len(content) == 1 and old is not None and not isinstance(old, list):
             content = content[0]  # a list of one may stand in the file as a number

@@ -14,14 +14,15 @@ from assistant.saving import write_asked
 from calc.design_file import Document
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.progress import Progress
+from calc.sheet.text import Text
 from calc.solve import Results
 
 if TYPE_CHECKING:
     from calc.gears.inputs import GearsInputs
     from calc.gears.result import TrainResult
 
-KINDS = {"dxf": "a drawing of the shaft or of the gears", "csv": "the values", "json": "all results"}
-HOW = "give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])"
+KINDS = {"dxf": Text("a drawing of the shaft or of the gears"), "csv": Text("the values"), "json": Text("all results")}
+HOW = Text("give [[countershaft.sections]], or core_radius_mm with the sizes of the journals ([bearings], or [[countershaft.journals]])")
 
 
 def write_draft(path: Path, draft: Draft, gears: bool = False, progress: Progress | None = None, lang: str = "en") -> None:
@@ -54,7 +55,7 @@ def draws_gears(results: Results) -> bool:
 
 def results_text(document: Document, results: Results) -> str:
     """The object that `check --json` prints."""
-    return json.dumps(results_json(document, results), ensure_ascii=False, indent=1) + "\n"
+    return json.dumps(results_json(document, results, measured=True), ensure_ascii=False, indent=1) + "\n"
 
 
 def values_text(document: Document, results: Results) -> str:
@@ -62,8 +63,8 @@ def values_text(document: Document, results: Results) -> str:
     file = StringIO()
     rows = csv.writer(file, lineterminator="\n")
     rows.writerow(("id", "value", "unit", "label", "symbol"))
-    for value in results.values().values():
-        rows.writerow((value.id, value.shown if math.isfinite(value.shown) else "", value.unit, value.label, value.symbol))
+    for id, value in results.values().items():
+        rows.writerow((id, value.shown if math.isfinite(value.shown) else "", value.unit, value.label, value.symbol))
     return file.getvalue()
 
 
@@ -72,16 +73,29 @@ def drawing_text(document: Document, results: Results) -> str:
     shaft, found = results.design.countershaft, results.outcomes["countershaft"]
     if shaft is None:
         raise BadInput(
-            document.place, [InputError(0, "countershaft", "", f"needed for a drawing: add [countershaft], and {HOW}; or [gears]")]
+            document.place,
+            [InputError(0, "countershaft", "", Text("needed for a drawing: add [countershaft], and {how}; or [gears]", how=HOW))],
         )
     if found.state != "solved":
-        raise BadInput(document.place, [InputError(0, "countershaft", "", f"there is no shaft to draw: {found.reason}")])
-    outline = found.result.outline
+        raise BadInput(
+            document.place, [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))]
+        )
+    outline = found.solution.outline
     if outline is None:
-        why = "the shaft's outline is not known"
         raise BadInput(
             document.place,
-            [InputError(0, "countershaft", "", f"{why}: {HOW}; `contralbero check {document.place} --step countershaft` tells more")],
+            [
+                InputError(
+                    0,
+                    "countershaft",
+                    "",
+                    Text(
+                        "the shaft's outline is not known: {how}; `contralbero check {file} --step countershaft` tells more",
+                        how=HOW,
+                        file=document.place,
+                    ),
+                )
+            ],
         )
     from calc.countershaft.drawing import LAYERS, shaft_drawing
     from reports.dxf import dxf
@@ -114,10 +128,13 @@ def _train(document: Document, results: Results, wheel: str | None) -> "TrainRes
     """The solved train.  Raises BadInput where there is none, or not the wheel."""
     found = results.outcomes["gears"]
     if results.design.gears is None:
-        raise BadInput(document.place, [InputError(0, "gears", "", "needed for a drawing of the gears: add [gears]")])
+        raise BadInput(document.place, [InputError(0, "gears", "", Text("needed for a drawing of the gears: add [gears]"))])
     if found.result is None:
-        raise BadInput(document.place, [InputError(0, "gears", "", f"there are no gears to draw: {found.reason}")])
+        raise BadInput(document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=found.reason))])
     train: TrainResult = found.result
     if wheel is not None and wheel not in train.wheels:
-        raise BadInput("contralbero export", [InputError(0, "--gear", wheel, f"is no wheel; the wheels are {', '.join(train.wheels)}")])
+        raise BadInput(
+            "contralbero export",
+            [InputError(0, "--gear", wheel, Text("is no wheel; the wheels are {wheels}", wheels=", ".join(train.wheels)))],
+        )
     return train

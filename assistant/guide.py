@@ -3,43 +3,66 @@
 
 from dataclasses import dataclass
 
+from calc.journal_rules import SLOPE, USUAL_CLEARANCE, USUAL_LENGTH
+from calc.sheet.text import Amount, Text
+
 
 @dataclass(frozen=True)
 class Guide:
-    decide: str
-    good: str
-    trying: str
+    decide: Text
+    good: Text
+    trying: Text
 
 
 GUIDES: dict[str, Guide] = {
     "engine": Guide(
-        "Which engine: layout, crank, masses of piston and rod, rated speed. Everything else follows from it.",
-        "Masses as weighed, the rod's centre of gravity too.",
-        "Weigh instead of estimating. The firing order can be chosen from a table, the one that leaves least first.",
+        Text("Which engine: layout, crank, masses of piston and rod, rated speed. Everything else follows from it."),
+        Text("Masses as weighed, the rod's centre of gravity too."),
+        Text("Weigh instead of estimating. The firing order can be chosen from a table, the one that leaves least first."),
     ),
     "imbalance": Guide(
-        "How much of the reciprocating mass the crank's own counterweights carry, and so what is left for a counter-shaft.",
-        "One half: what is left of first order then turns backward only, and one shaft at −ω takes it whole.",
-        "Second order is out of reach of one shaft: lighter pistons, a longer rod, two shafts at twice the speed, or good engine mounts.",
+        Text("How much of the reciprocating mass the crank's own counterweights carry, and so what is left for a counter-shaft."),
+        Text("One half: what is left of first order then turns backward only, and one shaft at −ω takes it whole."),
+        Text(
+            "Second order is out of reach of one shaft: lighter pistons, a longer rod, two shafts at twice the speed, "
+            "or good engine mounts."
+        ),
     ),
     "countershaft": Guide(
-        "The shaft that takes the rest: its masses, their radius, angle and place, where it is supported, and what it is made of.",
-        "No first-order couple left, journals that stand at less than 0.25 mrad, the first critical speed far above the running speed.",
-        "Sectors further apart or further out save mass; a thicker core straightens the shaft. The lightest can be chosen from a table.",
+        Text("The shaft that takes the rest: its masses, their radius, angle and place, where it is supported, and what it is made of."),
+        Text(
+            "No first-order couple left, journals that stand at less than {slope}, the first critical speed far above the running speed.",
+            slope=Amount(SLOPE * 1e3, "mrad"),
+        ),
+        Text(
+            "Sectors further apart or further out save mass; a thicker core straightens the shaft. The lightest can be chosen from a table."
+        ),
     ),
     "bearings": Guide(
-        "Length and clearance of the two bearings, oil and its supply, and on what the journals run.",
-        "l/d 0.25 to 0.75, clearance 0.5 to 1.5 ‰ of d, a film that holds warm and at twice the load, and clearance left when cold.",
-        "A tighter fit or a thicker oil first, then more length, then smoother surfaces. Bearings that pass can be chosen from a table.",
+        Text("Length and clearance of the two bearings, oil and its supply, and on what the journals run."),
+        Text(
+            "Length: {length}; clearance: {clearance}; a film that holds warm and at twice the load, and clearance left when cold.",
+            length=USUAL_LENGTH,
+            clearance=USUAL_CLEARANCE,
+        ),
+        Text(
+            "A tighter fit or a thicker oil first, then more length, then smoother surfaces. Bearings that pass can be chosen from a table."
+        ),
     ),
     "gears": Guide(
-        "Teeth, profile shifts, centre distances and allowances of the train that drives the shaft.",
-        "Backlash that stays above zero at every tolerance, cold and warm; contact ratio above 1.2, no undercut, sliding shared evenly.",
-        "Jamming: more span allowance. Undercut, pointed tips, uneven sliding: other profile shifts, from a table. Strength: face width.",
+        Text("Teeth, profile shifts, centre distances and allowances of the train that drives the shaft."),
+        Text(
+            "Backlash that stays above zero at every tolerance, cold and warm; contact ratio well above 1, no undercut, sliding "
+            "shared evenly."
+        ),
+        Text(
+            "Jamming: more span allowance. Undercut, pointed tips, uneven sliding: other profile shifts, from a table. "
+            "Strength: face width."
+        ),
     ),
     "friction": Guide(
-        "Roughness of the flanks, oil and its temperature: what the whole train costs the crank.",
-        "Some hundred watts at rated speed. Under so light a load rolling and the bearings lose more than the teeth rub away.",
-        "A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while you change it.",
+        Text("Roughness of the flanks, oil and its temperature: what the whole train costs the crank."),
+        Text("Some hundred watts at rated speed. Under so light a load rolling and the bearings lose more than the teeth rub away."),
+        Text("A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while you change it."),
     ),
 }

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from calc.design_file import Table
+from calc.sheet.text import Text
 
 from .places import Place
 
@@ -16,7 +17,7 @@ class State:
     """One state of the design: its tables, and the entries that could not be understood, by field."""
 
     data: Table
-    texts: dict[Place, tuple[str, str]]  # place → (what was typed, why it is not understood)
+    texts: dict[Place, tuple[str, Text]]  # place → (what was typed, why it is not understood)
 
 
 class History:

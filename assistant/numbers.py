@@ -9,6 +9,7 @@ import re
 from typing import Any
 
 from calc.sheet.quantity import Quantity
+from calc.sheet.text import Text
 
 from .unit_words import UNIT_WORDS
 
@@ -28,18 +29,22 @@ UNFINISHED = re.compile(r"[+-]?(?:\d+[.,]?\d*[eE][+-]?)?\Z|[+-]?[.,]\Z")
 
 
 class NotUnderstood(ValueError):
-    """The text can not be taken as a value of this field; the message says why, and what is allowed."""
+    """The text can not be taken as a value of this field; `reason` says why, and what is allowed."""
+
+    def __init__(self, reason: Text) -> None:
+        self.reason = reason
+        super().__init__(reason)
 
 
 def value(text: str, about: Quantity) -> Any:
     """The value that the text stands for, as the design file has it; None where the field is left empty and may be."""
     text = text.strip()
     if len(text) > LONGEST:
-        raise NotUnderstood(f"is longer than {LONGEST} characters")
+        raise NotUnderstood(Text("is longer than {limit} characters", limit=LONGEST))
     if not text:
         if about.optional:
             return None
-        raise NotUnderstood(f"is empty; needs {about.allowed()}")
+        raise NotUnderstood(Text("is empty; needs {allowed}", allowed=about.allowed()))
     match about.kind:
         case "text" | "choice":
             return text
@@ -49,7 +54,7 @@ def value(text: str, about: Quantity) -> Any:
             return integer(text, about)
         case "series" | "integers":
             return series(text, about)
-    raise NotUnderstood("can not be typed into one field")
+    raise NotUnderstood(Text("can not be typed into one field"))
 
 
 def number(text: str, about: Quantity) -> float:
@@ -61,7 +66,7 @@ def number(text: str, about: Quantity) -> float:
 def integer(text: str, about: Quantity) -> int:
     shown = number(text, about)
     if shown != int(shown):
-        raise NotUnderstood(f"must be {about.allowed()}")
+        raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
     return int(shown)
 
 
@@ -76,21 +81,21 @@ def series(text: str, about: Quantity) -> list[Any]:
     elif ", " in body:
         items = body.split(", ")
     elif body.count(",") > 1 or ("," in body and "." in body):
-        raise NotUnderstood("is ambiguous; put a semicolon between the numbers: 1.5; 2.5")
+        raise NotUnderstood(Text("is ambiguous; put a semicolon between the numbers: 1.5; 2.5"))
     else:
         items = body.split() if all(NUMBER.match(part) for part in body.translate(MINUS).split()) else [body]
     items = [item.strip() for item in items]
     if items and not items[-1]:
         items.pop()
     if not items or not all(items):
-        raise NotUnderstood(f"has an empty place; needs {about.allowed()}")
+        raise NotUnderstood(Text("has an empty place; needs {allowed}", allowed=about.allowed()))
     read = [_parts(item, about) for item in items]
     if len({bool(unit) for _, unit in read}) > 1:
-        raise NotUnderstood("has units at some numbers only; give every number its unit, or none")
+        raise NotUnderstood(Text("has units at some numbers only; give every number its unit, or none"))
     found = [_converted(shown, unit, about) for shown, unit in read]
     if about.kind == "integers":
         if any(n != int(n) for n in found):
-            raise NotUnderstood(f"must be {about.allowed()}")
+            raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
         return [int(n) for n in found]
     return found
 
@@ -105,14 +110,14 @@ def _parts(text: str, about: Quantity) -> tuple[float, str]:
         if name[:1].isdigit() and plain.endswith(" " + name):  # 2600 1/min
             digits, behind = plain.removesuffix(name).rstrip(), name
     if UNFINISHED.match(digits):
-        raise NotUnderstood("is not finished")
+        raise NotUnderstood(Text("is not finished"))
     if GROUPED.match(digits):
-        raise NotUnderstood(f"is ambiguous: the thousands are not separated here; write {_ungrouped(digits)}")
+        raise NotUnderstood(Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits)))
     found = NUMBER.match(digits)
     if found is None:
         if digits.lower().lstrip("+-").startswith(("nan", "inf")):
-            raise NotUnderstood(f"must be {about.allowed()}, and finite")
-        raise NotUnderstood(f"is no number; needs {about.allowed()}")
+            raise NotUnderstood(Text("must be {allowed}, and finite", allowed=about.allowed()))
+        raise NotUnderstood(Text("is no number; needs {allowed}", allowed=about.allowed()))
     mantissa = found["number"].replace(",", ".")
     power = found["e"] or found["power"] or (found["raised"] or "0").translate(RAISED)
     return float(f"{mantissa}e{int(power)}"), behind or (found["unit"] or "").strip()
@@ -132,15 +137,15 @@ def _ungrouped(text: str) -> str:
 def _converted(shown: float, word: str, about: Quantity) -> float:
     """A number with the unit that stands behind it, in the unit of the field."""
     if abs(shown) > 1e300:
-        raise NotUnderstood(f"must be {about.allowed()}, and finite")
+        raise NotUnderstood(Text("must be {allowed}, and finite", allowed=about.allowed()))
     if not word or word == about.unit:
         return shown
     known = UNIT_WORDS.get(about.unit, {})
     name = _unit(word, known)
     if name is None:
         others = [n for n in known if n and n != about.unit][:5]
-        where = f"write {', '.join([about.unit, *others])} or no unit" if about.unit else "it has no unit"
-        raise NotUnderstood(f'"{word}" is no unit of this field; {where}')
+        allowed = Text("write {units} or no unit", units=", ".join([about.unit, *others])) if about.unit else Text("it has no unit")
+        raise NotUnderstood(Text('"{word}" is no unit of this field; {allowed}', word=word, allowed=allowed))
     if name == about.unit:
         return shown
     factor, zero = known[name] if isinstance(known[name], tuple) else (known[name], 0.0)

@@ -9,6 +9,7 @@ from calc.compare import InputDifference, inputs
 from calc.compare_tables import input_texts, named
 from calc.design import Design
 from calc.design_file import Table, design, load
+from calc.sheet.text import SEMICOLON, Name, Text, plural
 
 from .session import Session
 
@@ -20,8 +21,8 @@ MOST = 3  # inputs of one edit that are named
 class Other:
     """`name` stands above its column, `title` in a list of choices."""
 
-    name: str
-    title: str
+    name: Text
+    title: Text
     data: Table = field(repr=False)
 
 
@@ -29,35 +30,44 @@ class Other:
 class Chosen:
     """Another design that is valid, to be solved."""
 
-    name: str
-    title: str
+    name: Text
+    title: Text
     data: Table = field(repr=False)
     design: Design = field(repr=False)
 
 
 def kept(session: Session) -> Iterator[Other]:
     """The design as its file has it; and as it was opened, where it has been saved since."""
-    yield Other("saved", f"{session.name} as it is saved", session.saved)
+    yield Other(Text("saved"), Text("{name} as it is saved", name=session.name), session.saved)
     if session.opened != session.saved:
-        yield Other("opened", f"{session.name} as it was opened", session.opened)
+        yield Other(Text("opened"), Text("{name} as it was opened", name=session.name), session.opened)
 
 
 def past(session: Session) -> Iterator[Other]:
     """The states before each edit that can be taken back, the last first."""
     for n, (before, after) in enumerate(session.history.past(), 1):
-        yield Other("1 edit ago" if n == 1 else f"{n} edits ago", f"before {edit_text(before, after)}", before)
+        yield Other(
+            plural("{n} edit ago", "{n} edits ago", n=n),
+            Text("before {edit}", edit=edit_text(before, after)),
+            before,
+        )
 
 
-def edit_text(before: Table, after: Table) -> str:
+def edit_text(before: Table, after: Table) -> Text:
     """What an edit changed, from what to what; empty where it changed nothing."""
-    found = inputs(before, after)
-    more = f"; {len(found) - MOST} more" if len(found) > MOST else ""
-    return "; ".join(map(_input_text, found[:MOST])) + more
+    changed = inputs(before, after)
+    texts = [_input_text(one) for one in changed[:MOST]]
+    if len(changed) > MOST:
+        texts.append(Text("{count} more", count=len(changed) - MOST))
+    return SEMICOLON.join(texts)
 
 
-def _input_text(one: InputDifference) -> str:
+def _input_text(one: InputDifference) -> Text:
     old, new = (text if len(text) <= LONGEST else text[: LONGEST - 1] + "…" for text in input_texts(one))
-    return f"{named(one.key, one.label, step=True)}: {old} → {new} {one.unit}".rstrip()
+    label = named(one.key, one.label, step=True)
+    if not one.unit:
+        return Text("{label}: {old} → {new}", label=label, old=old, new=new)
+    return Text("{label}: {old} → {new} {unit}", label=label, old=old, new=new, unit=one.unit)
 
 
 def of_session(session: Session, other: Other) -> Chosen:
@@ -68,4 +78,4 @@ def of_session(session: Session, other: Other) -> Chosen:
 def of_file(path: Path) -> Chosen:
     """Another design file, checked.  Raises BadInput with every error of the file."""
     document, made = load(path)
-    return Chosen(path.stem, str(path), document.data, made)
+    return Chosen(Name(path.stem), Name(str(path)), document.data, made)

@@ -7,35 +7,35 @@ from collections.abc import Sequence
 from typing import Any
 
 from calc.design_file import Document
-from calc.sheet.check import SIGNS, Check
+from calc.effects import Effect, effects
+from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table
 from calc.solve import TITLES, Results
 from calc.version import VERSION
 
+from .findings import finding_lines
+from .findings import sign as sign
+
 DIGITS = 6
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
-WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "blocked", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
 
 VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one without length says nothing by its number or its phase
 
 
-def sign(verdict: str) -> str:
-    """A sign and a word: `✗ FAIL`."""
-    return f"{SIGNS[verdict]} {WORDS[verdict]}"
-
-
-def print_results(results: Results, step: str | None = None, *, everything: bool = True) -> None:
-    """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing."""
+def print_results(results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False) -> None:
+    """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing; `findings`:
+    every check that is open in full, and what is made only when asked for: the tables of studies, which take longer than the solve.  Where
+    one `step` is asked for, those are there too."""
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and step in (None, key):
-            _print_step(outcome.whole, everything)
-    print_summary(results, step)
+            _print_step(outcome.whole if findings or step is not None else outcome, everything)
+    print_summary(results, step, findings)
 
 
-def _print_step(outcome: Outcome, everything: bool) -> None:
+def _print_step(outcome: Outcome[object], everything: bool) -> None:
     print(f"{TITLES[outcome.key]}   {sign(outcome.verdict)}" + (f": {outcome.reason}" if outcome.reason else ""))
     left_out, length = 0, 1.0
     for value in outcome.values():
@@ -50,6 +50,8 @@ def _print_step(outcome: Outcome, everything: bool) -> None:
         print()
         for line in table_lines(table):
             print(f"  {line}".rstrip())
+    if outcome.further is not None and outcome.state == "solved":
+        print(f"\n  Further tables: --step {outcome.key}, or --all")
     for proposal in outcome.proposals:
         print(f"  proposed: {proposal}")
     for erratum in outcome.errata:
@@ -100,51 +102,33 @@ def check_line(check: Check) -> str:
     return f"{sign(check.verdict):<7} {check.id:<42} {value}  {check.name}"
 
 
-def print_summary(results: Results, step: str | None = None) -> None:
-    """The verdict of each step, then what fails and why, with advice: failures first."""
+def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
+    """The verdict of each step, then what is open.  `everything`: every check of a group, advice and method in full."""
     shown = [o for key, o in results.outcomes.items() if step in (None, key)]
     for outcome in shown:
         reason = f"  {outcome.reason}" if outcome.reason else ""
         print(f"{TITLES[outcome.key]:<14} {sign(outcome.verdict)}{reason}")
-    for verdict in ("fail", "warn"):
-        found = [c for o in shown for c in o.checks if c.verdict == verdict]
-        if found:
-            print()
-        for check in found:
-            value = f"{short(check.value)} {check.unit}".rstrip()
-            needs = f"{'only just' if check.narrow else 'needs'} {check.limit_text()} ({check.margin_text()})"
-            print(f"{sign(verdict)}  {check.name}: {value}, {needs}. {check.advice}".rstrip())
-            if verdict == "fail":
-                print(f"        {check.id} · {check.source}")
+    lines = list(finding_lines([c for o in shown for c in o.checks], everything))
+    if lines:
+        print()
+    for line in lines:
+        print(line)
 
 
-def results_json(document: Document, results: Results, step: str | None = None, changes: Sequence[str] = ()) -> dict[str, Any]:
-    """The one JSON object of `check --json`; a number that is not finite is null."""
+def results_json(
+    document: Document, results: Results, step: str | None = None, changes: Sequence[str] = (), measured: bool = False
+) -> dict[str, Any]:  # fmt: skip
+    """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
+    moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
         "schema": 1,
         "program": "contralbero",
         "version": VERSION,
         "design": {"name": results.design.name, "sha256": document.sha256, "set": list(changes)},
-        "values": {v.id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values()},
+        "values": {id: {"value": finite(v.shown), "unit": v.unit, "label": v.label} for o in shown for v in o.values() for id in v.ids},
         "tables": {f"{o.key}.{t.id}": table_json(t) for o in shown for t in o.tables},
-        "checks": [
-            {
-                "id": c.id,
-                "kind": c.kind,
-                "name": c.name,
-                "value": finite(c.value),
-                "sense": c.sense,
-                "limit": list(c.limit) if isinstance(c.limit, tuple) else c.limit,
-                "unit": c.unit,
-                "margin": finite(c.margin),
-                "verdict": c.verdict,
-                "source": c.source,
-                "advice": c.advice,
-            }
-            for o in shown
-            for c in o.checks
-        ],
+        "checks": [check_json(c, moved.get(c.id)) for o in shown for c in o.checks],
         "steps": {o.key: o.verdict for o in shown},
         "errata": [
             {"about": e.about, "label": e.label, "source_value": finite(e.source_value), "unit": e.unit, "source": e.source, "why": e.why}
@@ -154,6 +138,32 @@ def results_json(document: Document, results: Results, step: str | None = None, 
         "proposals": {o.key: list(o.proposals) for o in shown if o.proposals},
         "notes": {o.key: list(o.notes) for o in shown if o.notes},
         "reasons": {o.key: o.reason for o in shown if o.reason},
+    }
+
+
+def check_json(check: Check, moved: Sequence[Effect] | None = None) -> dict[str, Any]:
+    """A check with everything that it knows; `moved`: what the inputs do that move it, where it was measured."""
+    measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
+    return {
+        "id": check.id,
+        "kind": check.kind,
+        "cause": check.cause or check.id,
+        "name": check.name,
+        "value": finite(check.value),
+        "sense": check.sense,
+        "limit": list(check.limit) if isinstance(check.limit, tuple) else check.limit,
+        "unit": check.unit,
+        "margin": finite(check.margin),
+        "utilisation": finite(check.utilisation),
+        "verdict": check.verdict,
+        "source": check.source,
+        "advice": check.advice,
+        "judges": check.value_id,
+        "against": check.limit_id,
+        "moved_by": [{"key": e.key, "slope": e.slope, "gain": e.gain, "unit": e.unit} for e in measured],
+        "remedies": [{"changes": dict(one.changes), "effect": one.effect, "words": one.words} for one in check.remedies],
+        "missing": list(check.missing),
+        "accepted": check.accepted,
     }
 
 

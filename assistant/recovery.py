@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from calc.design_file import Table, changed
+from calc.sheet.text import Text
 
 from . import numbers
 from .history import State
@@ -53,7 +54,7 @@ class Edits:
                 if about.table is None:
                     data = changed(data, where, numbers.value(text, about))
             except numbers.NotUnderstood as no:
-                texts[where] = (text, str(no))
+                texts[where] = (text, no.reason)
             except (KeyError, TypeError, AttributeError, ValueError):
                 continue
         return State(data, texts)
@@ -177,7 +178,9 @@ class Memory:
         try:
             file.parent.mkdir(parents=True, exist_ok=True, mode=0o700)
         except OSError as error:
-            raise SaveError(f"{file.parent} can not be made: {error.strerror or error}") from None
+            raise SaveError(
+                Text("{folder} can not be made: {reason}", folder=str(file.parent), reason=error.strerror or str(error))
+            ) from None
         write_atomic(file, text.encode("utf-8"), backup=False)
 
 

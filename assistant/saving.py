@@ -10,12 +10,20 @@ from typing import Any
 
 from calc.design_file import Table
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 
 from .places import Place
 
 
 class SaveError(OSError):
-    """The design can not be put where it was asked for; the message says why, and what to do."""
+    """The design can not be put where it was asked for; `text` says why, and what to do."""
+
+    def __init__(self, text: Text) -> None:
+        self.text = text
+        super().__init__(text)
+
+
+ACCEPTED = "accepted."
 
 
 class ChangedOnDisk(SaveError):
@@ -41,7 +49,9 @@ def edited_text(text: str, changes: Mapping[str, Any] | Iterable[tuple[Place, An
         _set(wanted, place, value)
     made = tomlkit.dumps(document)
     if tomllib.loads(made) != wanted:
-        raise SaveError("the text of the design file can not be edited in place; save it under another name, or simplify its notation")
+        raise SaveError(
+            Text("the text of the design file can not be edited in place; save it under another name, or simplify its notation")
+        )
     return mark + (made.replace("\n", "\r\n") if crlf else made)
 
 
@@ -54,6 +64,8 @@ def fresh_text(data: Table) -> str:
 
 def _place(data: Any, key: str) -> Place:
     """A dotted key by names and indices; parts that are not there yet are taken as they are."""
+    if key.startswith(ACCEPTED):
+        return "accepted", key.removeprefix(ACCEPTED)  # an id, which has dots of its own
     found: list[str | int] = []
     here = data
     for part in key.split("."):
@@ -62,7 +74,7 @@ def _place(data: Any, key: str) -> Place:
             if index is None and part.isdigit() and int(part) <= len(here):
                 index = int(part)
             if index is None:
-                raise SaveError(f'{key}: there is no element "{part}"')
+                raise SaveError(Text('{key}: there is no element "{part}"', key=key, part=part))
             found.append(index)
             here = here[index] if index < len(here) else {}
         else:
@@ -155,7 +167,7 @@ def spare(target: Path, *designs: str) -> None:
     for design in designs:
         with contextlib.suppress(OSError):
             if target.samefile(design):
-                raise BadInput(str(target), [InputError(0, "", "", "is the design itself; give another name with -o")])
+                raise BadInput(str(target), [InputError(0, "", "", Text("is the design itself; give another name with -o"))])
 
 
 def write_asked(path: Path, text: str) -> None:
@@ -163,7 +175,9 @@ def write_asked(path: Path, text: str) -> None:
     try:
         _replace(path, text.encode("utf-8"), backup=True)
     except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+        raise BadInput(
+            str(path), [InputError(0, "", "", Text("cannot be written: {reason}", reason=error.strerror or str(error)))]
+        ) from None
 
 
 def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
@@ -175,7 +189,13 @@ def write_atomic(path: Path, data: bytes, backup: bool = True) -> None:
         _replace(path, data, backup)
     except OSError as error:
         place = os.path.realpath(path)
-        raise SaveError(f"{place} can not be written: {error.strerror or error}; save under another name (nothing was changed)") from None
+        raise SaveError(
+            Text(
+                "{path} can not be written: {reason}; save under another name (nothing was changed)",
+                path=str(place),
+                reason=error.strerror or str(error),
+            )
+        ) from None
 
 
 def _replace(path: Path, data: bytes, backup: bool) -> None:

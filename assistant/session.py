@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from calc.design_file import Table, design, parse, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
+from calc.sheet.text import EMPTY, Text
 from calc.shipped import DESIGNS, EXAMPLE
 
 from .draft import Draft
@@ -37,12 +38,12 @@ class Session(Editing):
         self.now = now
         self.origin = origin  # the file that was read
         self.path: Path | None = None if _shipped(origin) else origin.absolute()
-        self.message = ""  # something to be told once, when the session begins
+        self.message = EMPTY  # something to be told once, when the session begins
         self.results: Results | None = None
-        self.seconds, self.failure = 0.0, ""
+        self.seconds, self.failure = 0.0, EMPTY
         self.solved = 0  # the generation of the results
         self.autosaved: datetime | None = None
-        self.autosave_failure = ""
+        self.autosave_failure = EMPTY
         self._keeping = threading.Lock()  # edits are kept in another thread than they are made and saved in
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
@@ -58,7 +59,7 @@ class Session(Editing):
         memory = memory or Memory()
         wanted = path
         path = path or memory.last()
-        told = ""
+        told = EMPTY
         if path is not None:
             path = path.expanduser()
             try:
@@ -66,7 +67,7 @@ class Session(Editing):
             except BadInput:
                 if wanted is not None:
                     raise
-                told = f"The last design, {path}, can not be opened any more; this is the example."
+                told = Text("The last design, {path}, can not be opened any more; this is the example.", path=str(path))
                 path = None
         if path is None:
             session = cls._read(EXAMPLE, memory, now)
@@ -88,12 +89,13 @@ class Session(Editing):
             return
         when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
-            self.message = (
-                f"Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette."
+            self.message = Text(
+                "Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette.",
+                when=when,
             )
             return
         if self.restore():
-            self.message = f"Edits of {when} that were not saved are back. Undo returns to the file."
+            self.message = Text("Edits of {when} that were not saved are back. Undo returns to the file.", when=when)
 
     def restore(self) -> bool:
         """Put back the edits that were kept, as one step of the undo."""
@@ -177,7 +179,7 @@ class Session(Editing):
         """The design file as it would be saved now."""
         raw, kept = self.draft().bytes()
         if not kept:
-            self.message = "The comments of the file could not be kept; the old file stays as .bak."
+            self.message = Text("The comments of the file could not be kept; the old file stays as .bak.")
         return raw
 
     def save(self, *, force: bool = False) -> Path:
@@ -191,10 +193,19 @@ class Session(Editing):
             except FileNotFoundError:
                 there = self._raw
             except OSError as error:
-                raise SaveError(f"{self.path} can not be read: {error.strerror or error}; save under another name") from None
+                raise SaveError(
+                    Text(
+                        "{path} can not be read: {reason}; save under another name",
+                        path=str(self.path),
+                        reason=error.strerror or str(error),
+                    )
+                ) from None
             if there != self._raw:
                 raise ChangedOnDisk(
-                    f"{self.path.name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)"
+                    Text(
+                        "{name} was changed by another program; save once more to overwrite it (the other version is kept as .bak)",
+                        name=self.path.name,
+                    )
                 )
         return self._write(self.path or free_name(Path.cwd() / self.origin.name))
 
@@ -204,15 +215,15 @@ class Session(Editing):
         if not path.suffix and not path.is_dir():
             path = path.with_suffix(".toml")
         if _shipped(path):
-            raise SaveError(f"{path.name} is the shipped example; give another name")
+            raise SaveError(Text("{name} is the shipped example; give another name", name=path.name))
         if path.is_dir():
-            raise SaveError(f"{path} is a folder; give the name of a file in it")
+            raise SaveError(Text("{path} is a folder; give the name of a file in it", path=str(path)))
         return self._write(path.absolute())
 
     def _write(self, path: Path) -> Path:
         if not self.valid:
             where, reason = next(iter(self.reasons().items()))
-            raise SaveError(f"not saved: {'.'.join(map(str, where)) or 'the design'} {reason}")
+            raise SaveError(Text("not saved: {key} {reason}", key=".".join(map(str, where)) or Text("the design"), reason=reason))
         raw = self.bytes()
         write_atomic(path, raw)
         with self._keeping:
@@ -222,7 +233,7 @@ class Session(Editing):
             self.document = parse(raw, str(path))
             self.saved = self._valid = self.document.data
             self.history.state = State(self.document.data, {})
-            self.autosaved, self.autosave_failure = None, ""
+            self.autosaved, self.autosave_failure = None, EMPTY
         self.seal()
         self.memory.remember(path)
         return path
@@ -248,7 +259,7 @@ class Session(Editing):
         """
         path = self.path
         if path is None:
-            raise BadInput(self.name, [InputError(0, "", "", "is the shipped example, which has no file of its own yet")])
+            raise BadInput(self.name, [InputError(0, "", "", Text("is the shipped example, which has no file of its own yet"))])
         document = read(path)
         design(document)
         if document.raw == self._raw and not self.dirty:
@@ -276,9 +287,9 @@ class Session(Editing):
             try:
                 self.memory.keep(self.home, edits)
             except SaveError as error:
-                self.autosave_failure = str(error)
+                self.autosave_failure = error.text
                 return
-            self._kept, self.autosaved, self.autosave_failure = edits, edits.time, ""
+            self._kept, self.autosaved, self.autosave_failure = edits, edits.time, EMPTY
 
     @property
     def safe(self) -> bool:

@@ -4,20 +4,18 @@
 Written away from the screen, so that a long calculation can be prepared in another thread.
 """
 
-import math
-from bisect import bisect_left
 from collections import defaultdict
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from itertools import islice
 from typing import Any
 
 from calc.languages import Language
+from calc.languages.outcome import in_language
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
-from calc.sheet.quantity import Published
 from calc.sheet.step import Erratum, Outcome, Table
-from calc.sheet.units import UNITS
+from calc.sheet.text import EMPTY, Name, Text
+from calc.sheet.value import leaves, link_of
 
 
 @dataclass(frozen=True)
@@ -50,22 +48,27 @@ class Sheet:
     line_of: dict[str, int] = field(default_factory=dict)
 
 
-def sheet(outcome: Outcome, step: int, say: Language, stop: Callable[[], bool] = bool) -> Sheet:
+def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[], bool] = bool) -> Sheet:
     """The calculation of an outcome, whose texts are already in the language; `step` is the number of the step.
 
     Raises Cancelled as soon as `stop` says so.
     """
     from calc.sheet.expression import line_text
 
-    finder = _Finder(outcome)
+    number_of = {line: i for i, line in enumerate(outcome.lines)}
+    values = {v.id: v.inside for v in outcome.values()}
+
+    def number_of_line(*numbers: Any) -> int | None:
+        """The line that gave the first of these numbers that one gave."""
+        return next((number_of[leaf] for x in numbers for leaf in leaves(link_of(x)) if leaf in number_of), None)
+
     line_of: dict[str, int] = {}
     for check in outcome.checks:
-        if (index := finder.line(check.id, check.value, check.unit)) is not None:
+        if (index := number_of_line(values.get(check.value_id), check.value)) is not None:
             line_of[check.id] = index
     for erratum in outcome.errata:
-        if (known := finder.values.get(erratum.about)) is not None:
-            if (index := finder.line(erratum.about, known.shown, known.unit)) is not None:
-                line_of.setdefault(erratum.about, index)
+        if (index := number_of_line(values.get(erratum.about))) is not None:
+            line_of.setdefault(erratum.about, index)
     judged: dict[int, list[Check]] = defaultdict(list)
     for check in outcome.checks:
         judged[line_of.get(check.id, -1)].append(check)
@@ -76,71 +79,17 @@ def sheet(outcome: Outcome, step: int, say: Language, stop: Callable[[], bool] =
     for i, line in enumerate(outcome.lines):
         if stop():
             raise Cancelled
-        formula, numbers, source = line_text(line, say)
-        entries.append(Entry(f"{step}.{i + 1}", line.about, formula, numbers, source, tuple(judged.get(i, ())), tuple(wrong.get(i, ()))))
+        formula, numbers, source = line_text(line, say, say.number)
+        checks, errata = tuple(judged.get(i, ())), tuple(wrong.get(i, ()))
+        entries.append(Entry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
     return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, outcome.notes, line_of)
 
 
-ALIKE = 1e-9  # relative: numbers that are one and the same
 VALUES = "values"  # the table of all values of a step; the id of each stands in its last column
 
 
-def values_table(outcome: Outcome, say: Language) -> Table:
+def values_table(outcome: Outcome[object], say: Language) -> Table:
     """Every value that a step publishes."""
-    rows = tuple((say(v.label), v.shown, v.unit, v.id) for v in outcome.values())
-    return Table(VALUES, say("All values of this step"), ((say("Value"), ""), ("", ""), (say("Unit"), ""), ("id", "")), rows)
-
-
-def _size(value: Any) -> float | None:
-    """The number that a line ends with, where it is a single one."""
-    if isinstance(value, complex):
-        return abs(value)
-    try:
-        return float(value) if getattr(value, "shape", ()) == () else None
-    except (TypeError, ValueError):
-        return None
-
-
-class _Finder:
-    """Finds the line that gave a number.  A calculation may have thousands of lines, and every one of them is asked for."""
-
-    def __init__(self, outcome: Outcome) -> None:
-        self.lines = outcome.lines
-        self.values = {v.id: v for v in outcome.values()}
-        self._by_unit: dict[str, list[Published]] = {}
-        for v in self.values.values():
-            self._by_unit.setdefault(v.unit, []).append(v)
-        self._of_object: dict[int, list[int]] = {}  # a value, as an object → its lines
-        for i, line in enumerate(self.lines):
-            self._of_object.setdefault(id(line.value), []).append(i)
-        self._by_size = sorted((size, i) for i, line in enumerate(self.lines) if (size := _size(line.value)) is not None)
-
-    def line(self, key: str, shown: float, unit: str) -> int | None:
-        """The line with the very object that was published, else with the same size; of several the one about the same part."""
-        if not math.isfinite(shown):
-            return None
-        words = set(key.replace("_", ".").split("."))
-        if key in self.values:
-            inside = [self.values[key].inside]
-        else:
-            same = [v for v in self._by_unit.get(unit, ()) if _same(v.shown, shown)]
-            shared = [len(words & set(v.id.replace("_", ".").split("."))) for v in same]
-            inside = [v.inside for v, n in zip(same, shared) if n == max(shared)]
-        found = [i for x in inside for i in self._of_object.get(id(x), ())]
-        if not found and shown:
-            found = [*self._of_size(UNITS[unit].inside(shown)), *self._of_size(shown)]
-        if not found:
-            return None
-        return max(found, key=lambda i: (len(words & set(self.lines[i].about.replace("_", " ").split())), i))
-
-    def _of_size(self, size: float) -> Iterator[int]:
-        start = bisect_left(self._by_size, (size - 2 * ALIKE * abs(size), -1))
-        for other, i in islice(self._by_size, start, None):
-            if _same(other, size):
-                yield i
-            elif other > size:
-                return
-
-
-def _same(a: float, b: float) -> bool:
-    return abs(a - b) <= ALIKE * max(abs(a), abs(b))
+    rows = tuple((v.label, v.shown, v.unit, v.id) for v in outcome.values())
+    table = Table(VALUES, Text("All values of this step"), ((Text("Value"), ""), (EMPTY, ""), (Text("Unit"), ""), (Name("id"), "")), rows)
+    return in_language(table, say)

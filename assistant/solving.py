@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from calc.design import Design
 from calc.sheet.errors import Cancelled
+from calc.sheet.text import EMPTY, Text
 
 if TYPE_CHECKING:
     from calc.solve import Results
@@ -30,7 +31,7 @@ class Answer:
     generation: int
     results: "Results | None" = field(repr=False)
     seconds: float
-    failure: str = ""
+    failure: Text = EMPTY
 
 
 def run(job: Job) -> Answer:
@@ -43,5 +44,7 @@ def run(job: Job) -> Answer:
     except Cancelled:
         return Answer(job.generation, None, 0.0)
     except Exception as error:  # a mistake of the program must not take the user's work with it
-        return Answer(job.generation, None, 0.0, f"the program made a mistake: {type(error).__name__}: {error}")
+        return Answer(
+            job.generation, None, 0.0, Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+        )
     return Answer(job.generation, results, time.perf_counter() - started)

@@ -1,2 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The engineering: numbers in, numbers out.  No screen, no paper, no printing."""
+
+from typing import TYPE_CHECKING
+
+from .lazy import lazy
+
+__all__ = ["Design", "load_design", "solve_design"]
+
+if TYPE_CHECKING:
+    from .public import Design, load_design, solve_design
+else:
+    __getattr__ = lazy(__name__, __all__)

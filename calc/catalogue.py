@@ -5,12 +5,15 @@ import re
 import tomllib
 from collections import ChainMap
 from collections.abc import Iterable, Iterator, Mapping
-from functools import cache
+from dataclasses import replace
+from functools import cache, lru_cache
 from pathlib import Path
 from typing import Any, TypeVar
 
 from .sheet.quantity import choice, inputs, keys, quantity, tables, text
 from .sheet.record import record
+from .sheet.text import Amount, Text
+from .sheet.value import linked
 
 T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
@@ -23,8 +26,8 @@ class Claim:
 
     key: str
     value: float | str
-    confidence: str
-    source: str
+    confidence: Text
+    source: Text
 
 
 @inputs
@@ -35,7 +38,11 @@ class PrintedViscosity:
     viscosity: float = quantity("Printed dynamic viscosity", "mPa·s", above=0, high=1e6, symbol="mu")
 
     def __str__(self) -> str:
-        return f"{self.viscosity * 1e3:.5g} mPa·s at {self.temperature:g} °C"
+        return Text(
+            "{viscosity} mPa·s at {temperature} °C",
+            viscosity=Amount(self.viscosity * 1000.0, form=".5g"),
+            temperature=Amount(self.temperature, form="g"),
+        )
 
 
 @inputs
@@ -49,19 +56,19 @@ class Oil:
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
     conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
     limiting_shear: float | None = quantity(
-        "Limiting shear stress over pressure", optional=True, above=0, high=0.3, symbol="Lambda", help="Left out: that of the base stock."
+        "Limiting shear stress over pressure", default=None, above=0, high=0.3, symbol="Lambda", help="Left out: that of the base stock."
     )
     pressure_viscosity_40: float | None = quantity(
-        "Pressure-viscosity coefficient at 40 °C", "1/GPa", optional=True, above=0, high=100, symbol="alpha_40",
+        "Pressure-viscosity coefficient at 40 °C", "1/GPa", default=None, above=0, high=100, symbol="alpha_40",
         help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
     )  # fmt: skip
-    printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, optional=True)
+    printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.nu100 >= self.nu40:
-            yield "nu100_mm2_s", "must be below the viscosity at 40 °C"
+            yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
         elif self.nu100 < self.nu40:  # neither is a placeholder
             from .lubricant import line_problem  # brings numpy with it
 
@@ -69,7 +76,7 @@ class Oil:
                 yield "nu100_mm2_s", wrong
         for i, one in enumerate(self.printed):
             if any(one.temperature == other.temperature for other in self.printed[:i]):
-                yield f"printed.{i}.temperature_C", "stands twice"
+                yield f"printed.{i}.temperature_C", Text("stands twice")
 
 
 @inputs
@@ -101,8 +108,8 @@ class Material:
     poisson: float = quantity("Poisson's ratio", default=0.3, low=0.0, high=0.49, symbol="nu")
     density: float = quantity("Density", "kg/m³", low=500, high=25000, symbol="rho")
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
-    proof_stress: float | None = quantity("Proof stress", "MPa", optional=True, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
-    tensile_strength: float | None = quantity("Tensile strength", "MPa", optional=True, above=0, high=10000, symbol="R_m")
+    proof_stress: float | None = quantity("Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
+    tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m")
     source: str = text("Source", default="the user")
 
 
@@ -111,13 +118,15 @@ def _row(cls: Any, row: dict[str, Any]) -> Any:
     known, values, claims = keys(cls), {}, []
     for key, value in row.items():
         if isinstance(value, dict):
-            claims.append(Claim(key, value["is"], value["confidence"], value["source"]))
+            claims.append(Claim(key, value["is"], Text(value["confidence"]), Text(value["source"])))
             value = value["is"]
         if key in BESIDE:
             continue
         about = known[key].about
         if about.table is not None:
             value = tuple(_row(about.table, item) for item in value)
+        elif about.kind == "text" and key != "name":
+            value = Text(value)  # a word of the program, not of a user
         values[known[key].attribute] = about.units.inside(value) if isinstance(value, float) else value
     return cls(**values, claims=tuple(claims)) if claims else cls(**values)
 
@@ -155,6 +164,38 @@ class Rows(Mapping[str, T]):
         return len(self.texts)
 
 
+class ByName(Mapping[str, T]):
+    """Rows of tables by name.  Where the name is an input (`bearings.oil`), the row's numbers come from it."""
+
+    def __init__(self, rows: Mapping[str, T]) -> None:
+        self.rows = rows
+
+    def __getitem__(self, name: str) -> T:
+        row = self.rows[name]
+        key = getattr(name, "link", None)
+        return row if key is None else _named_by(key, row)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.rows
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.rows)
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+@lru_cache(maxsize=256)
+def _named_by(key: Any, row: Any) -> Any:
+    """A row whose numbers are linked to the key that names it; those of the design itself have keys of their own."""
+    cls: Any = type(row)
+    names = [about.attribute for about in keys(cls).values() if about.about.kind in ("number", "choice")]
+    if any(hasattr(getattr(row, name), "link") for name in names):
+        return row
+    link = f"{key} ({row.name})" if isinstance(key, str) and not key.endswith(")") else key
+    return replace(row, **{name: linked(getattr(row, name), link) for name in names})
+
+
 @cache
 def shipped_oils() -> Rows[Oil]:
     """The oils of the table."""
@@ -162,9 +203,9 @@ def shipped_oils() -> Rows[Oil]:
 
 
 @cache
-def base_stocks() -> Rows[BaseStock]:
+def base_stocks() -> Mapping[str, BaseStock]:
     """The base stocks of the table of oils."""
-    return Rows("oils.toml", "base", BaseStock)
+    return ByName(Rows("oils.toml", "base", BaseStock))
 
 
 @cache
@@ -175,9 +216,9 @@ def grades() -> tuple[Grade, ...]:
 
 def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:
     """Every oil that a design may name; its own override those of the table."""
-    return ChainMap({o.name: o for o in own}, shipped_oils())  # type: ignore[arg-type]
+    return ByName(ChainMap({o.name: o for o in own}, shipped_oils()))  # type: ignore[arg-type]
 
 
-def materials(own: Iterable[Material] = ()) -> dict[str, Material]:
+def materials(own: Iterable[Material] = ()) -> Mapping[str, Material]:
     """Every material that a design may name; its own override those of the table."""
-    return {**rows_of("materials.toml", Material), **{m.name: m for m in own}}  # type: ignore[dict-item]
+    return ByName({**rows_of("materials.toml", Material), **{m.name: m for m in own}})  # type: ignore[dict-item]

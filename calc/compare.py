@@ -12,14 +12,26 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from .design import STEPS, Design
 from .sheet.check import ORDER, Check
 from .sheet.quantity import Published, Quantity, keys
+from .sheet.text import EMPTY, Text
 
 if TYPE_CHECKING:
     from .solve import Results
 
-EQUAL = "The two designs are equal: no input, verdict, check or value differs."
+EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
-LAST = ("oil", "material", "schema", "name", "note", "author", "checker", "revision", "date")  # stand behind what is calculated with
+LAST = (
+    "accepted",
+    "oil",
+    "material",
+    "schema",
+    "name",
+    "note",
+    "author",
+    "checker",
+    "revision",
+    "date",
+)  # stand behind what is calculated with
 T = TypeVar("T")
 
 
@@ -28,7 +40,7 @@ class InputDifference:
     """One key, as the two files have it; None: left out.  A table that only one of them has is one difference, and so is an element."""
 
     key: str  # elements of arrays by name, else by index, as everywhere
-    label: str
+    label: Text
     unit: str
     a: Any
     b: Any
@@ -45,7 +57,7 @@ class Judged:
     verdict: str
     fail: int
     warn: int
-    reason: str = ""
+    reason: Text = EMPTY
 
 
 @dataclass(frozen=True)
@@ -53,7 +65,7 @@ class StepVerdicts:
     """One step in both designs."""
 
     step: str
-    title: str
+    title: Text
     a: Judged
     b: Judged
 
@@ -101,7 +113,7 @@ class ValueDifference:
     """A result that differs, or that only one design has (None: the other)."""
 
     id: str
-    label: str
+    label: Text
     unit: str
     a: float | None
     b: float | None
@@ -180,6 +192,10 @@ def _keys(cls: type, a: Any, b: Any, prefix: str) -> Iterator[InputDifference]:
         here = f"{prefix}{key}"
         if about.kind == "tables":
             yield from _elements(about, mine or [], theirs or [], here)
+        elif about.kind == "reasons":
+            for id in {**(mine or {}), **(theirs or {})}:
+                if (mine or {}).get(id) != (theirs or {}).get(id):
+                    yield InputDifference(f"{here}.{id}", about.label, "", (mine or {}).get(id), (theirs or {}).get(id))
         elif about.kind == "table" and mine is not None and theirs is not None:
             assert about.table is not None
             yield from _keys(about.table, mine, theirs, f"{here}.")
@@ -209,7 +225,7 @@ def _elements(about: Quantity, a: list[Any], b: list[Any], here: str) -> Iterato
         if one is not None and other is not None:
             yield from _keys(about.table, one, other, f"{here}.{name}.")
         else:
-            yield InputDifference(f"{here}.{name}", f"{about.label}: {name}", "", one, other)
+            yield InputDifference(f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other)
 
 
 def _named(items: list[Any]) -> dict[str, Any]:

@@ -5,25 +5,27 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from .bearings.inputs import BearingsInputs
-from .bearings.pairing.data import application_problem, applications, bush_problem, bushes
+from .bearings.materials.data import application_problem, applications, bush_problem, bushes
 from .catalogue import Material, Oil, materials, oils
 from .countershaft.inputs import CountershaftInputs
 from .engine.inputs import EngineInputs
 from .friction.inputs import FrictionInputs
 from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
-from .sheet.quantity import inputs, integer, table, tables, text
+from .sheet.quantity import inputs, integer, reasons, table, tables, text
+from .sheet.rules import is_limit
 from .sheet.step import Step
+from .sheet.text import Amount, Text
 
 SCHEMA = 1
 
 STEPS = (
-    Step("engine", "Engine", EngineInputs, ("engine.stroke",)),
-    Step("imbalance", "Imbalance", ImbalanceInputs, ("imbalance.required_couple",)),
-    Step("countershaft", "Counter-shaft", CountershaftInputs, ("countershaft.couple",)),
-    Step("bearings", "Bearings", BearingsInputs, ("bearings.front.film_edge", "bearings.front.film")),
-    Step("gears", "Gears", GearsInputs, ("gears.phase_error",)),
-    Step("friction", "Friction", FrictionInputs, ("friction.total_loss",)),
+    Step("engine", Text("Engine"), EngineInputs, ("engine.stroke",)),
+    Step("imbalance", Text("Imbalance"), ImbalanceInputs, ("imbalance.required_couple",)),
+    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple",)),
+    Step("bearings", Text("Bearings"), BearingsInputs, ("bearings.front.film_edge", "bearings.front.film")),
+    Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error",)),
+    Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss",)),
 )
 
 
@@ -38,21 +40,25 @@ class Design:
     checker: str = text("Checker", default="")
     revision: str = text("Revision", default="")
     date: str = text("Date", default="")
-    oil: tuple[Oil, ...] = tables("Oils of this design", Oil, optional=True)
-    material: tuple[Material, ...] = tables("Materials of this design", Material, optional=True)
-    engine: EngineInputs | None = table("Engine", EngineInputs, optional=True)
-    imbalance: ImbalanceInputs | None = table("Imbalance", ImbalanceInputs, optional=True)
-    countershaft: CountershaftInputs | None = table("Counter-shaft", CountershaftInputs, optional=True)
-    bearings: BearingsInputs | None = table("Bearings", BearingsInputs, optional=True)
-    gears: GearsInputs | None = table("Gears", GearsInputs, optional=True)
-    friction: FrictionInputs | None = table("Friction", FrictionInputs, optional=True)
+    oil: tuple[Oil, ...] = tables("Oils of this design", Oil, default=())
+    material: tuple[Material, ...] = tables("Materials of this design", Material, default=())
+    engine: EngineInputs | None = table("Engine", EngineInputs, default=None)
+    imbalance: ImbalanceInputs | None = table("Imbalance", ImbalanceInputs, default=None)
+    countershaft: CountershaftInputs | None = table("Counter-shaft", CountershaftInputs, default=None)
+    bearings: BearingsInputs | None = table("Bearings", BearingsInputs, default=None)
+    gears: GearsInputs | None = table("Gears", GearsInputs, default=None)
+    friction: FrictionInputs | None = table("Friction", FrictionInputs, default=None)
+
+    accepted: tuple[tuple[str, str], ...] = reasons(
+        "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
+    )
 
     @property
     def oils(self) -> Mapping[str, Oil]:
         return oils(self.oil)
 
     @property
-    def materials(self) -> dict[str, Material]:
+    def materials(self) -> Mapping[str, Material]:
         return materials(self.material)
 
     @property
@@ -72,10 +78,13 @@ class Design:
     def asked(self) -> tuple[Step, ...]:
         return tuple(s for s in STEPS if getattr(self, s.key) is not None)
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         """What only the whole design can show: (key, reason)."""
         if not self.asked():
-            yield "", "no step is asked: give at least one of the tables " + ", ".join(f"[{s.key}]" for s in STEPS)
+            yield "", Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS)
+        for id, _ in self.accepted:
+            if is_limit(id):
+                yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)
@@ -90,28 +99,28 @@ class Design:
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
-                    yield key, "needed where there is no [bearings] table to take it from"
+                    yield key, Text("needed where there is no [bearings] table to take it from")
         if self.friction is not None and self.bearings is not None:
             for i, scenario in enumerate(self.friction.scenarios):
                 if scenario.power is not None:
-                    yield f"friction.scenarios.{i}.power_kW", "leave it out: the losses of the [bearings] say what the train carries"
+                    yield f"friction.scenarios.{i}.power_kW", Text("leave it out: the losses of the [bearings] say what the train carries")
         if self.gears is not None and self.engine is None and self.gears.speed is None:
-            yield "gears.speed_rpm", "needed where there is no [engine] table to take it from"
+            yield "gears.speed_rpm", Text("needed where there is no [engine] table to take it from")
         if self.gears is not None and self.engine is None and self.gears.speed_irregularity and self.gears.irregularity_order is None:
-            yield "gears.irregularity_order", "needed where there is no [engine] table whose firing order it is"
+            yield "gears.irregularity_order", Text("needed where there is no [engine] table whose firing order it is")
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
-            yield "gears.power_kW", "needed where there is no [bearings] table whose loss the train carries"
+            yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
 
-    def _gear_places(self) -> Iterable[tuple[str, str]]:
+    def _gear_places(self) -> Iterable[tuple[str, Text]]:
         """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""
         own = self.gears
         if own is None or self.engine is None or (own.speed is not None and own.speed != self.engine.rated_speed) or not own.meshes:
             return
         for i, wheel in enumerate(own.wheels):
             if wheel.name == own.meshes[0].driver and wheel.position is not None and any(wheel.position):
-                yield f"gears.wheels.{i}.position_mm", "must be [0, 0]: it stands on the crank, from whose axis positions count"
+                yield f"gears.wheels.{i}.position_mm", Text("must be [0, 0]: it stands on the crank, from whose axis positions count")
 
-    def _gear_materials(self) -> Iterable[tuple[str, str]]:
+    def _gear_materials(self) -> Iterable[tuple[str, Text]]:
         wheels = self.gears.wheels if self.gears is not None else ()
         for i, wheel in enumerate(wheels):
             if wheel.gear_material is not None:
@@ -120,7 +129,7 @@ class Design:
                 if (wrong := class_problem(wheel.gear_material)) is not None:
                     yield f"gears.wheels.{i}.gear_material", wrong
 
-    def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, str]]:
+    def _crank_bodies(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> Iterable[tuple[str, Text]]:
         pins = sum(body.pin is not None for body in imbalance.crank_bodies)
         there = engine.cylinders
         if engine.layout != "inline":  # cylinders of two banks may share a pin
@@ -128,52 +137,68 @@ class Design:
 
             there = int(pin_of_cylinder(engine, crank(engine, 0.0)).max()) + 1
         if pins and pins != there:
-            yield "imbalance.crank_bodies", f"have {pins} crankpins; the throws of this engine stand on {there}"
+            yield (
+                "imbalance.crank_bodies",
+                Text("have {pins} crankpins; the throws of this engine stand on {there}", pins=pins, there=there),
+            )
         if imbalance.crank_bodies_throw_at_tdc > engine.cylinders:
-            yield "imbalance.crank_bodies_throw_at_tdc", f"must be a cylinder of this engine, from 1 to {engine.cylinders}"
+            yield (
+                "imbalance.crank_bodies_throw_at_tdc",
+                Text("must be a cylinder of this engine, from 1 to {cylinders}", cylinders=engine.cylinders),
+            )
 
-    def _countershaft(self, shaft: CountershaftInputs) -> Iterable[tuple[str, str]]:
+    def _countershaft(self, shaft: CountershaftInputs) -> Iterable[tuple[str, Text]]:
         if self.bearings is not None:
             if len(shaft.bearing_positions) > 2:
-                yield "countershaft.bearing_positions_mm", "[bearings] has a front and a rear one: give two, or the sizes as journals"
+                yield "countershaft.bearing_positions_mm", Text("[bearings] has a front and a rear one: give two, or the sizes as journals")
             if shaft.journals:
-                yield "countershaft.journals", "are those of [bearings]; leave them out here, or [bearings]"
+                yield "countershaft.journals", Text("are those of [bearings]; leave them out here, or [bearings]")
         if shaft.speed_ratio != -1 and (self.bearings is not None or self.gears is not None):
-            yield "countershaft.speed_ratio", "must be -1 where [bearings] or [gears] carry the shaft"
+            yield "countershaft.speed_ratio", Text("must be -1 where [bearings] or [gears] carry the shaft")
         lengths = [j.length for j in shaft.journals] or ([self.bearings.front.length, self.bearings.rear.length] if self.bearings else [])
         places = shaft.bearing_positions
         for i, (a, b, l_a, l_b) in enumerate(zip(places, places[1:], lengths, lengths[1:])):
             if b - a < (l_a + l_b) / 2 - 1e-9:
-                yield f"countershaft.bearing_positions_mm.{i + 1}", f"its journal overlaps the one before it, {(b - a) * 1e3:g} mm away"
+                yield (
+                    f"countershaft.bearing_positions_mm.{i + 1}",
+                    Text("its journal overlaps the one before it, {b} mm away", b=Amount((b - a) * 1000.0, form="g")),
+                )
         if shaft.sections and len(lengths) == len(shaft.bearing_positions):
             start, end = min(s.from_ for s in shaft.sections), max(s.to for s in shaft.sections)
             for i, (z, l) in enumerate(zip(shaft.bearing_positions, lengths)):
                 if z - l / 2 < start - 1e-9 or z + l / 2 > end + 1e-9:
-                    reach = f"from {start * 1e3:g} to {end * 1e3:g} mm"
+                    reach = Text("from {start} to {end} mm", start=Amount(start * 1000.0, form="g"), end=Amount(end * 1000.0, form="g"))
                     yield (
                         f"countershaft.bearing_positions_mm.{i}",
-                        f"its journal, {l * 1e3:g} mm long, reaches beyond the shaft's sections, {reach}",
+                        Text(
+                            "its journal, {l} mm long, reaches beyond the shaft's sections, {reach}",
+                            l=Amount(l * 1000.0, form="g"),
+                            reach=reach,
+                        ),
                     )
 
-    def _bearings(self, own: BearingsInputs) -> Iterable[tuple[str, str]]:
+    def _bearings(self, own: BearingsInputs) -> Iterable[tuple[str, Text]]:
         """What the tables of bearings do not have, and what bearings need that stand alone."""
         if own.bush_material is not None and (wrong := bush_problem(own.bush_material)) is not None:
             yield "bearings.bush_material", wrong
         if (wrong := application_problem(own.application)) is not None:
             yield "bearings.application", wrong
         if self.engine is None and own.speed is None:
-            yield "bearings.speed_rpm", "needed where there is no [engine] table to take it from"
+            yield "bearings.speed_rpm", Text("needed where there is no [engine] table to take it from")
         if self.countershaft is None:
             if own.journal_material is None:
-                yield "bearings.journal_material", "needed where there is no [countershaft] table to take it from"
+                yield "bearings.journal_material", Text("needed where there is no [countershaft] table to take it from")
             for place in ("front", "rear"):
                 if getattr(own, place).load is None:
-                    yield f"bearings.{place}.load_N", "needed where there is no [countershaft] table whose reactions it carries"
+                    yield f"bearings.{place}.load_N", Text("needed where there is no [countershaft] table whose reactions it carries")
         elif self.engine is not None and own.speed is not None and own.speed != self.engine.rated_speed:
             for place in ("front", "rear"):
                 if getattr(own, place).load is None:
-                    at = f"{self.engine.rated_speed * 60:g} rpm"
-                    yield "bearings.speed_rpm", f"the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear"
+                    at = Text("{rated_speed} rpm", rated_speed=Amount(self.engine.rated_speed * 60, form="g"))
+                    yield (
+                        "bearings.speed_rpm",
+                        Text("the shaft's reactions are those of {at}; leave it out, or give load_N of front and rear", at=at),
+                    )
                     break
 
     def _names(self) -> Iterable[tuple[str, Any, Any]]:
@@ -205,8 +230,10 @@ class Design:
                     yield f"friction.{kind}.{i}.wheel", entry.wheel, wheels
 
 
-def _unknown_name(name: str, known: Iterable[str]) -> str:
+def _unknown_name(name: str, known: Iterable[str]) -> Text:
     from difflib import get_close_matches
 
     near = get_close_matches(name, list(known), 1)
-    return f'"{name}" is not known' + (f'; did you mean "{near[0]}"?' if near else "; known are " + ", ".join(known))
+    return Text('"{name}" is not known', name=name) + (
+        Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known are ") + ", ".join(known)
+    )

@@ -8,20 +8,23 @@ import math
 import re
 import tomllib
 from collections.abc import Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import MISSING, field, replace
 from pathlib import Path
 from typing import Any
 
 from .design import STEPS, Design
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import Key, Quantity, keys
+from .sheet.record import record
+from .sheet.text import Text
+from .sheet.value import linked
 
 LARGEST_FILE = 1_000_000  # bytes; a design has a few thousand
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
 Table = dict[str, Any]
 
 
-@dataclass(frozen=True)
+@record
 class Document:
     """The tables of a design file in the units of their keys, where each key stands, and the bytes."""
 
@@ -51,42 +54,43 @@ def read(path: Path | str) -> Document:
     """Read a design file.  Raises BadInput where it is no TOML text; what it says is not yet checked."""
     place = str(path)
 
-    def refuse(reason: str, line: int = 1) -> BadInput:
+    def refuse(reason: Text, line: int = 1) -> BadInput:
         return BadInput(place, [InputError(line, "", "", reason)])
 
     try:
         raw = Path(path).read_bytes()
     except OSError as error:
         raise BadInput(
-            place, [InputError(0, "", "", f"cannot be read: {error.strerror or error}; give the path of a design file")]
+            place,
+            [InputError(0, "", "", Text("cannot be read: {strerror}; give the path of a design file", strerror=error.strerror or error))],
         ) from None
     if len(raw) > LARGEST_FILE:
-        raise refuse(f"is {len(raw)} bytes long; a design file has at most {LARGEST_FILE}")
+        raise refuse(Text("is {count} bytes long; a design file has at most {largest_file}", count=len(raw), largest_file=LARGEST_FILE))
     return parse(raw, place)
 
 
 def parse(raw: bytes, place: str) -> Document:
     """The document in the bytes of a design file."""
 
-    def refuse(reason: str, line: int = 1) -> BadInput:
+    def refuse(reason: Text, line: int = 1) -> BadInput:
         return BadInput(place, [InputError(line, "", "", reason)])
 
     try:
         text = raw.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise refuse("is not text in UTF-8; a design is a TOML text file", raw[: error.start].count(b"\n") + 1) from None
+        raise refuse(Text("is not text in UTF-8; a design is a TOML text file"), raw[: error.start].count(b"\n") + 1) from None
     if not text.strip():
-        raise refuse("is empty; `contralbero new FILE` writes a complete design")
+        raise refuse(Text("is empty; `contralbero new FILE` writes a complete design"))
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         at = re.search(r"at line (\d+)", str(error))
         line = int(at[1]) if at else text.count("\n") + 1
         comma = COMMA.search(text.splitlines()[line - 1]) if line <= len(text.splitlines()) else None
-        hint = f"; decimals are written with a point: {comma[0].replace(',', '.')}" if comma else ""
-        raise refuse(f"is not TOML: {re.sub(r' *[(]at .*[)]', '', str(error))}{hint}", line) from None
+        hint = Text("; decimals are written with a point: {comma}", comma=comma[0].replace(",", ".")) if comma else ""
+        raise refuse(Text("is not TOML: {sub}{hint}", sub=re.sub(" *[(]at .*[)]", "", str(error)), hint=hint), line) from None
     except (RecursionError, ValueError) as error:
-        raise refuse("is not a design: " + ("nested too deeply" if isinstance(error, RecursionError) else str(error))) from None
+        raise refuse(Text("is not a design: ") + (Text("nested too deeply") if isinstance(error, RecursionError) else str(error))) from None
     return Document(data, place, key_lines(text), raw)
 
 
@@ -131,6 +135,7 @@ def key_lines(text: str) -> dict[str, int]:
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
     "number": math.nan, "integer": math.nan, "text": "", "choice": "", "series": (), "integers": (), "table": None, "tables": (),
+    "reasons": (),
 }  # fmt: skip
 
 
@@ -142,7 +147,7 @@ class _Reader:
         self.document = document
         self.errors: list[InputError] = []
 
-    def error(self, key: str, value: Any, reason: str, kind: str = "text") -> Any:
+    def error(self, key: str, value: Any, reason: Text, kind: str = "text") -> Any:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
         self.errors.append(InputError(self.line(key), key, "" if value is None else _written(value), reason))
         return PLACEHOLDER[kind]
@@ -153,8 +158,11 @@ class _Reader:
             key = key.rpartition(".")[0]
         return self.document.lines.get(key, 1) if key else 1
 
-    def inputs(self, cls: type, data: Table, prefix: str) -> Any:
-        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked."""
+    def inputs(self, cls: type, data: Table, prefix: str, address: str = "") -> Any:
+        """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked.
+
+        `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where a number stands.
+        """
         known = keys(cls)
         values: Table = {}
         for key in data:
@@ -162,9 +170,11 @@ class _Reader:
                 self.error(_join(prefix, key), None, _unknown(key, known))
         for key, about in known.items():
             if key in data:
-                values[about.attribute] = self.value(about.about, data[key], _join(prefix, key))
+                values[about.attribute] = self.value(about.about, data[key], _join(prefix, key), _join(address, key))
+            elif about.field.default is not MISSING:
+                values[about.attribute] = _keyed(about.about, about.field.default, _join(address, key))
             elif not about.about.optional:
-                self.error(_join(prefix, key), None, f"is missing; needs {about.about.allowed()}")
+                self.error(_join(prefix, key), None, Text("is missing; needs {allowed}", allowed=about.about.allowed()))
                 values[about.attribute] = PLACEHOLDER[about.about.kind]
         made = cls(**values)
         wrong = {error.key for error in self.errors}
@@ -177,58 +187,88 @@ class _Reader:
                 raise  # a placeholder may stop a cross-check, nothing else may
         return made
 
-    def value(self, about: Quantity, value: Any, key: str) -> Any:
+    def value(self, about: Quantity, value: Any, key: str, address: str) -> Any:
         match about.kind:
             case "table":
                 if not isinstance(value, dict):
-                    return self.error(key, value, "must be a table", "table")
-                return self.inputs(about.table, value, key)  # type: ignore[arg-type]
+                    return self.error(key, value, Text("must be a table"), "table")
+                return self.inputs(about.table, value, key, address)  # type: ignore[arg-type]
             case "tables":
-                return self.tables(about, value, key)
+                return self.tables(about, value, key, address)
             case "series" | "integers":
-                return self.series(about, value, key)
+                return _keyed(about, self.series(about, value, key), address)
+            case "reasons":
+                return self.reasons(value, key)
             case "text" | "choice":
                 if about.kind == "choice" and not isinstance(value, (str, bool)) and str(value) in about.choices:
-                    return str(value)  # a choice that looks like a number, like the property class 8.8
+                    return linked(str(value), address)  # a choice that looks like a number, like the property class 8.8
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
-                    return self.error(key, value, f"must be {about.allowed()}", about.kind)
-                return value
-        return self.number(about, value, key)
+                    return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
+                return _keyed(about, value, address)
+        return _keyed(about, self.number(about, value, key), address)
 
     def number(self, about: Quantity, value: Any, key: str) -> Any:
         whole = about.kind in ("integer", "integers")
         if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
-            point = f"; write {value.replace(',', '.')}" if isinstance(value, str) and COMMA.fullmatch(value) else ""
-            return self.error(key, value, f"must be {about.allowed()}{point}", "number")
+            point = Text("; write {value}", value=value.replace(",", ".")) if isinstance(value, str) and COMMA.fullmatch(value) else ""
+            return self.error(key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number")
         if abs(value) > 1e300 or not math.isfinite(value):
-            return self.error(key, value, f"must be {about.allowed()}, and finite", "number")
+            return self.error(key, value, Text("must be {allowed}, and finite", allowed=about.allowed()), "number")
         low, high, above = about.low, about.high, about.above
         if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
-            return self.error(key, value, f"must be {about.allowed()}", "number")
+            return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "number")
         return value if whole else about.units.inside(float(value))
 
     def series(self, about: Quantity, value: Any, key: str) -> Any:
         items = value if isinstance(value, list) else [value]
         if about.count and not about.count[0] <= len(items) <= about.count[1]:
             low, high = about.count
-            return self.error(key, value, f"has {len(items)} entries; needs {low if low == high else f'{low} to {high}'}", "series")
+            return self.error(
+                key,
+                value,
+                Text(
+                    "has {count} entries; needs {low}",
+                    count=len(items),
+                    low=low if low == high else Text("{low} to {high}", low=low, high=high),
+                ),
+                "series",
+            )
         if not items:
-            return self.error(key, value, f"is empty; needs {about.allowed()}", "series")
+            return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
         return tuple(self.number(about, item, key) for item in items)
 
-    def tables(self, about: Quantity, value: Any, key: str) -> Any:
+    def tables(self, about: Quantity, value: Any, key: str, address: str) -> Any:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
-            return self.error(key, value, "must be an array of tables: [[" + key + "]]", "tables")
-        made = tuple(self.inputs(about.table, item, f"{key}.{i}") for i, item in enumerate(value))  # type: ignore[arg-type]
+            return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
         names = [item.get("name") for item in value]
+        made = tuple(
+            self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}")  # type: ignore[arg-type]
+            for i, (item, name) in enumerate(zip(value, names))
+        )
         addressed = not key.startswith(("oil", "material")) and "name" in keys(about.table)
         for i, name in enumerate(names):
             if isinstance(name, str):
                 if addressed and not NAME.match(name):
-                    self.error(f"{key}.{i}.name", name, "must be made of letters, digits and -, since the element is addressed by it")
+                    self.error(f"{key}.{i}.name", name, Text("must be made of letters, digits and -, since the element is addressed by it"))
                 if name in names[:i]:
-                    self.error(f"{key}.{i}.name", name, "stands twice; every element needs a name of its own")
+                    self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
         return made
+
+    def reasons(self, value: Any, key: str) -> tuple[tuple[str, str], ...]:
+        if not isinstance(value, dict):
+            self.error(key, value, Text("must be a table: [{key}]", key=key))
+            return ()
+        for id, reason in value.items():
+            if not isinstance(reason, str) or not reason.strip():
+                self.error(f"{key}.{id}", reason, Text('needs a reason in words, like "seen on the test bench"'))
+        return tuple((id, reason.strip()) for id, reason in value.items() if isinstance(reason, str))
+
+
+def _keyed(about: Quantity, value: Any, address: str) -> Any:
+    """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells something has none."""
+    if about.kind in ("text", "choice") and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
+        return value
+    return linked(value, address)
 
 
 def _plain(data: Any, key: str) -> Any:
@@ -270,26 +310,33 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
                 index = int(part)
             if index is None:
                 names = ", ".join(str(item.get("name", n)) for n, item in enumerate(here) if isinstance(item, dict))
-                raise _no_such(key, f'there is no element "{part}"; there are {names or "none"}')
+                raise _no_such(key, Text('there is no element "{part}"; there are {names}', part=part, names=names or "none"))
             found.append(index)
             here = here[index]
             continue
         if isinstance(here, tuple):  # a list of numbers, by place
             if not (part.isascii() and part.isdigit() and int(part[:9]) < len(here)) or i + 1 < len(parts):
-                raise _no_such(key, f"has {len(here)} numbers; name one by its place, from 0 to {len(here) - 1}")
+                raise _no_such(
+                    key, Text("has {count} numbers; name one by its place, from 0 to {count2}", count=len(here), count2=len(here) - 1)
+                )
             found.append(int(part))
             break
         known = keys(cls) if cls is not None else {}
         if part not in known:
-            raise _no_such(key, _unknown(part, known) if known else f'"{".".join(parts[:i])}" has no parts')
+            raise _no_such(key, _unknown(part, known) if known else Text('"{parts}" has no parts', parts=".".join(parts[:i])))
         found.append(part)
         about = known[part].about
         cls = about.table
+        if about.kind == "reasons":
+            rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
+            if not rest and not whole:
+                raise _no_such(key, Text("is a table; name one of its keys: ") + "bearings.front.mckee")
+            return (*found, rest) if rest else tuple(found)
         here = here.get(part, [] if about.kind == "tables" else {}) if isinstance(here, dict) else {}
         if about.kind in ("series", "integers") and isinstance(here, list):
             here = tuple(here)
     if cls is not None and not whole:
-        raise _no_such(key, "is a table; name one of its keys: " + ", ".join(keys(cls)))
+        raise _no_such(key, Text("is a table; name one of its keys: ") + ", ".join(keys(cls)))
     return tuple(found)
 
 
@@ -298,7 +345,7 @@ def quantity_of(data: Table, key: str) -> Quantity:
     cls: type = Design
     about: Quantity | None = None
     for part in address(data, key):
-        if isinstance(part, str):
+        if isinstance(part, str) and part in keys(cls):
             about = keys(cls)[part].about
             cls = about.table or cls
     assert about is not None
@@ -334,7 +381,7 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     key, equals, value = text.partition("=")
     key, value = key.strip(), value.strip()
     if not equals or not key or "\n" in text:
-        raise BadInput("--set", [InputError(0, text, "", "must be KEY=VALUE, like bearings.front.length_mm=34")])
+        raise BadInput("--set", [InputError(0, text, "", Text("must be KEY=VALUE, like bearings.front.length_mm=34"))])
     if not value:
         return key, None
     try:
@@ -343,7 +390,7 @@ def parse_assignment(text: str) -> tuple[str, Any]:
         return key, value
 
 
-def _no_such(key: str, reason: str) -> BadInput:
+def _no_such(key: str, reason: Text) -> BadInput:
     return BadInput("--set", [InputError(0, key, "", reason)])
 
 
@@ -351,11 +398,11 @@ def _join(prefix: str, key: str) -> str:
     return f"{prefix}.{key}" if prefix and key else prefix or key
 
 
-def _unknown(key: str, known: dict[str, Key]) -> str:
+def _unknown(key: str, known: dict[str, Key]) -> Text:
     from difflib import get_close_matches
 
     near = get_close_matches(key, list(known), 1, 0.5)
-    return "is not known" + (f'; did you mean "{near[0]}"?' if near else "; known here are " + ", ".join(known))
+    return Text("is not known") + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known))
 
 
 def _written(value: Any) -> str:
@@ -364,7 +411,7 @@ def _written(value: Any) -> str:
         if isinstance(value, str)
         else str(value).lower()
         if isinstance(value, bool)
-        else "a table"
+        else Text("a table")
         if isinstance(value, dict)
         else str(value)
     )

@@ -13,18 +13,19 @@ from pathlib import Path
 from typing import Any
 
 from .sheet.record import record
+from .sheet.text import Text
 from .sheet.units import UNITS, Metre
 
-SOURCE = "ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)"
+SOURCE = Text("ISO 286-1:2010, tables of standard tolerances and fundamental deviations (as reprinted in public tables)")
 SHAFTS = ("c", "d", "e", "f", "g", "h", "js")
 HOLES = ("C", "D", "E", "F", "G", "H", "JS")
 GRADES = range(1, 17)
 LARGEST = 500.0  # mm
 COARSE_ABOVE = 1.0  # mm: up to here ISO 286 gives no IT14 and coarser
 ALLOWED = {
-    "": 'a class like "H7" (holes C to H, JS), "f7" (shafts c to h, js), or a width alone like "IT7"; IT1 to IT16',
-    "shaft": 'a shaft\'s class like "f7" (c to h, js), or a width alone like "IT7"; IT1 to IT16',
-    "hole": 'a hole\'s class like "H7" (C to H, JS), or a width alone like "IT7"; IT1 to IT16',
+    "": Text('a class like "H7" (holes C to H, JS), "f7" (shafts c to h, js), or a width alone like "IT7"; IT1 to IT16'),
+    "shaft": Text('a shaft\'s class like "f7" (c to h, js), or a width alone like "IT7"; IT1 to IT16'),
+    "hole": Text('a hole\'s class like "H7" (C to H, JS), or a width alone like "IT7"; IT1 to IT16'),
 }
 _WORD = re.compile(r"([A-Za-z]{1,2})([1-9]\d?)")
 _UM = 1e6
@@ -53,12 +54,12 @@ def parse(text: str, of: str = "") -> Field:
     return Field(None if found[1] == "IT" else found[1], int(found[2]))
 
 
-def problem(text: str, of: str = "") -> str | None:
+def problem(text: str, of: str = "") -> Text | None:
     """Why a word is no tolerance field, with what is allowed; None where it is one."""
     try:
         parse(text, of)
     except ValueError:
-        return f"must be {ALLOWED[of]}"
+        return Text("must be {allowed}", allowed=ALLOWED[of])
     return None
 
 

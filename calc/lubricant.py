@@ -7,8 +7,9 @@ thinning of multigrade oils at high shear rate is not part of these laws.
 
 from .catalogue import Oil, base_stocks
 from .sheet.formula import formula
-from .sheet.functions import ln, log10
+from .sheet.functions import ln, log10, power
 from .sheet.record import record
+from .sheet.text import Amount, Text
 from .sheet.units import (
     Celsius,
     JoulePerKilogramKelvin,
@@ -37,11 +38,17 @@ FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicon
     "ν", "Walther/Ubbelohde, lg lg(ν + c) = C_2 + C_1·lg T from two points; c = 0.6 (Finotti 2013, 5.5.2), 0.7 (ASTM D341)", unit="mm²/s"
 )
 def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
+    """>>> kinematic_viscosity(C_2=7.882, C_1=-3.039, T=120.9, c=0.6)
+    9.095069...e-06
+    """
     return (10 ** (10 ** (C_2 + C_1 * log10((T + ZERO_CELSIUS) / ONE_KELVIN))) - c) * CENTISTOKE
 
 
 @formula("ρ", "linear in temperature; reproduces Finotti 2013, Fig. 5.20, to its last digit")
 def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
+    """>>> density(rho_15=860, T=120.9)
+    800.8019
+    """
     return rho_15 * (1 - SLOPE * (T - REFERENCE))
 
 
@@ -52,6 +59,9 @@ def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
 
 @formula("μ", "definition of kinematic viscosity", unit="mPa·s")
 def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> PascalSecond:
+    """>>> dynamic_viscosity(nu=9.092e-06, rho=800.8)
+    0.007280873...
+    """
     return nu * rho
 
 
@@ -60,12 +70,12 @@ def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> Pasca
     "AGMA 925-A03, as generally published: α = k·ηˢ, η dynamic (the gear friction thesis writes the kinematic one)",
 )
 def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
-    return k * (mu / MILLIPASCAL_SECOND) ** s
+    return k * power(mu / MILLIPASCAL_SECOND, s)
 
 
 @formula("k", "AGMA 925-A03, as generally published, solved for k at 40 °C", names={"alpha_40": "α_40", "mu_40": "μ_40"})
 def pressure_viscosity_constant(alpha_40: PerPascal, mu_40: PascalSecond, s: Number) -> PerPascal:
-    return alpha_40 / (mu_40 / MILLIPASCAL_SECOND) ** s
+    return alpha_40 / power(mu_40 / MILLIPASCAL_SECOND, s)
 
 
 @formula("ν", "definition of kinematic viscosity, solved for it", unit="mm²/s")
@@ -103,6 +113,8 @@ class State:
 class Lubricant:
     """An oil with its viscosity law, ready to be asked at any temperature (°C; scalar or array)."""
 
+    of_numbers = True  # for `unlinked`
+
     def __init__(self, oil: Oil, law: str = "walther") -> None:
         self.oil = oil
         self.law = law
@@ -134,7 +146,7 @@ class Lubricant:
         return base_stocks()[self.oil.base].limiting_shear if given is None else given
 
 
-def line_problem(oil: Oil) -> str | None:
+def line_problem(oil: Oil) -> Text | None:
     """Why the line through an oil's two viscosities can be that of no liquid lubricant; None where it can."""
     c = ADDED["walther"]
     slope = -viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=c)
@@ -145,8 +157,14 @@ def line_problem(oil: Oil) -> str | None:
         C_2 = viscosity_intercept(nu_40=oil.nu40, c=c, C_1=-C_1)
         return f"{kinematic_viscosity(C_2=C_2, C_1=-C_1, T=100.0, c=c) / CENTISTOKE:.3g}"
 
-    return (
-        f"no liquid lubricant has it with {oil.nu40 / CENTISTOKE:g} mm²/s at 40 °C: its viscosity line would have the slope {slope:.2g}; "
-        f"silicones have 1.3, mineral oils 3.5, polyphenyl ethers 4.7, and {FLATTEST:g} to {STEEPEST:g} are allowed: "
-        f"here from {at_100(STEEPEST)} to {at_100(FLATTEST)} mm²/s"
+    return Text(
+        "no liquid lubricant has it with {nu40} mm²/s at 40 °C: its viscosity line would have the slope {slope}; "
+        "silicones have 1.3, mineral oils 3.5, polyphenyl ethers 4.7, and {flattest} to {steepest} are allowed: "
+        "here from {at_100} to {at_1002} mm²/s",
+        nu40=Amount(oil.nu40 / CENTISTOKE, form="g"),
+        slope=Amount(slope, form=".2g"),
+        flattest=Amount(FLATTEST, form="g"),
+        steepest=Amount(STEEPEST, form="g"),
+        at_100=at_100(STEEPEST),
+        at_1002=at_100(FLATTEST),
     )

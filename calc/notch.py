@@ -8,9 +8,10 @@ fits lie 0.1 to 1.4 % apart up to 2t/D = 0.7, 3 % at 0.9.
 
 from .sheet.formula import formula
 from .sheet.functions import sqrt
+from .sheet.text import Text
 from .sheet.units import Metre, Number, Pascal
 
-PETERSON = "Pilkey, Peterson's Stress Concentration Factors, 2nd/3rd ed., chart 3.10: shouldered round shaft, bending"
+PETERSON = Text("Pilkey, Peterson's Stress Concentration Factors, 2nd/3rd ed., chart 3.10: shouldered round shaft, bending")
 FIT = (0.1, 20.0)  # of t/r
 BRANCH = 2.0  # of t/r, where the second fit begins
 
@@ -25,7 +26,7 @@ def relative_step(D: Metre, d: Metre) -> Number:
     return (D - d) / D
 
 
-@formula("K_t", f"{PETERSON}, t/r up to 2", names={"x": "ξ", "y": "ζ"})
+@formula("K_t", Text("{peterson}, t/r up to 2", peterson=PETERSON), names={"x": "ξ", "y": "ζ"})
 def low_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 0.1 to 2, y = 2t/D."""
     return (
@@ -36,7 +37,7 @@ def low_shoulder(x: Number, y: Number) -> Number:
     )  # fmt: skip
 
 
-@formula("K_t", f"{PETERSON}, t/r from 2 to 20", names={"x": "ξ", "y": "ζ"})
+@formula("K_t", Text("{peterson}, t/r from 2 to 20", peterson=PETERSON), names={"x": "ξ", "y": "ζ"})
 def high_shoulder(x: Number, y: Number) -> Number:
     """x = t/r from 2 to 20, y = 2t/D."""
     return (
@@ -49,6 +50,9 @@ def high_shoulder(x: Number, y: Number) -> Number:
 
 @formula("σ_k", "elastic stress at the fillet, notch factor times nominal stress", unit="MPa")
 def notch_stress(K_t: Number, sigma: Pascal) -> Pascal:
+    """>>> notch_stress(K_t=2.353, sigma=9918000)
+    2333705...
+    """
     return K_t * sigma
 
 

@@ -8,20 +8,21 @@ is rejected, and the reason is found from the numbers: what it implies, its SAE 
 from collections.abc import Iterator
 from dataclasses import replace
 
-from .catalogue import BaseStock, Oil, PrintedViscosity, base_stocks, grades, shipped_oils
+from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, base_stocks, grades, shipped_oils
 from .lubricant import LOWEST, Lubricant, implied_viscosity, line_problem
 from .sheet.expression import symbol
-from .sheet.number import short
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.step import Erratum, Table
+from .sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from .sheet.trace import untraced
 from .sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond
 
 KEPT = 0.05  # how far a printed viscosity may lie from the law
 CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given": by the user, who answers for it
+GIVEN = Text("given")
 NO_VALUES = ("name", "source", "printed")
-SPECIFIC_HEAT = Quantity("number", "Specific heat; the program takes one law for all oils", "J/(kg·K)", "c_p")
+SPECIFIC_HEAT = Quantity("number", Text("Specific heat; the program takes one law for all oils"), "J/(kg·K)", "c_p")
 
 
 @record
@@ -29,12 +30,12 @@ class JudgedValue:
     """One value of an oil, in the unit that it is shown in, with where it comes from and how far it can be trusted."""
 
     key: str
-    label: str
+    label: Text
     symbol: str
     value: float | str
     unit: str
-    confidence: str
-    source: str
+    confidence: Text
+    source: Text
 
 
 @record
@@ -45,17 +46,17 @@ class JudgedViscosity:
     printed: PascalSecond
     law: PascalSecond
     implied: SquareMetrePerSecond
-    grade: str
+    grade: Text
     kept: bool
-    reason: str
+    reason: Text
 
     @property
     def deviation(self) -> Number:
         return self.printed / self.law - 1
 
     @property
-    def verdict(self) -> str:
-        return "kept" if self.kept else "rejected"
+    def verdict(self) -> Text:
+        return Text("kept") if self.kept else Text("rejected")
 
 
 # --- values ----------------------------------------------------------------------------------------------------------------
@@ -70,11 +71,11 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
         value = getattr(oil, about.attribute)
         if key in NO_VALUES or value is None:
             continue
-        default = oil.source if value != about.field.default else f"{oil.source}, or left out: the program's usual value"
-        claim = claims.get(key)
-        yield _judged(key, about.about, value, claim.confidence if claim else "given", claim.source if claim else default)
+        default = Text("{source}, or left out: the program's usual value", source=oil.source)
+        own = Claim(key, value, GIVEN, Name(oil.source) if value != about.field.default else default)
+        yield _judged(key, about.about, value, claims.get(key, own))
     if (claim := claims.get("specific_heat_J_kgK")) is not None:
-        yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim.confidence, claim.source)
+        yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim)
 
 
 def _of_base(oil: Oil) -> Iterator[JudgedValue]:
@@ -84,15 +85,17 @@ def _of_base(oil: Oil) -> Iterator[JudgedValue]:
     for key, about in keys(BaseStock).items():
         if key in claims and replaced.get(key) is None:
             claim = claims[key]
-            yield _judged(key, about.about, getattr(base, about.attribute), claim.confidence, f"base stock {base.name}: {claim.source}")
+            source = Text("base stock {name}: {source}", name=base.name, source=claim.source)
+            yield _judged(key, about.about, getattr(base, about.attribute), replace(claim, source=source))
 
 
-def _judged(key: str, about: Quantity, value: float | str, confidence: str, source: str) -> JudgedValue:
+def _judged(key: str, about: Quantity, value: float | str, claim: Claim) -> JudgedValue:
     shown = about.units.shown(value) if isinstance(value, float) else value
-    return JudgedValue(key, about.label, symbol(about.symbol) if about.symbol else "base", shown, about.unit, confidence, source)
+    name = symbol(about.symbol) if about.symbol else "base"
+    return JudgedValue(key, Text(about.label), name, shown, about.unit, claim.confidence, claim.source)
 
 
-def least_sure(oil: Oil) -> tuple[str, tuple[str, ...]]:
+def least_sure(oil: Oil) -> tuple[Text, tuple[str, ...]]:
     """The lowest confidence among the values of an oil, and the symbols of those that have it."""
     values = judged_values(oil)
     lowest = max((v.confidence for v in values), key=CONFIDENCES.index)
@@ -102,8 +105,8 @@ def least_sure(oil: Oil) -> tuple[str, tuple[str, ...]]:
 def values_table(oil: Oil) -> Table:
     """Every value of an oil with its source and confidence."""
     rows = tuple((v.label, v.value, v.unit, v.confidence, v.source) for v in judged_values(oil))
-    columns = (("Value", ""), ("Number", ""), ("Unit", ""), ("Confidence", ""), ("Source", ""))
-    return Table("oil", f"Oil {oil.name}: what is known of it", columns, rows)
+    columns = ((Text("Value"), ""), (Text("Number"), ""), (Text("Unit"), ""), (Text("Confidence"), ""), (Text("Source"), ""))
+    return Table("oil", Text("Oil {name}: what is known of it", name=oil.name), columns, rows)
 
 
 # --- printed viscosities ---------------------------------------------------------------------------------------------------
@@ -122,28 +125,35 @@ def _against_law(lubricant: Lubricant, one: PrintedViscosity) -> JudgedViscosity
     state = lubricant.at(one.temperature)
     implied = implied_viscosity(mu=one.viscosity, rho=state.rho)
     kept = abs(one.viscosity / state.mu - 1) <= KEPT
-    reason = "" if kept else "; ".join(_reasons(lubricant, one, implied))
-    return JudgedViscosity(
-        one.temperature, one.viscosity, state.mu, implied, grade(implied) if one.temperature == 100 else "", kept, reason
-    )
+    reason = EMPTY if kept else SEMICOLON.join(_reasons(lubricant, one, implied))
+    sae = grade(implied) if one.temperature == 100 else EMPTY
+    return JudgedViscosity(one.temperature, one.viscosity, state.mu, implied, sae, kept, reason)
 
 
-def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[str]:
+def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[Text]:
     """Why a printed viscosity does not go with its oil, from the numbers alone."""
     oil, T = lubricant.oil, one.temperature
     own = {40.0: oil.nu40, 100.0: oil.nu100}.get(T, lubricant.at(T).nu)
-    what = f"implies {_mm2_s(implied)} mm²/s at {T:g} °C"
+    implies = Text("implies {nu} mm²/s at {T} °C", nu=_mm2_s(implied), T=Amount(T, form="g"))
     if T == 100 and grade(implied) != grade(own):
-        yield f"{what}, {grade(implied)}; the oil has {_mm2_s(own)}, {grade(own)}"
+        yield Text("{implies}, {grade}; the oil has {nu}, {own}", implies=implies, grade=grade(implied), nu=_mm2_s(own), own=grade(own))
     else:
-        yield f"{what}, {short(implied / own, 2)} times the {_mm2_s(own)} " + (
-            "that the oil has" if T in (40, 100) else "of its viscosity line"
+        parts = dict(implies=implies, times=Amount(implied / own, digits=2), nu=_mm2_s(own))
+        yield (
+            Text("{implies}, {times} times the {nu} that the oil has", **parts)
+            if T in (40, 100)
+            else Text("{implies}, {times} times the {nu} of its viscosity line", **parts)
         )
     wrong = next((o for o in oil.printed if (o.temperature - T) * (o.viscosity - one.viscosity) > 0), None)
     if wrong is not None:
-        side = "less" if one.viscosity < wrong.viscosity else "more"
-        yield f"{side} than the {_mPas(wrong.viscosity)} printed for {wrong.temperature:g} °C, though oil thins with heat"
-        yield from (f"equals the value printed for {name} at {T:g} °C: copied?" for name in _others(oil, one))
+        there = dict(mu=_mPas(wrong.viscosity), T=Amount(wrong.temperature, form="g"))
+        yield (
+            Text("less than the {mu} printed for {T} °C, though oil thins with heat", **there)
+            if one.viscosity < wrong.viscosity
+            else Text("more than the {mu} printed for {T} °C, though oil thins with heat", **there)
+        )
+        for name in _others(oil, one):
+            yield Text("equals the value printed for {name} at {T} °C: copied?", name=name, T=Amount(T, form="g"))
     yield from _between(lubricant, one)
 
 
@@ -155,7 +165,7 @@ def _others(oil: Oil, one: PrintedViscosity) -> Iterator[str]:
             yield name
 
 
-def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[str]:
+def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[Text]:
     """Whether a value agrees at least with those that are printed at 40 and 100 °C: the line through them."""
     oil = lubricant.oil
     ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
@@ -167,24 +177,27 @@ def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[str]:
         return
     there = Lubricant(other, lubricant.law).at(one.temperature).mu
     agrees = abs(one.viscosity / there - 1) <= KEPT
-    line = f"the line through the values printed at 40 and 100 °C, which has {_mPas(there)}"
-    yield f"lies on {line}, and shares their fault" if agrees else f"not on {line}, either"
+    yield (
+        Text("lies on the line through the values printed at 40 and 100 °C, which has {mu}, and shares their fault", mu=_mPas(there))
+        if agrees
+        else Text("not on the line through the values printed at 40 and 100 °C, which has {mu}, either", mu=_mPas(there))
+    )
 
 
-def grade(nu: SquareMetrePerSecond) -> str:
+def grade(nu: SquareMetrePerSecond) -> Text:
     """The SAE grade of a kinematic viscosity at 100 °C."""
     known = grades()
     if nu < known[0].from_:
-        return f"thinner than {known[0].name}"
-    return next((g.name for g in known if nu < g.below), f"thicker than {known[-1].name}")
+        return Text("thinner than {grade}", grade=known[0].name)
+    return next((Name(g.name) for g in known if nu < g.below), Text("thicker than {grade}", grade=known[-1].name))
 
 
-def _mm2_s(nu: SquareMetrePerSecond) -> str:
-    return short(UNITS["mm²/s"].shown(nu))
+def _mm2_s(nu: SquareMetrePerSecond) -> Amount:
+    return Amount(UNITS["mm²/s"].shown(nu))
 
 
-def _mPas(mu: PascalSecond) -> str:
-    return f"{short(UNITS['mPa·s'].shown(mu))} mPa·s"
+def _mPas(mu: PascalSecond) -> Amount:
+    return Amount(UNITS["mPa·s"].shown(mu), "mPa·s")
 
 
 def printed_table(lubricant: Lubricant) -> Table | None:
@@ -195,24 +208,30 @@ def printed_table(lubricant: Lubricant) -> Table | None:
          v.verdict, v.reason) for v in printed_viscosities(lubricant)
     )  # fmt: skip
     columns = (
-        ("T", "°C"),
-        ("Printed", "mPa·s"),
-        ("Law", "mPa·s"),
-        ("Deviation", "%"),
-        ("Implied ν", "mm²/s"),
-        ("Verdict", ""),
-        ("Reason", ""),
+        (Text("T"), "°C"),
+        (Text("Printed"), "mPa·s"),
+        (Text("Law"), "mPa·s"),
+        (Text("Deviation"), "%"),
+        (Text("Implied ν"), "mm²/s"),
+        (Text("Verdict"), ""),
+        (Text("Reason"), ""),
     )
-    note = f"Kept: within {KEPT:.0%} of the law through the oil's viscosities at 40 and 100 °C and its density.".replace("%", " %")
-    return Table("oil_printed", f"Oil {lubricant.oil.name}: viscosities printed elsewhere", columns, rows, note) if rows else None
+    note = Text("Kept: within {kept} % of the law through the oil's viscosities at 40 and 100 °C and its density.", kept=Amount(KEPT * 100))
+    return (
+        Table("oil_printed", Text("Oil {name}: viscosities printed elsewhere", name=lubricant.oil.name), columns, rows, note)
+        if rows
+        else None
+    )
 
 
-def errata(lubricant: Lubricant, T: Celsius, about: str, source: str = "") -> tuple[Erratum, ...]:
+def errata(lubricant: Lubricant, T: Celsius, about: str, source: Text = EMPTY) -> tuple[Erratum, ...]:
     """What is printed for an oil at this temperature, where it is rejected; `about`: the value that is judged instead."""
     return tuple(
         Erratum(
-            about, f"Viscosity of the oil at {v.temperature:g} °C", UNITS["mPa·s"].shown(v.printed), "mPa·s",
-            source or f"printed viscosity; {lubricant.oil.source}", f"The printed value {v.reason}.",
+            about, Text("Viscosity of the oil at {temperature} °C", temperature=Amount(v.temperature, form="g")),
+            UNITS["mPa·s"].shown(v.printed), "mPa·s",
+            source or Text("printed viscosity; {source}", source=lubricant.oil.source),
+            Text("The printed value {reason}.", reason=v.reason),
         )
         for v in printed_viscosities(lubricant) if not v.kept and abs(v.temperature - T) < 1e-9
     )  # fmt: skip

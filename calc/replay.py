@@ -11,11 +11,12 @@ from .design_file import Document, design, read, value_at
 from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
 from .sheet.number import short
+from .sheet.text import Text
 from .solve import Results, solve
 
 STEP_KEYS = {"set", "to", "unset", "undo", "report"}
 EXPECT_KEYS = {"value", "check", "step", "is", "unit", "rel", "abs", "verdict", "kind", "source", "after"}
-STEP = (
+STEP = Text(
     'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for several at once, '
     'or undo = true, or report = "out.pdf"'
 )
@@ -58,7 +59,7 @@ def load(path: Path | str) -> Script:
     raw = read(path)  # the same care with files that are no TOML
     data, errors = raw.data, []
 
-    def error(key: str, reason: str) -> None:
+    def error(key: str, reason: Text) -> None:
         where = key
         while where and where not in raw.lines:
             where = where.rpartition(".")[0]
@@ -66,13 +67,13 @@ def load(path: Path | str) -> Script:
 
     for key in data:
         if key not in {"schema", "design", "step", "expect", "name", "note"}:
-            error(key, "is not known; a replay has schema, name, note, design, [[step]] and [[expect]]")
+            error(key, Text("is not known; a replay has schema, name, note, design, [[step]] and [[expect]]"))
     if data.get("schema") != 1:
-        error("schema", "must be 1")
+        error("schema", Text("must be 1"))
     steps, expects = data.get("step", []), data.get("expect", [])
     for key, rows in (("step", steps), ("expect", expects)):
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
-            error(key, f"must be an array of tables: [[{key}]]")
+            error(key, Text("must be an array of tables: [[{key}]]", key=key))
             steps, expects = [], []
     for i, row in enumerate(steps):
         _check_step(f"step.{i}", row, error)
@@ -85,18 +86,18 @@ def load(path: Path | str) -> Script:
     elif isinstance(given, dict):
         start = Document(given, raw.place, {k.removeprefix("design."): n for k, n in raw.lines.items() if k.startswith("design.")}, raw.raw)
     else:
-        error("design", "is missing; needs the path of a design file, or a whole [design] table")
+        error("design", Text("is missing; needs the path of a design file, or a whole [design] table"))
     if not expects and "expect" not in data:
-        error("expect", "is missing; a replay needs at least one [[expect]]")
+        error("expect", Text("is missing; a replay needs at least one [[expect]]"))
     if errors:
         raise BadInput(raw.place, errors)
     assert start is not None
     return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines)
 
 
-def _check_step(key: str, row: dict[str, Any], error: Callable[[str, str], None]) -> None:
+def _check_step(key: str, row: dict[str, Any], error: Callable[[str, Text], None]) -> None:
     for unknown in set(row) - STEP_KEYS:
-        error(f"{key}.{unknown}", "is not known; a step has set and to, or unset, or undo, or report")
+        error(f"{key}.{unknown}", Text("is not known; a step has set and to, or unset, or undo, or report"))
     one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
     gone = row.get("unset")
     several = isinstance(gone, list) and bool(gone) and all(isinstance(name, str) for name in gone)
@@ -108,27 +109,27 @@ def _check_step(key: str, row: dict[str, Any], error: Callable[[str, str], None]
         error(key, STEP)
 
 
-def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, str], None]) -> None:
+def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, Text], None]) -> None:
     for unknown in set(row) - EXPECT_KEYS:
-        error(f"{key}.{unknown}", "is not known; an expectation has " + ", ".join(sorted(EXPECT_KEYS)))
+        error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(EXPECT_KEYS)))
     named = [row[name] for name in ("value", "check", "step") if name in row]
     if len(named) != 1 or not isinstance(named[0], str):
-        error(key, "must name one value, check or step")
+        error(key, Text("must name one value, check or step"))
     if "value" in row:
         if not _number(row.get("is")):
-            error(key, "needs is = NUMBER")
+            error(key, Text("needs is = NUMBER"))
         tolerances = [row[name] for name in ("rel", "abs") if name in row]
         if not tolerances or not all(_number(t) and t >= 0 for t in tolerances):
-            error(key, "needs a tolerance: rel or abs, a number of 0 or more")
+            error(key, Text("needs a tolerance: rel or abs, a number of 0 or more"))
         if row.get("kind") not in KINDS:
-            error(key, 'needs kind = "reference" or "recorded"')
+            error(key, Text('needs kind = "reference" or "recorded"'))
         if row.get("kind") == "reference" and not row.get("source"):
-            error(key, "a reference value needs its source")
+            error(key, Text("a reference value needs its source"))
     elif row.get("verdict") not in ORDER:
-        error(key, "needs verdict = one of " + ", ".join(ORDER))
+        error(key, Text("needs verdict = one of ") + ", ".join(ORDER))
     after = row.get("after", steps)
     if not isinstance(after, int) or isinstance(after, bool) or not 0 <= after <= steps:
-        error(f"{key}.after", f"must be a step from 0 to {steps}")
+        error(f"{key}.after", Text("must be a step from 0 to {steps}", steps=steps))
 
 
 def _number(x: Any) -> bool:
@@ -167,7 +168,7 @@ def played(document: Document, step: dict[str, Any]) -> Document:
     """The document with the changes of one step.  Raises BadInput where there is no such key; the design is not checked."""
     for key, value in changes(step):
         if value is None and value_at(document.data, key, whole=True) is None:
-            raise BadInput(document.place, [InputError(0, key, "", "is not there, so it can not be taken out")])
+            raise BadInput(document.place, [InputError(0, key, "", Text("is not there, so it can not be taken out"))])
         document = document.with_value(key, value)
     return document
 

@@ -5,9 +5,10 @@ import json
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from .catalogue import TABLES
+from .sheet.text import Text
 
 if TYPE_CHECKING:
     from .design import Design
@@ -35,17 +36,17 @@ def engine_design(name: str) -> str:
     """The text of a design for a shipped engine: complete where first order asks for a shaft at −1, else engine and imbalance."""
     row = _rows()[name]
     if "design" in row:
-        return (DESIGNS / row["design"]).read_text(encoding="utf-8")
+        return cast(str, (DESIGNS / row["design"]).read_text(encoding="utf-8"))
     engine, imbalance = row["engine"], {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
-    from .begun import begun  # numpy, which a list of the engines does not need
     from .design_file import design, parse
+    from .starter_design import begun  # numpy, which a list of the engines does not need
 
     def read(tables: str) -> "Design":
         return design(parse(_text(engine["name"], "", tables).encode("utf-8"), name))
 
     said, shaft = begun(read(body), body, read)
-    return _text(engine["name"], f"{row['what']}. Data: {row['source']}. {said}", body + shaft)
+    return _text(engine["name"], Text("{row}. Data: {row2}. {said}", row=row["what"], row2=row["source"], said=said), body + shaft)
 
 
 def _text(name: str, note: str, tables: str) -> str:
@@ -56,8 +57,8 @@ def _text(name: str, note: str, tables: str) -> str:
 def _engine(row: dict[str, Any]) -> dict[str, Any]:
     """The engine of a row, which may stand in a complete design."""
     if "design" not in row:
-        return row["engine"]
-    return tomllib.loads((DESIGNS / row["design"]).read_text(encoding="utf-8"))["engine"]
+        return cast("dict[str, Any]", row["engine"])
+    return cast("dict[str, Any]", tomllib.loads((DESIGNS / row["design"]).read_text(encoding="utf-8"))["engine"])
 
 
 def _rows() -> dict[str, Any]:

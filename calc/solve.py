@@ -3,41 +3,63 @@
 
 The order of computing is not quite that of the screen: the journals carry the shaft's reactions, the train carries the journals'
 loss, and only then is the torque known that loads the gears.
+
+The type checker holds every call against its signature, and no call has two arguments of one type: values that could be mistaken for
+each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain`).  `tests/test_types.py` swaps each pair.
 """
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import field, replace
 from typing import Any
 
-from . import handing as h
+from . import step_inputs as h
 from .bearings import solve as bearings
-from .bearings.standing import with_standing as bearings_with_standing
+from .bearings.stationary_load import with_standing as bearings_with_standing
 from .countershaft import solve as countershaft
-from .countershaft.standing import with_standing
+from .countershaft.result import CountershaftResult
+from .countershaft.stationary_load import with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
+from .engine.solve import EngineResult
 from .friction import solve as friction
+from .friction.result import FrictionResult
 from .gears import solve as gears
 from .gears.curves import curves
+from .gears.inputs import GearsInputs
+from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .sheet.check import Check, worst
-from .sheet.errors import Cancelled, NoSolution
+from .sheet.number import short
+from .sheet.parts import Enough, Kept, Parts
+from .sheet.printed import aligned
 from .sheet.quantity import Published
-from .sheet.step import Outcome
+from .sheet.record import record
+from .sheet.step import Outcome, accepted
 
 TITLES = {step.key: step.title for step in STEPS}
 
 
-@dataclass(frozen=True)
+@record
 class Results:
     """What a design gives, step by step in the order of the screen."""
 
     design: Design
-    outcomes: dict[str, Outcome]
-    parts: dict[str, Any] = field(default_factory=dict, repr=False)  # for the next solve: what each part was asked, and said
+    outcomes: dict[str, Outcome[Any]]  # by the key of the step, each with a result of its own class
+    parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # for the next solve: the arguments and the outcome of each part
+
+    def __str__(self) -> str:
+        """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of its step."""
+        values, rows = self.values(), []
+        for step in (step for step in STEPS if step.key in self.outcomes):
+            outcome = self.outcomes[step.key]
+            head = values.get(step.headline(values) or "")
+            words = f"{head.label}: {short(head.shown)} {head.unit}" if head else outcome.reason
+            rows.append((f"  {step.title}", outcome.verdict, words))
+        fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
+        return "\n".join([aligned(f"{self.design.name}: {self.verdict}", iter(rows)), *fails])
 
     def values(self) -> dict[str, Published]:
-        return {value.id: value for outcome in self.outcomes.values() for value in outcome.values()}
+        return {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}
 
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():
@@ -52,124 +74,104 @@ class Results:
         return worst([outcome.verdict for outcome in self.outcomes.values()])
 
 
-class _Parts:
-    """Calls the parts.  One whose arguments are what they were is taken over; one that waits for another is blocked."""
-
-    def __init__(self, before: Results | None, stop: Callable[[], bool]) -> None:
-        self.before = before.parts if before else {}
-        self.stop = stop
-        self.now: dict[str, Any] = {}
-
-    def __call__(self, key: str, asked: Any, function: Callable[..., Outcome], *arguments: Any, after: tuple[Outcome, ...] = ()) -> Outcome:
-        if self.stop():
-            raise Cancelled
-        if asked is None:
-            return Outcome(key, "not_asked")
-        waiting = [TITLES[o.key] for o in after if o.state != "solved"]
-        if waiting:
-            return Outcome(key, "blocked", reason=f"waits for {' and '.join(waiting)}")
-        name = f"{key}.{function.__name__}"
-        known, said = self.before.get(name, (None, None))
-        if known is None or not _same(known, arguments):
-            try:
-                said = function(*arguments)
-            except NoSolution as none:
-                said = Outcome(key, "no_solution", reason=str(none))
-            except (ArithmeticError, ValueError) as error:  # numbers that are allowed one by one, but not together
-                said = Outcome(key, "no_solution", reason=f"the arithmetic breaks down ({error}); look for an extreme number")
-        self.now[name] = (arguments, said)
-        return said
-
-
-def _same(known: tuple[Any, ...], arguments: tuple[Any, ...]) -> bool:
-    """Inputs are compared by value, results by identity (they hold arrays)."""
-    try:
-        return len(known) == len(arguments) and all(a is b or bool(a == b) for a, b in zip(known, arguments))
-    except ValueError:
-        return False
-
-
-def solve(design: Design, before: Results | None = None, stop: Callable[[], bool] = bool) -> Results:
+def solve(
+    design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None
+) -> Results:  # fmt: skip
     """All six steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
 
     `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
+    `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
     """
-    part = _Parts(before, stop)
-    oils, materials = design.oils, design.materials
+    part = Parts(TITLES, before.parts if before else {}, stop=stop, enough=enough)
+    try:
+        return _solve(part, design)
+    except Enough:
+        return Results(design, part.last, part.kept)
 
-    e = part("engine", design.engine, engine.solve, design.engine, materials)
-    i = part(
-        "imbalance", design.imbalance, imbalance.solve, design.imbalance, design.engine, e.result, h.takes_first_order(design),
-        h.shaft_teeth(design), h.shaft_axis(design), after=(e,),
-    )  # fmt: skip
-    first_speed = h.first_speed(design)
-    g = geometry = part("gears", design.gears, gears.geometry, design.gears, first_speed)
-    omega = e.result.angular_speed if e.result else None
-    slopes = design.bearings.slope if design.bearings else None
-    gear = h.shaft_gear(design, geometry.result)
-    c = part(
-        "countershaft", design.countershaft, countershaft.solve, design.countershaft, i.result, omega, materials, h.journals(design), gear,
-        slopes, after=(e, i),
-    )  # fmt: skip
-    if c.result is not None and design.imbalance is not None and h.takes_first_order(design):
-        i = imbalance.with_shaft(i, c.result.force_vector, c.result.couple_vector, design.imbalance.crank_balance_fraction)
-    b = part(
-        "bearings", design.bearings, bearings.solve, design.bearings, c.result, design.engine, oils.get(h.name_of(design.bearings, "oil")),
-        materials.get(h.name_of(design.bearings, "journal_material") or h.name_of(design.countershaft, "material")),
-        materials.get(h.name_of(design.bearings, "housing_material")), after=_asked(e, i, c),
-    )  # fmt: skip
-    if g.state == "solved" and design.gears is not None:
-        g = _placed(part, g, design, c)
-    oil, law, temperature = h.mesh_oil(design)
-    f = part(
-        "friction", design.friction, friction.solve, design.friction, design.gears, g.result, h.on_shaft(design, c, b, gear), first_speed,
-        oils.get(oil), law, temperature, materials, oils, after=(g, b) if design.bearings else (g,),
-    )  # fmt: skip
+
+def _solve(part: Parts, design: Design) -> Results:
+    materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
+
+    if design.engine is not None:
+        e = part("engine", engine.solve, design.engine, materials)
+    else:
+        e = part.absent("engine", design.engine, ())
+
+    if design.imbalance is not None and design.engine is not None and e.result is not None:
+        i = part(
+            "imbalance", imbalance.solve, design.imbalance, design.engine, e.result, h.takes_first_order(design), h.shaft_teeth(design),
+            h.shaft_axis(design),
+        )  # fmt: skip
+    else:
+        i = part.absent("imbalance", design.imbalance, (e,))
+
+    if design.gears is not None and first_speed is not None:
+        g = part("gears", gears.geometry, design.gears, first_speed)
+    else:
+        g = part.absent("gears", design.gears, (e,))
+    train, gear = g.result, h.shaft_gear(design, g.result)
+
+    if design.countershaft is not None and e.result is not None and i.result is not None:
+        c = part(
+            "countershaft", countershaft.solve, design.countershaft, i.result, e.result.angular_speed, materials, h.journals(design), gear,
+            design.bearings.slope if design.bearings is not None else None,
+        )  # fmt: skip
+    else:
+        c = part.absent("countershaft", design.countershaft, (e, i))
+    if i.result is not None and c.result is not None and design.imbalance is not None and h.takes_first_order(design):
+        i = imbalance.with_shaft(i, c.result.vectors, design.imbalance)
+
+    late = h.unsolved((e, i, c))
+    if design.bearings is not None and not late:
+        b = part("bearings", bearings.solve, design.bearings, c.result, design.engine, h.bearing_materials(design, design.bearings))
+    else:
+        b = part.absent("bearings", design.bearings, late)
+
+    if design.gears is not None and g.result is not None:
+        g = _placed(part, g, design.gears, design, c)
+
+    oil, late = h.mesh_oil(design), h.unsolved((b,))
+    if design.friction is not None and design.gears is not None and g.result is not None and first_speed and oil is not None and not late:
+        f = part(
+            "friction", friction.solve, design.friction, design.gears, g.result, h.on_shaft(design, c, b, gear), first_speed, oil,
+            materials, oils,
+        )  # fmt: skip
+    else:
+        f = part.absent("friction", design.friction, (g, *late))
+
     if c.result is not None and design.countershaft is not None:
-        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, geometry.result, f))
-        b = bearings_with_standing(b, c.result.standing)
-    if g.state == "solved" and design.gears is not None:
-        g = _rated(part, g, design, (e, c, f), first_speed)
-    if g.state == "solved" and c.result is not None:
+        c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, train, f))
+        b = bearings_with_standing(b, c.solution.standing)
+    if g.result is not None and design.gears is not None:
+        g = _rated(part, g, design.gears, design, e, c, f)
+    if g.result is not None and c.result is not None:
         g = gears.with_residual_couple(g, c.result.couple)
-    if g.state == "solved" and design.countershaft is not None:
-        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine.rated_speed if design.engine else first_speed)
-    if g.state == "solved":
+    if g.result is not None and design.countershaft is not None:
+        g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
+    if g.result is not None:
         g = replace(g, curves=g.curves + curves(g.result))
-    found = {outcome.key: outcome for outcome in (e, i, c, b, g, f)}
-    return Results(design, found, part.now)
+    return Results(design, accepted((e, i, c, b, g, f), design.accepted), part.kept)
 
 
-def _placed(part: _Parts, g: Outcome, design: Design, c: Outcome) -> Outcome:
-    """A train whose geometry is known: its play and its place.  What finds no solution fails, the rest stays."""
-    assert design.gears is not None
-    own = design.gears
-    played = part("gears", own, gears.with_play, g, own, design.materials, h.housing(design))
-    g = played if played.state == "solved" else gears.without(g, "backlash over parts and temperature", played.reason)
-    couple = c.result.couple if c.result else None
-    placed = part(
-        "gears", own, gears.with_layout, g, own, h.shaft_axis(design), h.eccentric(design), h.ends(h.journals(design)),
-        h.gear_end(design, c), couple,
-    )  # fmt: skip
-    return placed if placed.state == "solved" else gears.without(g, "layout of the train", placed.reason)
+def _placed(
+    part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, c: Outcome[CountershaftResult]
+) -> Outcome[TrainResult]:  # fmt: skip
+    """A train whose geometry is known: its backlash and its place.  What finds no solution fails, the rest stays."""
+    played = part("gears", gears.with_play, g, own, design.materials, h.housing(design))
+    g = played if played.state == "solved" else gears.without(g, gears.BACKLASH, played.reason)
+    placed = part("gears", gears.with_layout, g, own, h.shaft_in_train(design, c))
+    return placed if placed.state == "solved" else gears.without(g, gears.LAYOUT, placed.reason)
 
 
-def _rated(part: _Parts, g: Outcome, design: Design, steps: tuple[Outcome, Outcome, Outcome], first_speed: float | None) -> Outcome:
+def _rated(
+    part: Parts, g: Outcome[TrainResult], own: GearsInputs, design: Design, e: Outcome[EngineResult], c: Outcome[CountershaftResult],
+    f: Outcome[FrictionResult],
+) -> Outcome[TrainResult]:  # fmt: skip
     """Its rating and its forces, once the closed balance has the power of every mesh."""
-    assert design.gears is not None
-    own, (e, c, f) = design.gears, steps
-    power = h.power(design, g, f, first_speed)
+    power = h.power(own, f)
     if power is None:
-        missing = (
-            f"Not rated: {TITLES['friction']} gives no power: {f.reason}." if f.state in ("no_solution", "blocked") else gears.NOT_RATED
-        )
-        return replace(g, notes=(*g.notes, missing))
-    rated = part("gears", own, gears.rating, own, g.result, power, design.materials, h.around_gears(design, e, c))
+        return gears.not_rated(g, h.not_rated(f))
+    rated = part("gears", gears.rating, own, g.solution, power, design.materials, h.around_gears(design, e, c))
     if rated.state != "solved":
-        return gears.without(g, "rating of the teeth", rated.reason)
+        return gears.without(g, gears.RATING, rated.reason)
     return gears.with_forces(gears.merge(g, rated), own)
-
-
-def _asked(*outcomes: Outcome) -> tuple[Outcome, ...]:
-    """Those that a part may wait for: where a step is not asked, its inputs are given otherwise."""
-    return tuple(outcome for outcome in outcomes if outcome.state != "not_asked")

@@ -16,18 +16,19 @@ from .design import Design
 from .design_file import Document, address, design, quantity_of
 from .engine import solve as engine
 from .engine.inputs import EngineInputs
-from .handing import shaft_axis, shaft_teeth
-from .imbalance import judgement
+from .imbalance import checks as imbalance_checks
 from .imbalance import solve as imbalance
 from .imbalance.inputs import ImbalanceInputs
-from .sheet.check import worst
+from .sheet.check import step_verdict, worst
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import keys, published
+from .sheet.text import Text
 from .solve import Results, solve
+from .step_inputs import shaft_axis, shaft_teeth
 
 MOST_ROWS = 1_000_000
 SHOWN_ERRORS = 20
-FORM = "must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21"
+FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
 
 
 @dataclass(frozen=True)
@@ -72,10 +73,12 @@ def varied(document: Document, texts: Sequence[str]) -> list[Varied]:
         except BadInput as bad:
             errors += [replace(e, key=f"--vary {e.key}") for e in bad.errors]
         except ValueError as wrong:
-            errors.append(InputError(0, f"--vary {key}", said, str(wrong)))
+            errors.append(InputError(0, f"--vary {key}", said, Text("{wrong}", wrong=str(wrong))))
     rows = int(np.prod([len(v.values) for v in found])) if found else 0
     if rows > MOST_ROWS:
-        errors.append(InputError(0, "--vary", "", f"asks for {rows} designs; at most {MOST_ROWS} at once"))
+        errors.append(
+            InputError(0, "--vary", "", Text("asks for {rows} designs; at most {most_rows} at once", rows=rows, most_rows=MOST_ROWS))
+        )
     if errors:
         raise BadInput(document.place, errors)
     return found
@@ -113,7 +116,9 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     grid = list(product(*(v.values for v in inputs)))
     base = design(document)
     if step is not None and getattr(base, step) is None:
-        raise BadInput(document.place, [InputError(0, "--step", step, f"is not asked in this design: it has no table [{step}]")])
+        raise BadInput(
+            document.place, [InputError(0, "--step", step, Text("is not asked in this design: it has no table [{step}]", step=step))]
+        )
     rows = _together(document, base, inputs, grid) if _vectorised(base, inputs, step) else _each(document, inputs, grid, step)
     names: dict[str, None] = {}
     units: dict[str, str] = {}
@@ -208,8 +213,8 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
     for k in range(len(grid)):
         one_row = {id: (numbers[k], unit) for id, (numbers, unit) in columns.items()}
         share = _at(cranks.crank_balance_fraction, k)
-        checks = judgement.checks(_at(judged, k), _at(e.lambda_, k), share, base.countershaft is not None)
-        yield one_row, {"imbalance": worst([c.verdict for c in checks])}
+        judged_by = imbalance_checks.checks(_at(judged, k), _at(e.lambda_, k), share, base.countershaft is not None)
+        yield one_row, {"imbalance": step_verdict(judged_by)}
 
 
 def _cells(numbers: Any) -> list[float | None]:
@@ -234,12 +239,16 @@ def _words(inputs: Sequence[Varied], at: Sequence[Any]) -> str:
 
 def _raise(document: Document, errors: list[InputError]) -> None:
     if errors:
-        more = [InputError(0, "", "", f"… and {len(errors) - SHOWN_ERRORS} more")] if len(errors) > SHOWN_ERRORS else []
+        more = [InputError(0, "", "", Text("… and {count} more", count=len(errors) - SHOWN_ERRORS))] if len(errors) > SHOWN_ERRORS else []
         raise BadInput(document.place, errors[:SHOWN_ERRORS] + more)
 
 
-def _no_value(id: str, known: dict[str, str]) -> str:
+def _no_value(id: str, known: dict[str, str]) -> Text:
     from difflib import get_close_matches
 
     near = get_close_matches(id, list(known), 1, 0.4)
-    return "is no value of these designs" + (f'; did you mean "{near[0]}"?' if near else "") + " (`contralbero check FILE` prints them all)"
+    return (
+        Text("is no value of these designs")
+        + (f'; did you mean "{near[0]}"?' if near else "")
+        + " (`contralbero check FILE` prints them all)"
+    )

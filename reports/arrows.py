@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING, Any
 from calc.sheet.step import Curve
 
 from .boxes import Colour
-from .flow import LEFT
+from .paper import LEFT
 from .prose import Style, run
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 ARROW: Colour = (0.15, 0.15, 0.15)
 THICK = 0.9

@@ -12,9 +12,10 @@ from reportlab.pdfgen.canvas import Canvas
 from calc.sheet.progress import Progress
 
 from . import attach
-from .flow import PAGE, Page
-from .letters import UPRIGHT, clean
+from .flow import Page
+from .fonts import UPRIGHT, clean
 from .page import paint
+from .paper import PAGE
 from .summary import PROGRAM, SHORT_HASH
 
 

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from .letters import ASCENT, DESCENT, UPRIGHT, all_in, clean, widths
-from .letters import width as text_width
+from .fonts import ASCENT, DESCENT, UPRIGHT, all_in, clean, widths
+from .fonts import width as text_width
 
 Mark = tuple[Any, ...]
 Colour = tuple[float, float, float]

@@ -6,18 +6,19 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-from calc.sheet.check import Check
-from calc.sheet.number import short as number
+from calc.sheet.check import URGENT, Check, grouped, with_it
 from calc.sheet.step import Erratum
+from calc.sheet.text import Amount, Text
 
-from .context import Context, severity
+from .context import Context
 from .flow import Block
-from .letters import BOLD
+from .fonts import BOLD
 from .prose import CELL, NOTE, Style
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS, verdict
 
-VERDICT = 42.0
+VERDICT, LONG_VERDICT = 42.0, 62.0
+LONG = ("not_verified", "accepted")
 SIGN = {state: Style(CELL.size, CELL.leading, BOLD, colour) for state, colour in STATE_COLOURS.items()}
 
 
@@ -31,14 +32,14 @@ def _knows(name: str, whose: str) -> bool:
     return all(word in letters for word in re.findall(r"\w+", whose.lower()))
 
 
-def shown_value(check: Check) -> str:
-    return f"{number(check.value)} {check.unit}".rstrip()
+def shown_value(context: Context, check: Check) -> str:
+    return context.written(check.value, check.unit)
 
 
 def name_of(context: Context, check: Check) -> str:
     """The check's name with the part that it judges."""
     whose = " ".join(context.belongs(check.id))
-    advice = f" ({context.words['advice']})" if check.kind == "advice" else ""
+    advice = f" ({context.words['advice']})" if check.kind in ("advice", "method") else ""
     return f"{check.name}{'' if _knows(check.name, whose) else f', {whose}'}{advice}"
 
 
@@ -47,30 +48,53 @@ def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
     rows = []
     for check in checks:
         under = f"[{check.source}]" if check.source else ""
+        under = f"{_accepted(context, check)} {under}" if check.verdict == "accepted" else under
         rows.append(_check_row(context, check, f"{under} {check.id}" if context.audit else under))
-    return _check_table(context, rows, gap=2.0)
+    return _check_table(context, rows, 2.0, checks)
 
 
 def attention_blocks(context: Context, checks: Iterable[Check]) -> list[Block]:
-    """What failed or warns, the worst first.  Checks with the same advice stand together, and it under the last of them."""
-    together: dict[tuple[str, str], list[Check]] = {}
-    for check in sorted((c for c in checks if c.verdict != "pass"), key=severity):
-        together.setdefault((check.verdict, check.advice), []).append(check)
+    """What fails, is not verified or warns, the worst first, each cause by its worst check; then what the user accepted.
+
+    Causes with the same advice stand together, and it under the last of them.
+    """
+    checks = list(checks)
+    together: dict[tuple[str, str], list[tuple[Check, str]]] = {}
+    for group in grouped(checks):
+        urgent = [check for check in group if check.verdict in URGENT]
+        for worst in urgent[:1]:
+            others = context.say(with_it(urgent[1:])) if urgent[1:] else ""
+            together.setdefault((worst.verdict, worst.advice), []).append((worst, others))
     rows = []
     for (_, advice), some in together.items():
-        rows += [_check_row(context, check, advice if check is some[-1] else "") for check in some]
-    return _check_table(context, rows, gap=4.0)
+        for check, others in some:
+            missing = context.say(Text("Not known: {keys}.", keys=", ".join(check.missing))) if check.missing else ""
+            parts = (missing, advice if check is some[-1][0] else "", others)
+            rows.append(_check_row(context, check, " ".join(part for part in parts if part)))
+    rows += [_check_row(context, check, _accepted(context, check)) for check in checks if check.verdict == "accepted"]
+    return _check_table(context, rows, 4.0, checks)
+
+
+def _accepted(context: Context, check: Check) -> str:
+    return context.say(Text("Accepted: {reason}", reason=check.accepted))
 
 
 def _check_row(context: Context, check: Check, under: str) -> Row:
     name = Cell(name_of(context, check), under=(under, NOTE))
-    return sign_cell(context, check.verdict), name, shown_value(check), context.say(check.limit_text()), context.say(check.margin_text())
+    return (
+        sign_cell(context, check.verdict),
+        name,
+        shown_value(context, check),
+        context.say(check.limit_text()),
+        context.say(check.margin_text()),
+    )
 
 
-def _check_table(context: Context, rows: list[Row], gap: float) -> list[Block]:
+def _check_table(context: Context, rows: list[Row], gap: float, checks: Sequence[Check]) -> list[Block]:
     w = context.words
+    wide = LONG_VERDICT if any(c.verdict in LONG for c in checks) else VERDICT
     columns = (
-        Column(w["verdict"], width=VERDICT), Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
+        Column(w["verdict"], width=wide), Column(w["check"]), Column(w["value"], "r"), Column(w["limit"], "r"), Column(w["margin"], "r")
     )  # fmt: skip
     return table(columns, rows, gap=gap) if rows else []
 
@@ -96,9 +120,9 @@ def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
     ours = context.values.get(e.about)
     mine, deviation = "–", "–"
     if ours is not None:
-        mine = f"{number(ours.shown)} {ours.unit}".rstrip()
+        mine = context.written(ours.shown, ours.unit)
         if ours.unit == e.unit and ours.shown:
-            deviation = f"{(e.source_value / ours.shown - 1) * 100:+.1f} %".replace("-", "−")
+            deviation = context.say.part(Amount((e.source_value / ours.shown - 1) * 100, "%", form="+.1f"))
     whose = " ".join(context.belongs(e.about))
     label = e.label if _knows(e.label, whose) else f"{e.label}, {whose}"
-    return Cell(label, under=(under, NOTE)), f"{number(e.source_value)} {e.unit}".rstrip(), mine, deviation
+    return Cell(label, under=(under, NOTE)), context.written(e.source_value, e.unit), mine, deviation

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -11,24 +10,26 @@ from calc.compare import Comparison
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document
-from calc.languages import Language, afresh
-from calc.languages.outcome import said_table
+from calc.languages import language
+from calc.languages.outcome import in_language
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
+from calc.sheet.text import EMPTY, Name
 from calc.solve import Results
 
 from .binding import bind, put
 from .boxes import GREY
 from .boxes import text as text_box
 from .context import Context
-from .flow import WIDTH, Block, bullet, heading, lines_block, paginate, paragraph
-from .letters import FACES, widths
+from .flow import Block, bullet, heading, lines_block, paginate, paragraph
+from .fonts import FACES, widths
+from .paper import WIDTH
 from .prose import BODY, HEADING, NOTE, TITLE, lines
 from .summary import SHORT_HASH
 from .values import table_blocks
+from .words import WORDS
 
 MOST = 40  # values of a step that are shown, those that differ most first
-OWN = re.compile(r"left out|not asked|\d+ (keys?|elements?)")  # what the program says of an input
 Side = tuple[Document, Results]
 
 
@@ -42,7 +43,7 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
     for face in FACES:
         widths(face)
     (first, before), (second, after) = a, b
-    context = Context(first, before, "", "engineer", afresh(lang))
+    context = Context(first, before, "", "engineer", language(lang))
     made = _title(context, (a, b), names)
     made += _summary(context, found)
     if not found.equal:
@@ -72,8 +73,8 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
         )
         for name, (d, r) in zip(names, sides)
     ]
-    columns = (("", ""), (w["design"], ""), (w["revision"], ""), (w["verdict"], ""), (w["file"], ""))
-    return made + table_blocks(context, [Table("designs", "", columns, tuple(rows))])
+    columns = ((EMPTY, ""), *((Name(w[key]), "") for key in ("design", "revision", "verdict", "file")))
+    return made + table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
 
 
 def _summary(context: Context, found: Comparison) -> list[Block]:
@@ -82,12 +83,12 @@ def _summary(context: Context, found: Comparison) -> list[Block]:
     if found.equal:
         return paragraph(w["equal"], BODY, gap=8.0)
     worse = sum(d.worse for d in moved)
-    said = [
-        w["inputs_differ"].format(count=len(found.inputs)), w["steps_move"].format(count=len(found.steps_moved)),
-        w["checks_move"].format(count=len(moved), worse=worse, better=len(moved) - worse),
-        w["values_differ"].format(count=sum(d.both for d in found.values), lone=sum(not d.both for d in found.values)),
+    sentences = [
+        context.text("inputs_differ", count=len(found.inputs)), context.text("steps_move", count=len(found.steps_moved)),
+        context.text("checks_move", count=len(moved), worse=worse, better=len(moved) - worse),
+        context.text("values_differ", count=sum(d.both for d in found.values), lone=sum(not d.both for d in found.values)),
     ]  # fmt: skip
-    return [block for n, text in enumerate(said) for block in bullet(text, gap=8.0 if n == 0 else 1.5)]
+    return [block for n, text in enumerate(sentences) for block in bullet(text, gap=8.0 if n == 0 else 1.5)]
 
 
 def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
@@ -96,14 +97,8 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
     def sign(verdict: str) -> str:
         return f"{SIGNS[verdict]} {w[verdict]}"
 
-    def _named(said: Table, table: Table) -> Table:
-        """The columns of the two designs are called by their names, whatever words these are."""
-        heads = {**{name: name for name in names}, **{f"Margin, {name}": f"{say('Margin')}, {name}" for name in names}}
-        columns = tuple((heads.get(was, label), unit) for (was, _), (label, unit) in zip(table.columns, said.columns))
-        return replace(said, columns=columns)
-
     def section(key: str, tables: list[Table]) -> list[Block]:
-        tables = [_named(_said_inputs(t, say) if t.id == "inputs" else said_table(t, say), t) for t in tables if t.rows]
+        tables = [in_language(table, say) for table in tables if table.rows]
         if not tables:
             return []
         return heading(w[key], HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
@@ -112,25 +107,15 @@ def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
     for step in STEPS:
         of_step = [d for d in found.values if d.step == step.key and d.both]
         table = value_table(step.key, step.title, of_step[:MOST], names, ids=False)
-        more = w["more_values"].format(count=len(of_step) - MOST) if len(of_step) > MOST else ""
-        values.append(replace(table, note=more))
-    made = section("inputs", [replace(input_table(found.inputs, names, ids=False), title="")])
-    made += section("verdicts", [replace(verdict_table(found, names, sign), title="")])
+        more = len(of_step) - MOST
+        values.append(replace(table, note=Name(context.text("more_values", n=more))) if more > 0 else table)
+    made = section("inputs", [replace(input_table(found.inputs, names, ids=False), title=EMPTY)])
+    made += section("verdicts", [replace(verdict_table(found, names, sign), title=EMPTY)])
     made += section("checks", [
-        replace(check_table(found.checks_moved, names, sign, ids=False), title=w["moved"]),
-        replace(check_table(found.checks_lone, names, sign, ids=False), title=w["lone"]),
-        replace(check_table(found.checks_kept, names, sign, ids=False), title=w["kept"]),
+        replace(check_table(found.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
+        replace(check_table(found.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
+        replace(check_table(found.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
     ])  # fmt: skip
     made += section("results", values)
     lone_values, lone_checks = any(not d.both for d in found.values), any(not d.both for d in found.checks)
     return made + (paragraph(w["lone_values"], NOTE, gap=6.0) if lone_values or lone_checks else [])
-
-
-def _said_inputs(table: Table, say: Language) -> Table:
-    """Labels and the program's own words in a language; what the files say as they say it."""
-
-    def said(cell: str | float | None) -> str | float | None:
-        return say(cell) if isinstance(cell, str) and OWN.fullmatch(cell) else cell
-
-    rows = ((say(str(row[0])), *map(said, row[1:])) for row in table.rows)
-    return replace(table, title=say(table.title), columns=tuple((say(label), unit) for label, unit in table.columns), rows=tuple(rows))

@@ -3,31 +3,25 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from calc.publications import full
+from calc.publications import cited, full
 
 from .boxes import FAINT, Box, text
 from .context import Context
-from .flow import WIDTH, Block, heading, paragraph
+from .flow import Block, heading, paragraph
+from .paper import WIDTH
 from .prose import BODY, NOTE, SECTION, one_line, run
 from .tables import Cell, Column, Row, table
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 TITLE = 98.0  # width of a section's title
 NUMBER = 16.0  # of a part's page number with the space before it
 PARTS = WIDTH - TITLE - 6.0 - 22.0  # of all parts
-# A publication: names and a year, or a standard with its number.
-PUBLICATION = re.compile(
-    r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and | e )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
-    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|JIS|SAE|UNI)(?:/(?:TR|TS))?[ -](?:ISO |EN )?[A-Z]?\d+(?:-[A-Z]?\d+)*(?::\d{4})?"
-    r"|gear friction thesis|tesi sull'attrito degli ingranaggi"
-)
 
 
 @dataclass(slots=True)
@@ -85,13 +79,14 @@ def source_blocks(context: Context) -> list[Block]:
     published: dict[str, tuple[dict[str, None], dict[str, None]]] = {}
     own: dict[str, list[str]] = {}
     for source, steps in context.sources.items():
-        if found := PUBLICATION.search(source):
-            clauses, users = published.setdefault(found[0], ({}, {}))
-            clause = source[found.end() :].lstrip(" ,:;") if found.start() == 0 else source
-            clauses |= {clause: None} if clause and source in context.cited else {}
+        stands, text = source in context.cited, context.say(source)
+        if publication := cited(source):
+            clauses, users = published.setdefault(publication, ({}, {}))
+            clause = text.removeprefix(publication).lstrip(" ,:;") if text.startswith(publication) else text
+            clauses |= {clause: None} if clause and stands else {}
             users |= dict.fromkeys(steps)
-        elif source in context.cited:
-            own.setdefault(", ".join(steps), []).append(source)
+        elif stands:
+            own.setdefault(", ".join(steps), []).append(text)
     made = paragraph(w["sources_note"] if context.audit else f"{w['sources_note']} {w['sources_rest']}", NOTE, gap=1.0)
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
     rows: list[Row] = [
@@ -112,6 +107,6 @@ def _what(name: str, clauses: Iterable[str]) -> str:
     for clause in clauses:
         head, mark, rest = clause.partition(": ")
         together.setdefault(head + mark, []).append(rest) if mark else together.setdefault(clause, [""])
-    known = full(name.replace(" e ", " and "))
-    said = "; ".join(head + "; ".join(rests) for head, rests in together.items())
-    return f"{known}. {said}" if known and said else known or said
+    title = full(name)
+    listed = "; ".join(head + "; ".join(rests) for head, rests in together.items())
+    return f"{title}. {listed}" if title and listed else title or listed

@@ -6,12 +6,14 @@ from typing import Any
 
 from calc.design import STEPS, Design
 from calc.design_file import Document
-from calc.explain import Chains, behind
-from calc.languages import Language
-from calc.sheet.check import Check
+from calc.explain import Chains
+from calc.id_words import belongs
+from calc.languages import Language, language
+from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.formula import Formula
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
+from calc.sheet.text import Amount, Part, Text, plural
 from calc.sheet.trace import Line
 from calc.solve import Results
 
@@ -33,8 +35,9 @@ class Context:
     sha256: str
     depth: str
     say: Language
+    original: Results | None = None  # the same results with their texts as data, if `results` are said in a language already
     figures: int = 0
-    sources: dict[str, list[str]] = field(default_factory=dict)  # source → titles of the steps that use it
+    sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
     words: dict[str, str] = field(init=False)  # the report's own, in its language
     _deciding: Deciding = field(default_factory=dict)
@@ -42,6 +45,15 @@ class Context:
 
     def __post_init__(self) -> None:
         self.words = {key: self.say(text) for key, text in WORDS.items()}
+
+    def text(self, key: str, /, **parts: Part) -> str:
+        """A sentence of the report with its parts, in its language."""
+        sentence = WORDS[key]
+        return self.say(plural(sentence.one, sentence.template, **parts) if sentence.one else Text(sentence.template, **parts))
+
+    def written(self, value: float, unit: str = "") -> str:
+        """A number as the report's language writes it, with its unit."""
+        return self.say.part(Amount(value, unit))
 
     @property
     def values(self) -> dict[str, Published]:
@@ -67,36 +79,23 @@ class Context:
             self._deciding.update(_deciding(self.results))
         return [line for line in lines if variant(line) in self._deciding.get((key, line.formula), ())]
 
-    def steps(self) -> list[tuple[int, Step, Outcome]]:
+    def steps(self) -> list[tuple[int, Step, Outcome[object]]]:
         return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
 
     def cite(self, source: str, step: Step, *, stands: bool = True) -> str:
         """Note that a step uses a source, and whether what it says stands in this report; gives it in the report's language."""
-        source, title = self.say(source), self.say(step.title)
         used = self.sources.setdefault(source, [])
-        if title not in used:
+        if (title := self.say(step.title)) not in used:
             used.append(title)
         if stands:
             self.cited.add(source)
-        return source
+        return self.say(source)
 
     def belongs(self, id: str) -> list[str]:
-        """What a value or check belongs to: `bearings.front.film_edge` → ["front"].  Wheels and meshes have the user's names."""
-        step, *parts = id.split(".")[:-1]
-        return [self._named(step, part) for part in parts]
+        """What a value or check belongs to: `bearings.front.film_edge` → ["front"], in the report's language."""
+        return [self.say(word) for word in belongs(id)]
 
-    def _named(self, step: str, part: str) -> str:
-        gears = self.design.gears
-        if step in ("gears", "friction") and gears is not None:
-            if any(part == wheel.name for wheel in gears.wheels):
-                return part
-            if mesh := next((mesh for mesh in gears.meshes if part == mesh.key), None):
-                return f"{mesh.driver}–{mesh.driven}"
-        address, words = f"{step}.{part}", part.replace("_", " ")  # a word like "crank" is a wheel's name elsewhere
-        said = self.say(address)
-        return said if said != address else self.say(words)
-
-    def holds_all(self, outcome: Outcome) -> bool:
+    def holds_all(self, outcome: Outcome[object]) -> bool:
         """Whether all curves and tables of a step stand in the report."""
         return self.audit or (len(outcome.curves) <= CURVES and outcome.further is None)
 
@@ -110,7 +109,7 @@ class Context:
 
 def variant(line: Line) -> str:
     """What of a part a line is about: "front bearing, twice the load" → "twice the load"; all parts are treated alike."""
-    return line.about.partition(", ")[2]
+    return language("en").halves(line.about)[1]
 
 
 def _deciding(results: Results) -> Deciding:
@@ -119,9 +118,9 @@ def _deciding(results: Results) -> Deciding:
     chains = Chains(results)
     values = {id for step in STEPS if (id := step.headline(chains.values)) is not None}
     for outcome in results.outcomes.values():
-        limits = [check for check in outcome.checks if check.kind != "advice"] or outcome.checks
-        judged = [*sorted(limits, key=severity)[:1], *(check for check in limits if check.verdict == "fail")]
-        values |= {value for check in judged if (value := behind(check, chains.values)) is not None}
+        limits = [check for check in outcome.checks if check.kind in ("limit", "caution")] or outcome.checks
+        judged = [*sorted(limits, key=closeness)[:1], *(check for check in limits if check.verdict == "fail")]
+        values |= {value for check in judged if (value := chains.behind(check)) is not None}
     keys = list(results.outcomes)
     found: Deciding = {}
     for n in chains.leading_to(values):
@@ -129,7 +128,6 @@ def _deciding(results: Results) -> Deciding:
     return found
 
 
-def severity(check: Check) -> tuple[int, float]:
-    """Sorts checks with the worst first."""
-    margin = check.margin
-    return {"fail": 0, "warn": 1}.get(check.verdict, 2), margin if margin == margin else float("-inf")
+def closeness(check: Check) -> tuple[bool, int, int, float]:
+    """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most narrowly."""
+    return check.verdict not in URGENT, *severity(check)[1:]

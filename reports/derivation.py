@@ -12,16 +12,18 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from calc.languages import Language
-from calc.sheet.expression import Shown, plain, result, show, text
+from calc.sheet.expression import Shown, plain, respelled, result, show, text
 from calc.sheet.formula import Formula
 from calc.sheet.step import Step
+from calc.sheet.text import Name, with_unit
 from calc.sheet.trace import Line
 
 from .boxes import Box, row, space
 from .boxes import text as text_box
 from .context import Context
-from .flow import WIDTH, Block, heading, paragraph
-from .letters import clean
+from .flow import Block, heading, paragraph
+from .fonts import clean
+from .paper import WIDTH
 from .prose import CELL, GROUP, NOTE, SOURCE
 from .prose import lines as text_lines
 from .typeset import Piece, formula, lines, symbol
@@ -29,7 +31,7 @@ from .typeset import Piece, formula, lines, symbol
 if TYPE_CHECKING:
     from typing import Any
 
-    from .page import Pen
+    from .pen import Pen
 
 SIZE = 8.2
 LEAD = 3.0  # between the lines of one formula
@@ -49,22 +51,24 @@ def derivation(context: Context, step: Step, traced: list[Line], total: int) -> 
     words = context.words
     shown_lines = [line for line in traced if context.audit or not _zero(line.value)]
     if not shown_lines and total:
-        return paragraph(words["resting"].format(count=total), NOTE)
+        return paragraph(context.text("resting", n=total), NOTE)
     if not shown_lines:
         return []
     made = paragraph(words["substitution"], NOTE, gap=1.0)
     if len(shown_lines) < len(traced):
         made += paragraph(words["zero_lines"], NOTE, gap=0.0)
     if len(traced) < total:
-        made += paragraph(words["resting"].format(count=total - len(traced)), NOTE, gap=0.0)
+        made += paragraph(context.text("resting", n=total - len(traced)), NOTE, gap=0.0)
     made = [replace(block, keep=True) for block in made]  # with the first formula
-    for about, entries in _runs(shown_lines) if context.audit else _clusters(shown_lines):
+    labels_of = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in shown_lines)}
+    labelled = [(labels_of[line.about], line) for line in shown_lines]
+    for about, entries in _runs(labelled) if context.audit else _clusters(labelled):
         if about:
             made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
         labels = {label for entry in entries for label, _ in entry.lines}
         single = len(labels) <= 1 or context.audit
         full = {lines[0][0] for entry in entries for lines in list(_parts(entry.lines).values())[:PARTS]}
-        wide = 0.0 if single else max(text_box(label, NOTE.size).width for label in full) + 8.0
+        wide = 0.0 if single else max(text_box(label.text(), NOTE.size).width for label in full) + 8.0
         sign = min(max(SIGN, wide), 0.34 * COLUMN)
         for entry in entries:
             source = context.cite(entry.formula.source, step)
@@ -79,45 +83,59 @@ def _zero(value: Any) -> bool:
 
 
 # --- which lines belong together ---------------------------------------------------------------------------------------------
+@dataclass(frozen=True, slots=True)
+class Label:
+    """Whose calculation a line is, in the report's language: a part ("front bearing"), and which of its calculations ("twice the load")."""
+
+    part: str
+    variant: str = ""
+
+    def text(self) -> str:
+        return f"{self.part}, {self.variant}" if self.variant else self.part
+
+
+Labelled = tuple[Label, Line]
+
+
 @dataclass(slots=True)
 class _Entry:
     """One formula with its lines, each with the part it was computed for."""
 
     formula: Formula[..., Any]
-    lines: list[tuple[str, Line]]
+    lines: list[Labelled]
 
 
-def _runs(traced: list[Line]) -> Iterable[tuple[str, list[_Entry]]]:
+def _runs(traced: list[Labelled]) -> Iterable[tuple[str, list[_Entry]]]:
     """Every line for itself, under the part whose calculation it is."""
     entries: list[_Entry] = []
-    about = traced[0].about
-    for line in traced:
-        if line.about != about:
-            yield about, entries
-            entries, about = [], line.about
-        entries.append(_Entry(line.formula, [(line.about, line)]))
-    yield about, entries
+    about = traced[0][0]
+    for label, line in traced:
+        if label != about:
+            yield about.text(), entries
+            entries, about = [], label
+        entries.append(_Entry(line.formula, [(label, line)]))
+    yield about.text(), entries
 
 
-def _clusters(traced: list[Line]) -> Iterable[tuple[str, list[_Entry]]]:
+def _clusters(traced: list[Labelled]) -> Iterable[tuple[str, list[_Entry]]]:
     """Parts that go through much the same formulas are one cluster; each of its formulas stands once."""
-    used: dict[str, dict[str, None]] = {}
-    for line in traced:
-        used.setdefault(line.about, {})[_name(line)] = None
-    clusters: list[list[str]] = []
+    used: dict[Label, dict[str, None]] = {}
+    for label, line in traced:
+        used.setdefault(label, {})[_name(line)] = None
+    clusters: list[list[Label]] = []
     for about, names in used.items():
         for cluster in clusters:
             first = used[cluster[0]]
-            if about and cluster[0] and len(names.keys() & first.keys()) >= ALIKE * min(len(names), len(first)):
+            if about.part and cluster[0].part and len(names.keys() & first.keys()) >= ALIKE * min(len(names), len(first)):
                 cluster.append(about)
                 break
         else:
             clusters.append([about])
     for cluster in clusters:
         entries: dict[str, _Entry] = {}
-        for line in traced:
-            if line.about in cluster:
-                entries.setdefault(_name(line), _Entry(line.formula, [])).lines.append((line.about, line))
+        for label, line in traced:
+            if label in cluster:
+                entries.setdefault(_name(line), _Entry(line.formula, [])).lines.append((label, line))
         yield _joined(cluster), list(entries.values())
 
 
@@ -125,10 +143,10 @@ def _name(line: Line) -> str:
     return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
-def _joined(labels: list[str]) -> str:
+def _joined(labels: list[Label]) -> str:
     """What a cluster is about: its parts, and after a colon what is calculated for each of them."""
-    parts = list(dict.fromkeys(label.partition(", ")[0] for label in labels))
-    variants = list(dict.fromkeys(label.partition(", ")[2] for label in labels))
+    parts = list(dict.fromkeys(label.part for label in labels))
+    variants = list(dict.fromkeys(label.variant for label in labels))
     words = ", ".join(parts)
     words = words if len(words) <= 90 else f"{parts[0]} … {parts[-1]}"
     words += f": {', '.join(v for v in variants if v)}" if any(variants) else ""
@@ -142,7 +160,7 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
     their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
     """
-    first, words = shown(entry.lines[0][1], context.say), context.words
+    first = shown(entry.lines[0][1], context.say)
     head = symbol(first.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
@@ -152,7 +170,7 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
     words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
     groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
-    rest: list[tuple[str, Line]] = []
+    rest: list[Labelled] = []
     for n, calculations in enumerate(parts):
         if n >= PARTS:
             rest += calculations
@@ -161,10 +179,10 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
         if n and len(parts) > 2 and (len(own) > 1 or own[0][1].height > TALL):
             rest += calculations
             continue
-        more = _others(others, own, said, words)
+        more = _others(others, own, said, context)
         own += [("", line) for line in text_lines(more, NOTE, COLUMN - sign, 8)] if more else []
         groups.append((own, [*said, more]))
-    if more := _others(rest, [], [], words):
+    if more := _others(rest, [], [], context):
         groups.append(([("", line) for line in text_lines(more, NOTE, COLUMN - sign, 12)], [more]))
     (own, said), *later = groups
     first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), gap=GAP)
@@ -172,32 +190,32 @@ def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: 
 
 
 def _calculated(
-    calculations: list[tuple[str, Line]], sign: float, say: Language, *, labelled: bool
-) -> tuple[list[tuple[str, Box]], list[str], list[tuple[str, Line]]]:
+    calculations: list[Labelled], sign: float, say: Language, *, labelled: bool
+) -> tuple[list[tuple[str, Box]], list[str], list[Labelled]]:
     """The first calculation of a part with its numbers: its rows, the same as words, and the part's other calculations."""
     full = calculations[0][0]
     own: list[tuple[str, Box]] = []
     said: list[str] = []
-    others: list[tuple[str, Line]] = []
+    others: list[Labelled] = []
     for label, line in calculations:
         if label != full or len(said) >= MOST:
             others.append((label, line))
         elif (again := spoken_numbers(made := shown(line, say))) not in said:
-            name = label if labelled and not said else ""
+            name = label.text() if labelled and not said else ""
             said.append(again)
             own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
     return own, said, others
 
 
-def _parts(labelled: list[tuple[str, Line]]) -> dict[str, list[tuple[str, Line]]]:
-    """The lines by part: what stands before the comma in "front bearing, twice the load"."""
-    parts: dict[str, list[tuple[str, Line]]] = {}
+def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
+    """The lines by part."""
+    parts: dict[str, list[Labelled]] = {}
     for label, line in labelled:
-        parts.setdefault(label.partition(", ")[0], []).append((label, line))
+        parts.setdefault(label.part, []).append((label, line))
     return parts
 
 
-def _others(rest: list[tuple[str, Line]], own: list[tuple[str, Box]], said: list[str], words: dict[str, str]) -> str:
+def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context) -> str:
     """The further calculations of a part by their values; what says the same as the one in full is left out."""
     known = {s.rpartition("= ")[2] for s in said}
     found: dict[str, dict[str, None]] = {}
@@ -205,18 +223,18 @@ def _others(rest: list[tuple[str, Line]], own: list[tuple[str, Box]], said: list
     unit = ""
     for label, line in rest:
         value, of = result(line)
-        if f"{value} {of}".rstrip() not in known:
-            part, _, variant = label.partition(", ")
-            if variant and (part, value) in told:
+        value = context.say.number(value)
+        if with_unit(value, of) not in known:
+            if label.variant and (label.part, value) in told:
                 continue
-            told.add((part, value))
-            found.setdefault("" if own else part, {})[f"{variant} {value}".strip()] = None
+            told.add((label.part, value))
+            found.setdefault("" if own else label.part, {})[f"{label.variant} {value}".strip()] = None
             unit = of
     if not found:
         return ""
     listed = [f"{part} {', '.join(values)}".strip() for part, values in found.items()]
-    more = f"; {words['more'].format(count=len(listed) - LISTED)}" if len(listed) > LISTED else ""
-    return words["others"].format(values=f"{'; '.join(listed[:LISTED])} {unit}".rstrip() + more)
+    more = f"; {context.text('more', count=len(listed) - LISTED)}" if len(listed) > LISTED else ""
+    return context.text("others", values=with_unit("; ".join(listed[:LISTED]), unit) + more)
 
 
 def spoken(line: Shown) -> str:
@@ -225,7 +243,7 @@ def spoken(line: Shown) -> str:
 
 
 def spoken_numbers(line: Shown) -> str:
-    value = f"= {line.value} {line.unit}".rstrip()
+    value = f"= {with_unit(line.value, line.unit)}"
     return value if line.numbers is None else f"= {text(line.numbers)} {value}"
 
 
@@ -235,7 +253,7 @@ def _equals(pieces: list[Piece]) -> list[Piece]:
 
 
 def _value(line: Shown) -> list[Piece]:
-    words = f"{line.value} {line.unit}".rstrip()
+    words = with_unit(line.value, line.unit)
     boxes = [text_box("=", SIZE), space(0.28 * SIZE), text_box(words, SIZE)]
     if line.where:
         boxes += [space(6.0), text_box(line.where, NOTE.size, colour=NOTE.colour)]
@@ -245,7 +263,11 @@ def _value(line: Shown) -> list[Piece]:
 def shown(line: Line, say: Language) -> Shown:
     """A line as the report shows it."""
     made = show(line)
-    return replace(made, shows=say(made.shows), where=say(made.where))
+    number = say.number
+    return replace(
+        made, shows=Name(say(made.shows)), where=Name(say(made.where)), value=number(made.value),
+        formula=made.formula and respelled(made.formula, number), numbers=made.numbers and respelled(made.numbers, number),
+    )  # fmt: skip
 
 
 def _formula_lines(line: Shown, sign: float) -> list[Box]:

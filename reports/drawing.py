@@ -8,20 +8,22 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from calc.drawn import shaft, wheels
-from calc.languages.outcome import said_table
+from calc.drawings import shaft, wheels
+from calc.languages.outcome import in_language
 from calc.sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
+from calc.sheet.text import EMPTY
 
 from .boxes import BLACK, GREY, Box, Colour, text
 from .context import Context
-from .flow import HEIGHT, LEFT, WIDTH, Block, heading
-from .letters import clean
+from .flow import Block, heading
+from .fonts import clean
+from .paper import HEIGHT, LEFT, WIDTH
 from .prose import SECTION, Style, lines
 from .tornado import dashed
 from .values import table_blocks
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 ROOM = HEIGHT - 70.0  # of the page's height, which the drawing runs along
 LEAST = 4.2  # size of the smallest letters
@@ -42,9 +44,9 @@ def drawing_blocks(context: Context) -> list[Block]:
         said = [replace(one, text=context.say(one.text)) if isinstance(one, Words) and one.text != title else one for one in drawn]
         made.append(_drawing(said))
     if (data := wheels(context.results)) is not None:
-        table = replace(said_table(data, context.say), columns=data.columns)  # the names of the wheels are the user's
+        table = replace(in_language(data, context.say), columns=data.columns)  # the names of the wheels are the user's
         made += heading(table.title, SECTION, gap=11.0, after=0.0, need=200.0)
-        made += table_blocks(context, [replace(table, title="")])
+        made += table_blocks(context, [replace(table, title=EMPTY)])
     return made
 
 

@@ -15,10 +15,12 @@ import numpy as np
 
 from calc.sheet.number import short
 from calc.sheet.step import Curve, Series
+from calc.sheet.text import COMMA, EMPTY
 
 from .arrows import arrows, sample_arrow
 from .boxes import BLACK, Box, Colour
-from .flow import LEFT, WIDTH, Block
+from .flow import Block
+from .paper import LEFT, WIDTH
 from .plots import (
     EDGE,
     HIGH,
@@ -39,7 +41,7 @@ from .prose import STRONG, lines
 from .tornado import Lying, dashed, lies
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2
@@ -80,8 +82,8 @@ def _apart(number: int, curve: Curve) -> list[tuple[str, Curve]]:
         return [(str(number), curve)]
     made = []
     for letter, variant in zip("ab", curve.variants):
-        own = tuple(replace(s, variant="") for s in curve.series if s.variant in ("", variant))
-        made.append((f"{number}{letter}", replace(curve, title=f"{curve.title}, {variant}", series=own, variants=())))
+        own = tuple(replace(s, variant=EMPTY) for s in curve.series if s.variant in ("", variant))
+        made.append((f"{number}{letter}", replace(curve, title=COMMA.join((curve.title, variant)), series=own, variants=())))
     return made
 
 

@@ -8,16 +8,12 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from .boxes import BLACK, FAINT, Box, Colour
+from .paper import HEIGHT, WIDTH
 from .prose import BODY, Style
 from .prose import lines as text_lines
 
 if TYPE_CHECKING:
-    from .page import Pen
-
-PAGE = (595.276, 841.890)  # A4 in points
-LEFT, RIGHT, TOP, BOTTOM = 57.0, 51.0, 66.0, 56.0
-WIDTH = PAGE[0] - LEFT - RIGHT
-HEIGHT = PAGE[1] - TOP - BOTTOM
+    from .pen import Pen
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,11 +6,12 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
-from .flow import HEIGHT, WIDTH, Block
+from .flow import Block
+from .paper import HEIGHT, WIDTH
 from .prose import NOTE, one_line
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 COLUMNS, GUTTER = 2, 16.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS

@@ -13,6 +13,7 @@ from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
 from calc.sheet.quantity import Key, Quantity, keys
 from calc.sheet.step import Step
+from calc.sheet.text import Text
 from calc.sheet.units import UNITS
 
 from .context import Context
@@ -89,7 +90,7 @@ class _Tables:
     """Collects the tables of one step."""
 
     def __init__(self, context: Context) -> None:
-        self.words, self.say, self.all = context.words, context.say, context.audit
+        self.words, self.text, self.say, self.all = context.words, context.text, context.say, context.audit
         self.blocks: list[Block] = []
         self.left_out: list[str] = []
         self.default = False
@@ -177,7 +178,7 @@ class _Tables:
         self.blocks += named_table(title, head, rows)
 
     def between(self, count: int, total: int) -> str:
-        return f"… {self.words['between'].format(count=count, total=total)}"
+        return f"… {self.text('between', count=count, total=total)}"
 
     def columns(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]]) -> None:
         w = self.words
@@ -190,7 +191,7 @@ class _Tables:
                 (self.say(k.about.label), _symbol(k.about), *(self.value(g) for g in given[start : start + ACROSS]), k.about.unit)
                 for k, given in shown
             ]
-            name = title if not start else w["two"].format(name=title)
+            name = title if not start else self.text("two", name=title)
             self.blocks += named_table(name if title else "", head, rows)
 
     def value(self, given: _Given) -> Cell:
@@ -215,7 +216,7 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
     if made.default:
         made.blocks += paragraph(w["defaults"], NOTE, gap=3.0)
     if made.left_out:
-        made.blocks += paragraph(w["left_out"].format(names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
+        made.blocks += paragraph(context.text("left_out", names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
     return made.blocks
 
 
@@ -265,7 +266,7 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
         head.append(replace(_column(key.about, context.say), width=52.0))
     rows: list[Row] = []
     for entry in entries:
-        cells: list[str | Cell] = [Cell(entry.name, under=(context.say.wholly(entry.source), NOTE))]
+        cells: list[str | Cell] = [Cell(entry.name, under=(context.say(Text(entry.source)), NOTE))]
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value

@@ -13,12 +13,12 @@ from calc.sheet.step import Curve
 
 from .arrows import arrows, draw_arrows
 from .boxes import BLACK, Box, Colour, scaled
-from .flow import LEFT
-from .letters import clean
+from .fonts import clean
+from .paper import LEFT
 from .prose import Style, broken, run
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 # Okabe and Ito's palette, in an order whose greys differ, each with its own pattern (lengths in points).
 LINES: tuple[tuple[Colour, tuple[float, ...], float], ...] = (

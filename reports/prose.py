@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 from .boxes import BLACK, GREY, Box, Colour, row, text
-from .letters import BOLD, UPRIGHT, clean, units
-from .letters import width as text_width
+from .fonts import BOLD, UPRIGHT, clean, units
+from .fonts import width as text_width
 from .typeset import symbol
 
 

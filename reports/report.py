@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from calc.design_file import Document
-from calc.languages import LANGUAGES, afresh
+from calc.languages import LANGUAGES, language
 from calc.languages.outcome import said
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
@@ -26,10 +26,11 @@ from .context import DEPTHS, Context
 from .derivation import derivation
 from .drawing import drawing_blocks
 from .figures import figure_blocks
-from .flow import PAGE, WIDTH, Block, bullet, heading, paginate, paragraph
+from .flow import Block, bullet, heading, paginate, paragraph
+from .fonts import FACES, widths
 from .index import index_blocks
 from .inputs import input_blocks, material_blocks
-from .letters import FACES, widths
+from .paper import PAGE, WIDTH
 from .plots import Plots
 from .prose import BODY, HEADING, NOTE, SECTION, lines
 from .summary import NOTE_LINES, step_anchor, summary_blocks
@@ -71,11 +72,11 @@ def render(
     tell(progress, 0.0, results.design.name)
     for face in FACES:
         widths(face)
-    say = afresh(lang)
+    say = language(lang)
     whole = results.whole() if depth == "audit" else results
     results = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
     tell(progress, WHOLE, results.design.name)
-    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say)
+    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say, whole)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
@@ -110,7 +111,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += drawn
         number += 1
     if len(lines(context.design.note, BODY, WIDTH)) > NOTE_LINES:
-        body += _section(f"{number}  {w['note']}", "note", entries, need=120.0)
+        body += _section(f"{number}  {w['design_note']}", "note", entries, need=120.0)
         body += paragraph(context.design.note, BODY)
         number += 1
     sources = source_blocks(context)
@@ -127,13 +128,13 @@ def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> l
     return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
-def _further(context: Context, outcome: Outcome) -> list[Block]:
+def _further(context: Context, outcome: Outcome[object]) -> list[Block]:
     """That there is more, where there is."""
     return [] if context.holds_all(outcome) else paragraph(context.words["further"], NOTE, gap=3.0)
 
 
 def _step(
-    context: Context, number: int, step: Step, outcome: Outcome, entries: list[Entry], plots: Plots, progress: Progress | None
+    context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[Entry], plots: Plots, progress: Progress | None
 ) -> list[Block]:
     """One step: inputs, assumptions, formulas, results, tables, checks, figures; or why there is nothing to show."""
     w = context.words
@@ -141,16 +142,17 @@ def _step(
     title = context.say(step.title)
     made = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
-        "not_asked": w["not_asked_text"].format(key=step.key), "blocked": w["blocked_text"].format(reason=outcome.reason),
-        "no_solution": w["no_solution_text"].format(reason=outcome.reason),
+        "not_asked": context.text("not_asked_text", key=step.key), "blocked": context.text("blocked_text", reason=outcome.reason),
+        "no_solution": context.text("no_solution_text", reason=outcome.reason),
     }  # fmt: skip
     if outcome.state in reasons:
         made += paragraph(f"{verdict(w, outcome.state)}: {reasons[outcome.state]}", BODY, gap=2.0)
     for source in dict.fromkeys(line.formula.source for line in outcome.lines):
         context.cite(source, step, stands=False)
-    for source in dict.fromkeys(check.source for check in outcome.checks if check.source):
+    original = (context.original or context.results).outcomes[step.key]
+    for source in dict.fromkeys(check.source for check in original.checks if check.source):
         context.cite(source, step)
-    for erratum in outcome.errata:
+    for erratum in original.errata:
         context.cite(erratum.source, step)
     parts: tuple[tuple[str, Callable[[], list[Block]]], ...] = (
         ("inputs", lambda: input_blocks(context, step)),

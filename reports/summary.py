@@ -6,20 +6,22 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from calc.sheet.check import SIGNS
+from calc.sheet.text import plural
 from calc.version import VERSION
 
 from .boxes import GREY
 from .boxes import text as text_box
 from .checks import attention_blocks, errata_blocks, name_of, shown_value, sign_cell
-from .context import Context, severity
-from .flow import WIDTH, Block, bullet, heading, lines_block, paginate, paragraph
-from .letters import BOLD, MISSING, writable
+from .context import Context, closeness
+from .flow import Block, bullet, heading, lines_block, paginate, paragraph
+from .fonts import BOLD, MISSING, writable
+from .paper import WIDTH
 from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS, STATE_PANELS
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 PROGRAM = f"Contralbero {VERSION}"
 SHORT_HASH = 16
@@ -61,7 +63,7 @@ def _proposals(context: Context, above: list[Block], below: list[Block]) -> list
         made = heading(w["proposals"], SECTION, gap=11.0, after=0.0)
         made += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
         if count < len(proposals):
-            made += paragraph(w["more_proposals"].format(count=len(proposals) - count), NOTE, gap=1.0)
+            made += paragraph(context.text("more_proposals", count=len(proposals) - count), NOTE, gap=1.0)
         if len(paginate(above + made + below)) == pages:
             return made
     return []
@@ -111,11 +113,18 @@ def _verdict(context: Context) -> list[Block]:
     w, results = context.words, context.results
     state = results.verdict
     checks = list(results.checks())
-    count = {v: sum(c.verdict == v for c in checks) for v in ("pass", "warn", "fail")}
-    words = w["count"].format(**count, total=len(checks)) if checks else w["no_checks"]
+    count = {v: sum(c.verdict == v for c in checks) for v in ("pass", "accepted", "note", "warn", "not_verified", "fail")}
+    words = w["no_checks"]
+    if checks:
+        warnings, judged = plural("{n} warning", "{n} warnings", n=count["warn"]), plural("{n} check", "{n} checks", n=len(checks))
+        notes = plural("{n} note", "{n} notes", n=count["note"])
+        words = context.text(
+            "count", fail=count["fail"], open=count["not_verified"], warnings=warnings, notes=notes, accepted=count["accepted"],
+            passed=count["pass"], checks=judged,
+        )  # fmt: skip
     waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
     if waiting:
-        words += w["waiting"].format(steps=", ".join(waiting))
+        words += context.text("waiting", steps=", ".join(waiting))
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)
@@ -139,12 +148,12 @@ def _steps(context: Context) -> list[Block]:
     for number, step, outcome in context.steps():
         title = f"{number}  {context.say(step.title)}"
         state = outcome.verdict
-        worst = min(outcome.checks, key=severity, default=None) if outcome.state == "solved" else None
+        worst = min(outcome.checks, key=closeness, default=None) if outcome.state == "solved" else None
         if worst is None:
             words = {"blocked": outcome.reason, "no_solution": outcome.reason, "not_asked": "–"}.get(outcome.state, w["no_checks"])
             rows.append((title, sign_cell(context, state), Cell(words, NOTE), "", "", ""))
             continue
-        found = name_of(context, worst), shown_value(worst), context.say(worst.limit_text()), context.say(worst.margin_text())
+        found = name_of(context, worst), shown_value(context, worst), context.say(worst.limit_text()), context.say(worst.margin_text())
         rows.append((title, sign_cell(context, state), *found))
     columns = (
         Column(w["step"], width=84.0), Column(w["verdict"], width=60.0), Column(w["worst"]), Column(w["value"], "r"),

@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .boxes import FAINT, Box
-from .flow import WIDTH, Block, heading
+from .flow import Block, heading
+from .paper import WIDTH
 from .prose import CELL, GROUP, HEADER, Style, lines, run
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 GAP = 7.0  # between columns
 PAD = 1.7  # above and below the text of a row

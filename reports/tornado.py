@@ -12,7 +12,7 @@ import numpy as np
 from calc.sheet.step import Curve
 
 from .boxes import BLACK, Box, Colour, scaled
-from .flow import LEFT
+from .paper import LEFT
 from .plots import (
     EDGE,
     FILLED,
@@ -34,7 +34,7 @@ from .plots import (
 from .prose import lines, run
 
 if TYPE_CHECKING:
-    from .page import Pen
+    from .pen import Pen
 
 THICK = 6.2  # of a bar, in points
 ASIDE = 5.0  # between the names and the axes

@@ -13,7 +13,7 @@ from calc.sheet.expression import RANK, Expr
 from calc.sheet.number import SUPERSCRIPTS
 
 from .boxes import BLACK, Box, Colour, fraction, radical, raised, row, scaled, space, stretched, text
-from .letters import OBLIQUE, UPRIGHT
+from .fonts import OBLIQUE, UPRIGHT
 
 SMALL = 0.72  # of the size: indices and exponents
 SMALLEST = 4.2  # points

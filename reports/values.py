@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field, replace
 
-from calc.sheet.number import short
 from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome, Table
 
 from .context import Context
-from .flow import WIDTH, Block, paragraph
+from .flow import Block, paragraph
+from .paper import WIDTH
 from .prose import CELL, HEADER, KEY, NOTE, run
 from .tables import GAP, Cell, Column, Row, named_table, natural, table
 from .typeset import symbol
@@ -37,7 +37,7 @@ class _Part:
         return all(v.shown == 0 for v in self.values.values())
 
 
-def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
+def value_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
     """All values of a step.  What is zero throughout is named, not tabulated, and what one of the step's tables covers is left to it,
     unless everything is asked for."""
     covered = () if context.audit else tuple(prefix for t in outcome.tables for prefix in t.covers)
@@ -57,7 +57,7 @@ def value_blocks(context: Context, outcome: Outcome) -> list[Block]:
             for start in range(0, len(cluster), ACROSS):
                 made += _beside(context, cluster[start : start + ACROSS], zero)
     if zero:
-        made += paragraph(context.words["zero_values"].format(names=" · ".join(dict.fromkeys(zero))), NOTE, gap=3.0)
+        made += paragraph(context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), NOTE, gap=3.0)
     return made
 
 
@@ -95,7 +95,9 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [(name, _symbol(v), short(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())]
+    rows: list[Row] = [
+        (name, _symbol(v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())
+    ]
     return named_table(part.name[:1].upper() + part.name[1:], columns, rows)
 
 
@@ -110,7 +112,7 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
     columns = (Column(w["quantity"]), Column(w["symbol"]), *names, Column(w["unit"], width=40.0))
     rows: list[Row] = []
     for name, (value, cell) in zip(all_values, _named(context, all_values.values())):
-        cells = [short(p.values[name].shown) if name in p.values else "–" for p in parts]
+        cells = [context.written(p.values[name].shown) if name in p.values else "–" for p in parts]
         if not context.audit and all(c in ("0", "–") for c in cells):
             zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
             continue
@@ -123,12 +125,12 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     """What belongs side by side: numbers to the right, words to the left; a note in small type below."""
     made: list[Block] = []
     for shown in tables:
-        rows = [[_shown(cell) for cell in row] for row in shown.rows]
-        columns = [_headed(shown, i, _one_line) for i in range(len(shown.columns))]
+        rows = [[_shown(cell, context) for cell in row] for row in shown.rows]
+        columns = [_headed(context, shown, i, _one_line) for i in range(len(shown.columns))]
         if sum(c.width or _words_width(c, [row[i] for row in rows]) for i, c in enumerate(columns)) + GAP * len(columns) > WIDTH:
-            columns = [_headed(shown, i, _two_lines) for i in range(len(shown.columns))]
+            columns = [_headed(context, shown, i, _two_lines) for i in range(len(shown.columns))]
         for n, some in enumerate(_fitting(columns)):
-            title = context.words["two"].format(name=shown.title) if n else shown.title
+            title = context.text("two", name=shown.title) if n else shown.title
             fixed = [columns[i].width for i in some]
             # A table of numbers alone ends with its last column.
             width = min(WIDTH, sum(w or 0.0 for w in fixed) + GAP * (len(some) - 1) + 0.01) if all(fixed) else WIDTH
@@ -139,13 +141,13 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
     return made
 
 
-def _shown(cell: str | float | None) -> Cell:
+def _shown(cell: str | float | None, context: Context) -> Cell:
     if cell is None:
         return Cell()
-    return Cell(cell, align="l") if isinstance(cell, str) else Cell(short(cell), align="r")
+    return Cell(cell, align="l") if isinstance(cell, str) else Cell(context.written(cell), align="r")
 
 
-def _headed(shown: Table, i: int, header: Callable[[str], float]) -> Column:
+def _headed(context: Context, shown: Table, i: int, header: Callable[[str], float]) -> Column:
     """A column of a table; one of numbers is as wide as they and its header need, so that no number is broken."""
     label, unit = shown.columns[i]
     words = f"{label}, {unit}" if unit else label
@@ -153,7 +155,7 @@ def _headed(shown: Table, i: int, header: Callable[[str], float]) -> Column:
     if not any(isinstance(cell, (int, float)) for cell in cells) and (not unit or any(cells)):
         return Column(words)
     column = Column(words, "r")
-    return replace(column, width=max([header(words), *(natural(_shown(c), column) for c in cells if not isinstance(c, str))]))
+    return replace(column, width=max([header(words), *(natural(_shown(c, context), column) for c in cells if not isinstance(c, str))]))
 
 
 def _words_width(column: Column, cells: list[Cell]) -> float:

@@ -16,12 +16,13 @@ from calc.compare import SAME, relative, size_of_nothing
 from calc.design_file import design, parse
 from calc.languages import LANGUAGES
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 from calc.solve import Results, solve
 from calc.version import VERSION
 
 from .attach import NAME, RESULTS, results_bytes
 from .context import DEPTHS
-from .likeness import Difference, about, annotations, attachments, pages, signs
+from .pdf_diff import Difference, about, annotations, attachments, pages, signs
 from .report import render
 
 logging.getLogger("pypdf").setLevel(logging.CRITICAL)  # what it finds wrong with a file is said once, by the error
@@ -66,7 +67,7 @@ def verify(raw: bytes, place: str) -> Verification:
     reader, said, attached = _read(raw, place)
     missing = [name for name in (NAME, RESULTS) if name not in attached]
     if missing:
-        raise _refused(place, f"has no attachment {' and none '.join(missing)}; a report of this program has both")
+        raise _refused(place, Text("has no attachment {names}; a report of this program has both", names=Text(" and none ").join(missing)))
     wanted = {NAME: said["sha256"], RESULTS: said["results"]}
     changed = [name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}]
     changed += [name for name in attached if name not in wanted]
@@ -77,7 +78,7 @@ def verify(raw: bytes, place: str) -> Verification:
         before = json.loads(attached[RESULTS][0])
         differences = _values(before, json.loads(results_bytes(results)), results)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
-        raise _refused(place, f"has an attachment {RESULTS} that can not be read; the report was damaged") from None
+        raise _refused(place, Text("has an attachment {name} that can not be read; the report was damaged", name=RESULTS)) from None
     again = render(document, results, first, depth=said["depth"], lang=said["lang"])
     signed: list[int] = []
     if raw != again:
@@ -86,7 +87,7 @@ def verify(raw: bytes, place: str) -> Verification:
             differences += [*about(reader, fresh), *pages(reader, fresh, said["version"])]
             signed = [n for n, page in enumerate(reader.pages, 1) if any(map(signs, annotations(page)))]
         except UNREADABLE as error:
-            raise _refused(place, f"has pages that can not be read ({error}); the report was damaged") from None
+            raise _refused(place, Text("has pages that can not be read ({error}); the report was damaged", error=str(error))) from None
     return Verification(results.design.name, said["version"], tuple(changed), tuple(differences), raw == again, tuple(signed))
 
 
@@ -95,22 +96,24 @@ def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, 
     try:
         reader = PdfReader(io.BytesIO(raw))
         if reader.is_encrypted:
-            raise _refused(place, "is encrypted; give the report as it was written")
+            raise _refused(place, Text("is encrypted; give the report as it was written"))
         keywords = str(reader.metadata.keywords or "") if reader.metadata is not None else ""
         attached = attachments(reader)
     except UNREADABLE as error:
-        raise _refused(place, f"can not be read as a PDF ({error}); give a report that `contralbero report` wrote") from None
+        raise _refused(
+            place, Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error))
+        ) from None
     said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
     version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
     if version is not None and "other" in said:
-        raise _refused(place, "is a comparison of two designs; only the report of one design can be verified")
+        raise _refused(place, Text("is a comparison of two designs; only the report of one design can be verified"))
     known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
     if version is None or not known:
-        raise _refused(place, "is no report of this program, or was written before reports could be verified; write it anew")
+        raise _refused(place, Text("is no report of this program, or was written before reports could be verified; write it anew"))
     return reader, {**said, "version": version[1]}, attached
 
 
-def _refused(place: str, reason: str) -> BadInput:
+def _refused(place: str, reason: Text) -> BadInput:
     return BadInput(place, [InputError(0, "", "", reason)])
 
 

@@ -3,62 +3,74 @@
 
 from calc.compare import EQUAL
 from calc.sheet.check import SIGNS
+from calc.sheet.text import Text, plural
 
 from .boxes import Colour
 
-WORDS = {
-    "page": "Page {page} of {pages}",
-    "report": "Calculation report",
-    "author": "Author", "checker": "Checked by", "revision": "Revision", "date": "Date", "file": "Design file, SHA-256",
-    "solved": "Values and verdicts of the report",
-    "program": "Program", "attached": "The design file is attached to this document as design.toml.",
-    "pass": "pass", "warn": "warn", "fail": "fail", "blocked": "blocked", "not_asked": "not asked", "no_solution": "no solution",
-    "step": "Step", "verdict": "Verdict", "worst": "Closest check", "value": "Value", "limit": "Limit", "margin": "Margin",
-    "check": "Check", "unit": "Unit", "quantity": "Quantity", "symbol": "Symbol", "key": "Key in the design file",
-    "id": "Name of the value", "source": "Source", "advice": "advice",
-    "steps": "Steps", "attention": "Failures and warnings", "errata": "Where the source is wrong",
-    "source_value": "Its method", "our_value": "This report", "deviation": "Deviation", "contents": "Contents",
-    "inputs": "Inputs", "notes": "Assumptions", "formulas": "Formulas", "results": "Results",
-    "proposals": "Proposed remedies", "tables": "Tables", "checks": "Checks",
-    "figures": "Figures", "figure": "Figure", "summary": "Summary",
-    "defaults": "* default of the program, not given in the design file.",
-    "left_out": "Left out, chosen by the program where it is needed: {names}.",
-    "substitution": "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the "
-    "plane is written length∠angle. The result stands in the unit given.",
-    "zero_lines": "Lines whose value is exactly zero are left out here; the audit report has every line.",
-    "resting": "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {count} more lines "
-    "stand in the audit report.",
-    "nearest": "`contralbero check` ends with the nearest design that passes, as a command with all that it changes; in the session F5 "
-    "applies it.",
-    "further": "Further figures and tables of this step stand in the audit report.",
-    "zero_values": "Zero throughout, not shown: {names}.",
-    "more": "and {count} more, in the audit report", "others": "further: {values}",
-    "more_proposals": "and {count} more, in the engineer report",
-    "drawing": "Drawing sheet", "index": "Index of values", "materials": "Oils and materials",
-    "oil": "Oil", "material": "Material", "note": "Note", "sources": "Sources", "used_in": "Used in",
-    "sources_note": "Clauses, equations and tables by publication; beside each formula stands the one it was taken from.",
-    "sources_rest": "Publications are those of the whole calculation; clauses of lines that only the audit report shows stand there.",
-    "own": "Definitions and rules without a publication",
-    "not_asked_text": "the design file has no table [{key}].",
-    "blocked_text": "this step {reason}.", "no_solution_text": "{reason}.",
-    "no_checks": "no checks",
-    "count": "{fail} failed, {warn} warnings, {pass} passed of {total} checks", "waiting": "; not solved: {steps}",
-    "missing_glyphs": "▯ stands for a character that this report's font does not have; the attached file has it.",
-    "comparison": "Comparison of two designs", "design": "Design", "verdicts": "Verdicts of the steps",
-    "equal": EQUAL,
-    "inputs_differ": "Inputs that differ: {count}.", "steps_move": "Steps that change their verdict: {count}.",
-    "checks_move": "Checks that change their verdict: {count}, of them {worse} to the worse and {better} to the better.",
-    "values_differ": "Values that differ: {count}; in one design only: {lone}.",
-    "moved": "Checks whose verdict moved", "lone": "Checks of one design only that do not pass",
-    "kept": "Checks that keep their verdict at another value or limit",
-    "more_values": "{count} more values differ less; `contralbero compare --all` lists them.",
-    "lone_values": "What stands in one design only is counted above; `contralbero compare --all` lists it.",
-    "two": "{name} (continued)", "between": "{count} more; {total} in all",
+WORDS: dict[str, Text] = {
+    "page": Text("Page {page} of {pages}"), "report": Text("Calculation report"), "author": Text("Author"), "checker": Text("Checked by"),
+    "revision": Text("Revision"), "date": Text("Date"), "file": Text("Design file, SHA-256"),
+    "solved": Text("Values and verdicts of the report"), "program": Text("Program"),
+    "attached": Text("The design file is attached to this document as design.toml."), "pass": Text("pass"), "warn": Text("warn"),
+    "fail": Text("fail"), "note": Text("note"), "not_verified": Text("not verified"), "accepted": Text("accepted"),
+    "blocked": Text("blocked"), "not_asked": Text("not used"), "no_solution": Text("no solution"),
+    "step": Text("Step"), "verdict": Text("Verdict"), "worst": Text("Closest check"), "value": Text("Value"), "limit": Text("Limit"),
+    "margin": Text("Margin"), "check": Text("Check"), "unit": Text("Unit"), "quantity": Text("Quantity"), "symbol": Text("Symbol"),
+    "key": Text("Key in the design file"), "id": Text("Name of the value"), "source": Text("Source"), "advice": Text("advice"),
+    "steps": Text("Steps"), "attention": Text("What is open"), "errata": Text("Where the source is wrong"),
+    "source_value": Text("Its method"), "our_value": Text("This report"), "deviation": Text("Deviation"), "contents": Text("Contents"),
+    "inputs": Text("Inputs"), "notes": Text("Assumptions"), "formulas": Text("Formulas"), "results": Text("Results"),
+    "proposals": Text("Proposed remedies"), "tables": Text("Tables"), "checks": Text("Checks"), "figures": Text("Figures"),
+    "figure": Text("Figure"), "summary": Text("Summary"), "defaults": Text("* default of the program, not given in the design file."),
+    "left_out": Text("Left out, chosen by the program where it is needed: {names}."),
+    "substitution": Text(
+        "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the plane is "
+        "written length∠angle. The result stands in the unit given."
+    ),
+    "zero_lines": Text("Lines whose value is exactly zero are left out here; the audit report has every line."),
+    "resting": plural(
+        "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {n} more line "
+        "stands in the audit report.",
+        "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {n} more lines "
+        "stand in the audit report.",
+        n=0,
+    ),
+    "nearest": Text(
+        "`contralbero check` ends with the nearest design that passes, as a command with all that it changes; in the session "
+        "F5 applies it."
+    ),
+    "further": Text("Further figures and tables of this step stand in the audit report."),
+    "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
+    "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
+    "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "materials": Text("Oils and materials"), "oil": Text("Oil"),
+    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"),
+    "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
+    "sources_rest": Text(
+        "Publications are those of the whole calculation; clauses of lines that only the audit report shows stand there."
+    ),
+    "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table [{key}]."),
+    "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
+    "count": Text("{fail} failed, {open} not verified, {warnings}, {notes}, {accepted} accepted, {passed} passed of "
+    "{checks}"), "waiting": Text("; not solved: {steps}"),
+    "missing_glyphs": Text("▯ stands for a character that this report's font does not have; the attached file has it."),
+    "comparison": Text("Comparison of two designs"), "design": Text("Design"), "verdicts": Text("Verdicts of the steps"), "equal": EQUAL,
+    "inputs_differ": Text("Inputs that differ: {count}."), "steps_move": Text("Steps that change their verdict: {count}."),
+    "checks_move": Text("Checks that change their verdict: {count}, of them {worse} to the worse and {better} to the better."),
+    "values_differ": Text("Values that differ: {count}; in one design only: {lone}."), "moved": Text("Checks whose verdict moved"),
+    "lone": Text("Checks of one design only that do not pass"), "kept": Text("Checks that keep their verdict at another value or limit"),
+    "more_values": plural(
+        "{n} more value differs less; `contralbero compare --all` lists it.",
+        "{n} more values differ less; `contralbero compare --all` lists them.",
+        n=0,
+    ),
+    "lone_values": Text("What stands in one design only is counted above; `contralbero compare --all` lists it."),
+    "two": Text("{name} (continued)"), "between": Text("{count} more; {total} in all"),
 }  # fmt: skip
 
 STATE_COLOURS: dict[str, Colour] = {
     "pass": (0.0, 0.42, 0.31), "warn": (0.66, 0.40, 0.0), "fail": (0.75, 0.16, 0.0), "blocked": (0.35, 0.35, 0.35),
-    "not_asked": (0.45, 0.45, 0.45), "no_solution": (0.75, 0.16, 0.0),
+    "not_asked": (0.45, 0.45, 0.45), "no_solution": (0.75, 0.16, 0.0), "note": (0.35, 0.35, 0.35), "not_verified": (0.66, 0.40, 0.0),
+    "accepted": (0.0, 0.42, 0.31),
 }  # fmt: skip
 STATE_PANELS: dict[str, Colour] = {"pass": (0.92, 0.97, 0.94), "warn": (0.99, 0.96, 0.88), "fail": (0.99, 0.93, 0.90)}
 

@@ -79,13 +79,20 @@ length_ratio transition""".split()]  # fmt: skip
 LIMITS += [f"countershaft.{n}" for n in ("residual", "slope_front", "slope_rear", "first_critical_speed")]
 LIMITS += [*(f"gears.{m}.{n}" for m in MESHES for n in ("backlash", "contact_ratio"))]
 LIMITS += [f"gears.{w}.{n}" for w in ("crank", "central", "idler", "shaft") for n in ("undercut", "tip_thickness")]
-ADVICE = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("length_ratio_usual", "mckee", "routes_spread")]
+ADVICE = [f"bearings.{b}.{n}" for b in ("front", "rear") for n in ("length_ratio_usual", "mckee")]
+CAUTION = [
+    *(f"bearings.{b}.film_edge_corner" for b in ("front", "rear")),
+    "gears.central_idler.backlash_worst",
+    "countershaft.bolts.pressure",
+]
+METHOD = ["bearings.front.routes_spread", "friction.crank_central.regime", "gears.crank_central.line_load"]
+KINDS = {"limit": LIMITS, "caution": CAUTION, "advice": ADVICE, "method": METHOD}
 
 
-@pytest.mark.parametrize("name, kind", [*((n, "limit") for n in LIMITS), *((n, "advice") for n in ADVICE)])
+@pytest.mark.parametrize("name, kind", [(n, kind) for kind, names in KINDS.items() for n in names])
 def test_the_checks_that_are_promised(checked, name, kind):
     (found,) = [c for c in checked[1]["checks"] if c["id"] == name]
-    assert found["kind"] == kind and found["verdict"] in ("pass", "warn", "fail") and found["source"]
+    assert found["kind"] == kind and found["verdict"] in ("pass", "warn", "fail", "note") and found["source"]
     assert found["verdict"] == "pass" or found["advice"]
 
 
@@ -98,7 +105,7 @@ def test_a_sized_shaft_says_its_sectors_and_its_envelope():
         assert isinstance(found["values"][f"countershaft.{name}"]["value"], float)
     kinds = {c["id"]: c["kind"] for c in found["checks"]}
     assert all(kinds[f"countershaft.{name}"] == "limit" for name in ("residual", "slope_front", "slope_rear", "envelope"))
-    assert kinds["countershaft.balance_grade"] == "advice"
+    assert kinds["countershaft.balance_grade"] == "caution"
 
 
 def test_an_envelope_that_is_too_small_has_no_solution_and_says_what_it_holds():
@@ -120,7 +127,7 @@ def test_verdicts_follow_from_value_limit_and_kind(checked):
                 "<": c["value"] < c["limit"],
             }[c["sense"]]
         if not inside:
-            assert c["verdict"] == ("fail" if c["kind"] == "limit" else "warn"), c
+            assert c["verdict"] == {"limit": "fail", "caution": "warn"}.get(c["kind"], "note"), c
             assert c["margin"] <= 0
         else:
             assert c["verdict"] == ("warn" if c["kind"] == "limit" and c["margin"] < 0.05 else "pass"), c
@@ -137,14 +144,16 @@ def test_the_source_is_corrected_beside_its_own_values(checked):
 
 def test_the_steps_of_the_source_design(checked):
     assert checked[1]["steps"] == {
-        "engine": "pass", "imbalance": "warn", "countershaft": "warn", "bearings": "fail", "gears": "fail", "friction": checked[1]["steps"]["friction"],
+        "engine": "pass", "imbalance": "pass", "countershaft": "warn", "bearings": "fail", "gears": "fail", "friction": checked[1]["steps"]["friction"],
     }  # fmt: skip
-    assert checked[1]["steps"]["friction"] in ("pass", "warn")
+    assert checked[1]["steps"]["friction"] == "pass"
 
 
 def test_plain_check_has_every_value_and_every_check_of_the_json(checked):
     text = run("check", GAMMA).stdout
-    for name in [*checked[1]["values"], *(c["id"] for c in checked[1]["checks"])]:
+    former = [id for id in checked[1]["values"] if id.endswith(".pitch_diameter")]  # an old name beside the present one: in the JSON only
+    assert len(former) == 4
+    for name in [*(checked[1]["values"].keys() - set(former)), *(c["id"] for c in checked[1]["checks"])]:
         assert name in text
 
 
@@ -234,7 +243,7 @@ def test_a_shipped_engine_makes_a_design(tmp_path):
         assert run("new", f"{name}.toml", "--engine", name, cwd=tmp_path).returncode == 0
         assert run("check", f"{name}.toml", "--step", "imbalance", cwd=tmp_path).returncode == 0
     done = run("check", "boxer-2.toml", cwd=tmp_path)  # its couple turns backward: complete, and no limit fails
-    assert done.returncode == 0 and "not asked" not in done.stdout
+    assert done.returncode == 0 and "not used" not in done.stdout
 
 
 def test_set_edits_in_place_and_keeps_the_comments(tmp_path):

@@ -87,8 +87,8 @@ def test_a_design_and_itself(capsys) -> None:
 def test_a_step_that_is_missing_is_not_asked(capsys) -> None:
     code, out, _ = said(capsys, DESIGNS / "timing_pair.toml", GAMMA)
     assert code == 0
-    assert re.search(r"\n  bearings +not asked +11 keys\n", out)
-    assert re.search(r"\n  Bearings +· not asked +✗ FAIL", out)
+    assert re.search(r"\n  bearings +not used +11 keys\n", out)
+    assert re.search(r"\n  Bearings +· not used +✗ FAIL", out)
     assert re.search(r"\nBearings\n  \d+ values stand in r753ie4_gamma only", out)
     assert "bearings.front.film_edge" not in out  # the step says it
 

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero check`: solve a design and print values, checks and verdicts."""
 
-import shlex
+import gc
+import sys
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -11,27 +12,41 @@ from calc.design import STEPS, Design
 from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome
+from calc.sheet.text import Text
 from calc.solve import Results, solve
 
-TRIES = 60  # designs that may be solved for checks that no search is made for: a few seconds
+TRIES = 40  # designs that may be solved for checks that no search is made for: about a second
 
 
 def run(asked: Namespace) -> int:
+    """The many small objects of a solution stay: looking through them for garbage as often as Python does takes a tenth of the time."""
+    usual = gc.get_threshold()
+    gc.set_threshold(50_000, 20, 20)
+    try:
+        return _run(asked)
+    finally:
+        gc.set_threshold(*usual)
+
+
+def _run(asked: Namespace) -> int:
     known_step(asked.step)
     file, changes = asked.file, list(asked.changes)
     if file is None and changes and "=" not in changes[-1]:
         file = changes.pop()  # `check --set KEY=VALUE FILE`
     if file is None:
-        raise BadInput("contralbero check", [InputError(0, "", "", "needs a design; usage: contralbero check FILE [--set KEY=VALUE …]")])
+        raise BadInput(
+            "contralbero check", [InputError(0, "", "", Text("needs a design; usage: contralbero check FILE [--set KEY=VALUE …]"))]
+        )
     document, made = changed(read(file), changes)
     results = solve(made)
     verdict = exit_code(results.outcomes.values() if asked.step is None else [results.outcomes[asked.step]])
     if asked.json:
         import json
 
-        print(json.dumps(results_json(document, results, asked.step, changes), ensure_ascii=False, indent=1))
+        print(json.dumps(results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1))
     else:
-        print_results(results, asked.step, everything=not asked.short)
+        print_results(results, asked.step, everything=not asked.short, findings=asked.all)
+        sys.stdout.flush()  # the verdicts are there before the search ends
         if verdict:
             print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))
     return verdict
@@ -42,9 +57,11 @@ def nearest_passing(
 ) -> list[str]:  # fmt: skip
     """What would make a failing design pass, in words; then, as the last line, the command that checks it so.
 
-    `changes` are already in the document.  Where not all can be mended, the last line says what still fails and why.
+    `changes` are already in the document.  Where not all can be repaired, the last line says what still fails and why.
     """
-    from calc.remedies.remedy import nearest  # for a design that fails only
+    import shlex  # for a design that fails only
+
+    from calc.repair.remedy import nearest
 
     found = nearest(document, results, only=step, tries=TRIES)
     kept = {change.partition("=")[0] for change in found.changes}
@@ -53,7 +70,7 @@ def nearest_passing(
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
     if not found.left:
         return [f"to pass: {found.words}", f"nearest passing design: {command}"]
-    lines = [f"mends a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
+    lines = [f"repairs a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
     lines += [f"still fails: {one.id}: {one.why}" for one in found.left[1:]]
     first = found.left[0]
     return [*lines, f"no passing design found: {first.id} still fails: {first.why}"]
@@ -63,7 +80,7 @@ def known_step(step: str | None) -> None:
     """Raises BadInput where there is no such step."""
     keys = [known.key for known in STEPS]
     if step is not None and step not in keys:
-        raise BadInput("--step", [InputError(0, "", step, "is no step; the steps are " + ", ".join(keys))])
+        raise BadInput("--step", [InputError(0, "", step, Text("is no step; the steps are {steps}", steps=", ".join(keys)))])
 
 
 def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Design]:
@@ -83,7 +100,7 @@ def changed(document: Document, changes: Iterable[str]) -> tuple[Document, Desig
     return document, made
 
 
-def exit_code(outcomes: Iterable[Outcome]) -> int:
+def exit_code(outcomes: Iterable[Outcome[object]]) -> int:
     """1 where a limit fails, 3 where a step found no solution."""
     verdicts = {outcome.verdict for outcome in outcomes}
     return 3 if "no_solution" in verdicts else 1 if "fail" in verdicts else 0

@@ -16,21 +16,21 @@ from assistant.plain import LINE, check_line, print_summary, sign, table_json, t
 from assistant.saving import edited_text, write_asked
 from calc.design_file import Document, design, parse_assignment, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.text import COMMA, Text
 from calc.solve import TITLES, solve
 
 
 def run(asked: Namespace) -> int:
     if asked.step not in CHOICES:
-        known = ", ".join(f"{step} ({what})" for step, what in CHOICES.items())
-        near = get_close_matches(asked.step, CHOICES, 1, 0.75)
-        meant = f"did you mean {near[0]}? " if near else ""
-        raise BadInput(
-            "contralbero choose", [InputError(0, "STEP", asked.step, f"{meant}there is nothing to choose here yet; there is for {known}")]
-        )
+        known = COMMA.join(Text("{step} ({what})", step=step, what=what) for step, what in CHOICES.items())
+        reason = Text("there is nothing to choose here yet; there is for {steps}", steps=known)
+        if near := get_close_matches(asked.step, CHOICES, 1, 0.75):
+            reason = Text("did you mean {near}? {reason}", near=near[0], reason=reason)
+        raise BadInput("contralbero choose", [InputError(0, "STEP", asked.step, reason)])
     document = read(asked.file)
     made = design(document)
     if asked.top < 1:
-        raise BadInput("--top", [InputError(0, "", str(asked.top), "must be a number of rows, 1 or more")])
+        raise BadInput("--top", [InputError(0, "", str(asked.top), Text("must be a number of rows, 1 or more"))])
     try:
         offer = offer_for(asked.step, made, asked.file)
     except NoSolution as none:
@@ -38,7 +38,9 @@ def run(asked: Namespace) -> int:
         return 3
     if asked.apply is not None:
         if not 1 <= asked.apply <= offer.count:
-            raise BadInput("--apply", [InputError(0, "", str(asked.apply), f"must be a row of the table, from 1 to {offer.count}")])
+            raise BadInput(
+                "--apply", [InputError(0, "", str(asked.apply), Text("must be a row of the table, from 1 to {n}", n=offer.count))]
+            )
         try:
             changes = offer.changes(asked.apply)
         except NoSolution as none:

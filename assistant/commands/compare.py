@@ -18,6 +18,7 @@ from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
 from calc.sheet.step import Table
+from calc.sheet.text import Text
 from calc.solve import Results, solve
 from calc.version import VERSION
 
@@ -59,7 +60,10 @@ def _write(sides: Sides, found: Comparison, path: Path, lang: str) -> int:
     try:
         write(*sides, found, column_names(*(Path(document.place).stem for document, _ in sides)), path, lang=lang)
     except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place")]) from None
+        raise BadInput(
+            str(path),
+            [InputError(0, "", "", Text("cannot be written: {reason}; choose another place", reason=error.strerror or str(error)))],
+        ) from None
     print("\n".join(_summary(found)) if not found.equal else EQUAL)
     print(f"\n{path}")
     return 0
@@ -133,7 +137,11 @@ def _values(found: Comparison, names: Names, everything: bool) -> Iterator[str]:
         both = [d for d in of_step if d.both]
         shown = of_step if everything else both[:MOST]
         if shown:
-            title = f"{step.title}: values that differ" if everything else f"{step.title}: values that differ most"
+            title = (
+                Text("{step}: values that differ", step=step.title)
+                if everything
+                else Text("{step}: values that differ most", step=step.title)
+            )
             yield from _table(value_table(step.key, title, shown, names))
         if everything:
             continue

@@ -7,9 +7,10 @@ from typing import Any
 from calc.design import Design
 from calc.design_file import Document, load, value_at
 from calc.design_file import design as design_of
-from calc.explain import behind, chain, origin
+from calc.explain import Chains, chain, origin, shortened
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
+from calc.sheet.text import Amount, Text
 from calc.solve import solve
 
 
@@ -20,7 +21,7 @@ def run(asked: Namespace) -> int:
 
 def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
-    from calc.friction.beyond.scenarios import as_design
+    from calc.friction.studies.scenarios import as_design
 
     name, rest = next(
         (s.name, asked.value.removeprefix(f"friction.scenarios.{s.name}."))
@@ -47,19 +48,27 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
 
         for check in results.checks():
             if check.id == asked.value:
-                if (judged := behind(check, values)) is not None:
+                if (judged := Chains(results).behind(check)) is not None:
                     if not asked.json:
                         print(f"{check.id}: {check.name}, {short(check.value)} {check.unit}, needs {check.limit_text()}. Its value:\n")
                     return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
-                said = f"{check.name}: {short(check.value)} {check.unit}, needs {check.limit_text()}. Source: {check.source}"
-                raise BadInput(document.place, [InputError(0, asked.value, "", f"is a check, not a value ({said})")])
+                reason = Text(
+                    "is a check, not a value ({check}: {value}, needs {limit}. Source: {source})",
+                    check=check.name,
+                    value=Amount(check.value, check.unit),
+                    limit=check.limit_text(),
+                    source=check.source,
+                )
+                raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
         step = results.outcomes.get(asked.value.partition(".")[0])
         if step is not None and step.state != "solved":
-            why = f"{step.state.replace('_', ' ')}: {step.reason or 'the design does not ask for it'}"
-            raise BadInput(document.place, [InputError(0, asked.value, "", f"its step has no values: {why}")])
+            state = step.state.replace("not_asked", "not used").replace("_", " ")
+            why = step.reason or Text("the design does not use it")
+            reason = Text("its step has no values: {state}: {why}", state=state, why=why)
+            raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
         near = get_close_matches(asked.value, list(values), 3, 0.4)
-        hint = "did you mean " + ", ".join(near) + "?" if near else "`contralbero check` lists the values"
-        raise BadInput(document.place, [InputError(0, asked.value, "", f"is not a value of this design; {hint}")])
+        hint = Text("did you mean {ids}?", ids=", ".join(near)) if near else Text("`contralbero check` lists the values")
+        raise BadInput(document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))])
     if asked.value.startswith("friction.scenarios."):
         return _scenario(asked, document, design)
     lines = chain(results, asked.value)
@@ -75,7 +84,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     for link in lines:
         formula, numbers, source = line_text(link.line)
         print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
-        for key in dict.fromkeys(link.inputs):
+        for key in shortened(link.inputs, design):
             print(f"    ← {key}")
     if not lines:
         taken = origin(results, asked.value)

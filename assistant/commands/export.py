@@ -9,6 +9,7 @@ from assistant.plain import print_summary
 from assistant.saving import spare, write_asked
 from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import COMMA, Amount, Text
 from calc.solve import Results, solve
 
 FINEST, COARSEST = 1e-3, 1e3  # chord error, µm: below, the file grows without use; above, no tooth is left
@@ -36,27 +37,29 @@ def run(asked: Namespace) -> int:
 
 def _target_errors(kind: str, target: Path) -> list[InputError]:
     """What is wrong with the file that was asked for: its ending says what stands in it."""
-    known = ", ".join(f".{name} ({what})" for name, what in KINDS.items())
+    known = COMMA.join(Text(".{kind} ({what})", kind=name, what=what) for name, what in KINDS.items())
     ending = target.suffix
     if kind not in KINDS:
-        said = f"the ending {ending} is not known" if ending else "has no ending"
-        return [InputError(0, "-o", str(target), f"{said}; known are {known}")]
+        fault = Text("the ending {ending} is not known", ending=ending) if ending else Text("has no ending")
+        return [InputError(0, "-o", str(target), Text("{fault}; known are {endings}", fault=fault, endings=known))]
     if ending.lower() != f".{kind}":
-        said = f"ends in {ending}" if ending else "has no ending"
-        return [InputError(0, "-o", str(target), f"{said}, but --{kind} writes .{kind}")]
+        fault = Text("ends in {ending}", ending=ending) if ending else Text("has no ending")
+        return [InputError(0, "-o", str(target), Text("{fault}, but --{kind} writes .{kind}", fault=fault, kind=kind))]
     return []
 
 
 def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
     """What is wrong with the options of a drawing."""
     given = {"--gear": asked.gear, "--gears": asked.gears or None, "--chord-error": asked.chord_error}
-    found = []
+    errors = []
     if kind in KINDS and kind != "dxf":
-        found = [InputError(0, key, "", f"is for a drawing (--dxf), not for .{kind}") for key, what in given.items() if what is not None]
+        reason = Text("is for a drawing (--dxf), not for .{kind}", kind=kind)
+        errors = [InputError(0, key, "", reason) for key, what in given.items() if what is not None]
     error = asked.chord_error
     if error is not None and not FINEST <= error <= COARSEST:
-        found.append(InputError(0, "--chord-error", f"{error:g}", f"must lie between {FINEST:g} and {COARSEST:g} µm"))
-    return found
+        reason = Text("must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm"))
+        errors.append(InputError(0, "--chord-error", f"{error:g}", reason))
+    return errors
 
 
 def _drawing(asked: Namespace, document: Document, results: Results) -> str:
@@ -64,5 +67,5 @@ def _drawing(asked: Namespace, document: Document, results: Results) -> str:
     if asked.gear is not None or asked.gears or draws_gears(results):
         return gears_text(document, results, asked.gear, asked.chord_error)
     if asked.chord_error is not None:
-        raise BadInput("contralbero export", [InputError(0, "--chord-error", "", "is for gears: ask for --gear WHEEL or --gears")])
+        raise BadInput("contralbero export", [InputError(0, "--chord-error", "", Text("is for gears: ask for --gear WHEEL or --gears"))])
     return drawing_text(document, results)

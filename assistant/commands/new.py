@@ -6,6 +6,7 @@ from pathlib import Path
 
 from assistant.saving import write_asked
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 from calc.shipped import engine_design, engines
 
 
@@ -19,13 +20,14 @@ def run(asked: Namespace) -> int:
         return 0
     if asked.engine not in shipped:
         raise BadInput(
-            "--engine", [InputError(0, "", asked.engine, "is not shipped; `contralbero new --list` lists " + ", ".join(shipped))]
+            "--engine",
+            [InputError(0, "", asked.engine, Text("is not shipped; `contralbero new --list` lists {engines}", engines=", ".join(shipped)))],
         )
     if asked.file is None:
-        raise BadInput("contralbero new", [InputError(0, "", "", "needs the name of the file to write, like my_engine.toml")])
+        raise BadInput("contralbero new", [InputError(0, "", "", Text("needs the name of the file to write, like my_engine.toml"))])
     path = Path(asked.file)
     if path.exists():
-        raise BadInput(str(path), [InputError(0, "", "", "exists already and is left alone; choose another name")])
+        raise BadInput(str(path), [InputError(0, "", "", Text("exists already and is left alone; choose another name"))])
     write_asked(path, engine_design(asked.engine))
     print(path)
     return 0

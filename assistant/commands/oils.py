@@ -10,6 +10,7 @@ from calc.lubricant import Lubricant
 from calc.oils import least_sure, printed_table, values_table
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Table
+from calc.sheet.text import Amount, Name, Text
 from calc.sheet.units import UNITS
 from calc.version import VERSION
 from calc.viscosity_index import viscosity_index
@@ -23,8 +24,8 @@ def run(asked: Namespace) -> int:
         from difflib import get_close_matches
 
         near = get_close_matches(asked.name, list(known), 1, 0.4)
-        hint = f'did you mean "{near[0]}"?' if near else "known are " + ", ".join(known)
-        raise BadInput("contralbero oils", [InputError(0, "", f'"{asked.name}"', f"is not known; {hint}")])
+        hint = Text('did you mean "{oil}"?', oil=near[0]) if near else Text("known are {oils}", oils=", ".join(known))
+        raise BadInput("contralbero oils", [InputError(0, "", f'"{asked.name}"', Text("is not known; {hint}", hint=hint))])
     tables = _list(known.values()) if asked.name is None else _one(known[asked.name])
     if asked.json:
         import json
@@ -42,14 +43,14 @@ def run(asked: Namespace) -> int:
 def _list(known: Any) -> list[Table]:
     """All oils, a row each."""
     columns = (
-        ("Oil", ""), ("Base", ""), ("ν40", "mm²/s"), ("ν100", "mm²/s"), ("VI", ""), ("ρ15", "kg/m³"), ("η40", "mPa·s"),
-        ("η100", "mPa·s"), ("α40", "1/GPa"), ("Λ", ""), ("Confidence", "at least"),
+        (Text("Oil"), ""), (Text("Base"), ""), (Name("ν40"), "mm²/s"), (Name("ν100"), "mm²/s"), (Name("VI"), ""), (Name("ρ15"), "kg/m³"),
+        (Name("η40"), "mPa·s"), (Name("η100"), "mPa·s"), (Name("α40"), "1/GPa"), (Name("Λ"), ""), (Text("Confidence"), "at least"),
     )  # fmt: skip
-    note = (
+    note = Text(
         "At 40, 100 and 15 °C. VI: viscosity index; α: rise of the viscosity with pressure; Λ: limiting shear stress over pressure. "
         "`contralbero oils NAME` tells where each value comes from."
     )
-    return [Table("oils", "Oils that a design may name", columns, tuple(_row(oil) for oil in known), note)]
+    return [Table("oils", Text("Oils that a design may name"), columns, tuple(_row(oil) for oil in known), note)]
 
 
 def _row(oil: Oil) -> tuple[str | float | None, ...]:
@@ -72,10 +73,13 @@ def _one(oil: Oil) -> list[Table]:
         (T, _shown(s.nu, "mm²/s"), _shown(s.mu, "mPa·s"), _shown(s.rho, "kg/m³"), _shown(lubricant.alpha(s.mu), "1/GPa"),
          round(lubricant.beta(T), 5)) for T, s in states
     )  # fmt: skip
-    columns = (("T", "°C"), ("ν", "mm²/s"), ("η", "mPa·s"), ("ρ", "kg/m³"), ("α", "1/GPa"), ("β", "1/K"))
+    units = {"T": "°C", "ν": "mm²/s", "η": "mPa·s", "ρ": "kg/m³", "α": "1/GPa", "β": "1/K"}
+    columns = tuple((Name(symbol), unit) for symbol, unit in units.items())
     index = viscosity_index(oil.nu40, oil.nu100)
-    note = "Walther's law through the two viscosities." + (f" Viscosity index {index:.0f}." if index is not None else "")
-    law = Table("oil_law", f"Oil {oil.name}: viscosity over temperature", columns, rows, note)
+    note = Text("Walther's law through the two viscosities.")
+    if index is not None:
+        note = Text("{law} Viscosity index {index}.", law=note, index=Amount(index, form=".0f"))
+    law = Table("oil_law", Text("Oil {oil}: viscosity over temperature", oil=oil.name), columns, rows, note)
     printed = printed_table(lubricant)
     return [values_table(oil), law, *([printed] if printed is not None else [])]
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from calc import replay
 from calc.design_file import Document
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 from calc.solve import Results
 
 
@@ -30,4 +31,6 @@ def _report(document: Document, results: Results, path: Path) -> None:
     try:
         write(document, results, tomli_w.dumps(document.data).encode("utf-8"), path)
     except OSError as error:
-        raise BadInput(str(path), [InputError(0, "", "", f"cannot be written: {error.strerror or error}")]) from None
+        raise BadInput(
+            str(path), [InputError(0, "", "", Text("cannot be written: {reason}", reason=error.strerror or str(error)))]
+        ) from None

@@ -9,6 +9,7 @@ from assistant.plain import print_summary
 from assistant.saving import spare
 from calc.design_file import design, read
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 from calc.solve import solve
 
 
@@ -25,7 +26,8 @@ def run(asked: Namespace) -> int:
         write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
     except OSError as error:
         raise BadInput(
-            str(target), [InputError(0, "", "", f"cannot be written: {error.strerror or error}; choose another place with -o")]
+            str(target),
+            [InputError(0, "", "", Text("cannot be written: {reason}; choose another place with -o", reason=error.strerror or str(error)))],
         ) from None
     finally:
         gc.enable()

@@ -14,9 +14,11 @@ from typing import Any
 from assistant.plain import table_json, table_lines
 from assistant.saving import write_asked
 from calc.design_file import Document, design, read
-from calc.friction.beyond.scenarios import ALONG, MODELS, tables
+from calc.friction.result import FrictionResult
+from calc.friction.studies.scenarios import ALONG, MODELS, tables
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome, Table
+from calc.sheet.text import Text
 from calc.shipped import SCENARIOS
 from calc.solve import Results, solve
 from calc.version import VERSION
@@ -55,13 +57,13 @@ def _solved(path: Path) -> tuple[Document, Results]:
     document = read(path)
     made = design(document)
     if made.friction is None or not made.friction.scenarios:
-        raise BadInput(str(path), [InputError(0, "friction.scenarios", "", f"there are none; {HOW}")])
+        raise BadInput(str(path), [InputError(0, "friction.scenarios", "", Text("there are none; {how}", how=HOW))])
     return document, solve(made)
 
 
-def _tables(outcome: Outcome) -> tuple[Table, ...]:
+def _tables(outcome: Outcome[FrictionResult]) -> tuple[Table, ...]:
     """The scenarios, then what other models say at the design's own conditions."""
-    return *tables(outcome.result), *(table for table in outcome.tables if table.id.startswith("models_"))
+    return *tables(outcome.solution), *(table for table in outcome.tables if table.id.startswith("models_"))
 
 
 def _write(folder: Path, found: list[tuple[Path, Document, Results]]) -> list[Path]:
@@ -71,11 +73,13 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results]]) -> list[Pa
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise BadInput(str(folder), [InputError(0, "-o", "", f"is no folder to write to: {error.strerror or error}")]) from None
+        raise BadInput(
+            str(folder), [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))]
+        ) from None
     written = []
     for path, document, results in found:
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
-        write_asked(curves, curves_text(results.outcomes["friction"].result.scenarios))
+        write_asked(curves, curves_text(results.outcomes["friction"].solution.scenarios))
         write(document, results, path.read_bytes(), report)
         written += [curves, report]
     return written

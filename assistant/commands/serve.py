@@ -11,10 +11,11 @@ import subprocess
 import sys
 from argparse import Namespace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from calc.design_file import design, read
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 
 if TYPE_CHECKING:
     from textual_serve.server import Server
@@ -37,7 +38,7 @@ def run(asked: Namespace) -> int:
     try:
         _server(command(path), asked.port).serve()
     except OSError as error:  # somebody else was quicker
-        raise _port(asked.port, f"can not be used: {error.strerror or error}") from None
+        raise _port(asked.port, Text("can not be used: {reason}", reason=error.strerror or str(error))) from None
     return 0
 
 
@@ -50,19 +51,19 @@ def command(path: Path | None) -> str:
 def probe(port: int) -> None:
     """Whether the port can be had.  Raises BadInput."""
     if not 1 <= port <= 65535:
-        raise _port(port, "is out of range; a port is a whole number from 1 to 65535")
+        raise _port(port, Text("is out of range; a port is a whole number from 1 to 65535"))
     with socket.socket() as trial:
         if os.name == "posix":  # elsewhere it would allow a port that is taken
             trial.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             trial.bind((HOST, port))
         except PermissionError:
-            raise _port(port, "is kept for the administrator; give one from 1024 to 65535") from None
+            raise _port(port, Text("is kept for the administrator; give one from 1024 to 65535")) from None
         except OSError:
-            raise _port(port, "is taken by another program; give another one with --port") from None
+            raise _port(port, Text("is taken by another program; give another one with --port")) from None
 
 
-def _port(port: int, reason: str) -> BadInput:
+def _port(port: int, reason: Text) -> BadInput:
     return BadInput("serve", [InputError(0, "--port", str(port), reason)])
 
 
@@ -91,7 +92,7 @@ def _server(command: str, port: int) -> "Server":
         async def handle_index(self, request: web.Request) -> web.Response:
             page: Any = await super().handle_index(request)
             page.text = OUTSIDE.sub(FONT.format(url=f"{self.public_url}/static/"), page.text)
-            return page
+            return cast(web.Response, page)
 
         async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
             task = asyncio.current_task()
@@ -116,6 +117,6 @@ def _server(command: str, port: int) -> "Server":
         origin = request.headers.get("Origin")
         if request.host not in own or (origin is not None and origin.removeprefix("http://") not in own):
             raise web.HTTPForbidden(text="Only the page of this program may talk to it.")
-        return await handler(request)
+        return cast(web.StreamResponse, await handler(request))
 
     return Local()

@@ -5,6 +5,7 @@ from argparse import Namespace
 from pathlib import Path
 
 from calc.sheet.errors import BadInput, InputError
+from calc.sheet.text import Text
 from calc.version import VERSION
 from reports.verify import verify
 
@@ -16,7 +17,7 @@ def run(asked: Namespace) -> int:
     try:
         raw = path.read_bytes()
     except OSError as error:
-        reason = f"cannot be read: {error.strerror or error}; give a report that `contralbero report` wrote"
+        reason = Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=error.strerror or str(error))
         raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
     found = verify(raw, str(path))
 

@@ -6,11 +6,12 @@ from calc.design import Design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
 from calc.sheet.progress import Progress
+from calc.sheet.text import Amount, Text
 
 from .offer import Offer
 
 NEEDS = ("engine", "imbalance", "countershaft")
-WHY = "the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]"
+WHY = Text("the shaft is sized for what the engine's crank leaves, in the envelope of [countershaft]")
 
 
 def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
@@ -21,15 +22,17 @@ def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     e = engine.values(made.engine)
     found = choices(shaft, imbalance.values(made.imbalance, made.engine, e), e.angular_speed, room, materials, progress)
 
-    def said(number: int) -> str:
+    def said(number: int) -> Text:
         one = found.shafts[number - 1]
-        sized = one.sized
-        return f"now sizes its shaft in {one.material} within an outer radius of {sized.outer_radius * 1e3:g} mm: {sized.mass:.4g} kg"
+        return Text(
+            "now sizes its shaft in {material} within an outer radius of {radius}: {mass}", material=one.material,
+            radius=Amount(one.sized.outer_radius * 1e3, "mm", form="g"), mass=Amount(one.sized.mass, "kg"),
+        )  # fmt: skip
 
     return Offer(
         count=len(found.shafts),
         table=lambda top: choices_table(found, top, room),
-        changes=lambda number: changes(found.shafts[number - 1], room),
+        keys=lambda number: changes(found.shafts[number - 1], room),
         said=said,
-        hint="`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more.",
+        hint=Text("`--apply N` writes mode, material and envelope of the N-th shaft into the design; `--top N` shows more."),
     )

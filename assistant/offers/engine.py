@@ -5,11 +5,12 @@ from calc.design import Design
 from calc.engine import solve as engine
 from calc.imbalance.firing_orders import as_designed, crank_words, firing_orders, orders_table
 from calc.sheet.progress import Progress
+from calc.sheet.text import Text
 
 from .offer import Offer
 
 NEEDS = ("engine", "imbalance")
-WHY = "firing orders are ranked by what they leave of the imbalance"
+WHY = Text("firing orders are ranked by what they leave of the imbalance")
 
 
 def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
@@ -18,14 +19,15 @@ def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     e = engine.values(inputs)
     found = firing_orders(crank, inputs, e)
 
-    def said(number: int) -> str:
+    def said(number: int) -> Text:
         one = found[number - 1]
-        return f"now fires {'-'.join(map(str, one.order))} (crank angles {crank_words(one.crank_angles)}°)"
+        order = "-".join(map(str, one.order))
+        return Text("now fires {order} (crank angles {angles}°)", order=order, angles=crank_words(one.crank_angles))
 
     return Offer(
         count=len(found),
         table=lambda top: orders_table(found, top, as_designed(crank, inputs, e), inputs),
-        changes=lambda number: [f"engine.firing_order={list(found[number - 1].order)}", "engine.crank_angles_deg="],
+        keys=lambda number: {"engine.firing_order": list(found[number - 1].order), "engine.crank_angles_deg": None},
         said=said,
-        hint="`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more.",
+        hint=Text("`--apply N` writes the N-th order into the design, and the crank angles out of it; `--top N` shows more."),
     )

@@ -2,8 +2,8 @@
 """Profile shifts and tip cuts to choose from: the largest specific sliding of the train made least, every rule of the teeth kept."""
 
 from calc.design import Design
-from calc.gears.choosing.search import search
-from calc.gears.choosing.tables import (
+from calc.gears.selection.search import search
+from calc.gears.selection.tables import (
     around_table,
     changed,
     changes,
@@ -18,20 +18,24 @@ from calc.gears.choosing.tables import (
 )
 from calc.sheet.progress import Progress
 from calc.sheet.step import Table
+from calc.sheet.text import Amount, Text
 
 from .offer import Offer
 
 NEEDS = ("gears",)
-WHY = "there are no gears to choose shifts for"
+WHY = Text("there are no gears to choose shifts for")
 
 
 def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     assert made.gears is not None
     found = search(made.gears, progress=progress)
 
-    def said(number: int) -> str:
+    def said(number: int) -> Text:
         row = found.all[number - 1]
-        return f"now has the gears of row {number} ({changed(row)}): largest specific sliding {row.largest:.3f}"
+        return Text(
+            "now has the gears of row {row} ({change}): largest specific sliding {sliding}", row=number, change=changed(row),
+            sliding=Amount(row.largest, form=".3f"),
+        )  # fmt: skip
 
     def beside(top: int) -> tuple[Table, ...]:
         tables = (
@@ -43,9 +47,9 @@ def offer(made: Design, file: str, progress: Progress | None = None) -> Offer:
     return Offer(
         count=len(found.all),
         table=lambda top: choices_table(found, top),
-        changes=lambda number: changes(found.all[number - 1]),
+        keys=lambda number: changes(found.all[number - 1]),
         said=said,
-        hint="`--apply N` writes the N-th row, of every table with numbers, into the design.",
+        hint=Text("`--apply N` writes the N-th row, of every table with numbers, into the design."),
         beside=beside,
         summary=summary(found),
         notes=notes(found),

@@ -13,8 +13,9 @@ from textual.screen import Screen
 from textual.style import Style
 from textual.widgets import Static
 
-from calc.design import STEPS
+from calc.sheet.text import EMPTY, Name, Text
 
+from ..base_app import BaseApp
 from ..others import Chosen
 from ..session import Session
 from ..solving import Job, run
@@ -26,34 +27,21 @@ from .once import Once
 if TYPE_CHECKING:
     from calc.compare import Comparison
 
-    from ..app import ContralberoApp
-    from .workbench import Workbench
 
-NOW = "now"
-KEYS = (("↑↓ jk", "Move"), ("←→ hl", "Section"), ("Enter", "Go there"), ("y Y", "Copy"), ("Esc", "Back"))
-
-
-async def compare(bench: "Workbench") -> None:
-    """Ask what to compare with, show the comparison, and go where the user wants to."""
-    from .compare_with import CompareWith
-
-    session = bench.session
-    if not session.valid:
-        place, reason = next(iter(session.reasons().items()))
-        bench.app.tell(f"Nothing to compare while the input is not valid: {'.'.join(map(str, place))} {reason}", "error")
-        return
-    chosen = await bench.app.push_screen_wait(CompareWith(session))
-    if chosen is None:
-        return
-    id = await bench.app.push_screen_wait(CompareScreen(session, chosen))
-    if id is not None and id.partition(".")[0] in {step.key for step in STEPS}:
-        await bench.to_value(id)
+NOW = Text("now")
+KEYS = (
+    (Name("↑↓ jk"), Text("Move")),
+    (Name("←→ hl"), Text("Section")),
+    (Text("Enter"), Text("Go there")),
+    (Name("y Y"), Text("Copy")),
+    (Text("Esc"), Text("Back")),
+)
 
 
 class CompareScreen(Once, Screen[str | None]):
     """Gives the id of what the user wants to go to; None: back to where the session was."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q", "back", "Back", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
@@ -71,7 +59,7 @@ class CompareScreen(Once, Screen[str | None]):
         """What the other thread found; `failure`: the program itself went wrong."""
 
         found: "Comparison | None" = field(repr=False)
-        failure: str = ""
+        failure: Text = EMPTY
 
     def __init__(self, session: Session, other: Chosen) -> None:
         super().__init__()
@@ -91,7 +79,7 @@ class CompareScreen(Once, Screen[str | None]):
 
     def on_mount(self) -> None:
         self.query_one(ComparisonList).focus()
-        self.query_one(ComparisonList).say("Solving …")
+        self.query_one(ComparisonList).say(Text("Solving …"))
         self.show_title()
         self._compare()
 
@@ -101,7 +89,7 @@ class CompareScreen(Once, Screen[str | None]):
         from calc.compare import compare as compared
 
         mine = self.results
-        failure = ""
+        failure = EMPTY
         if mine is None or not self.current:
             answer = run(Job(0, self.made, mine))
             mine, failure = answer.results, answer.failure
@@ -121,13 +109,14 @@ class CompareScreen(Once, Screen[str | None]):
         found = event.found
         counts = (len(found.inputs), len(found.steps_moved), len(found.checks), len(found.values))
         self.counts = dict(zip(SECTIONS, counts))
-        shown.show(found, (self.app.say(self.other.name), self.app.say(NOW)))
+        shown.show(found, (self.other.name, NOW))
         self.show_place()
 
     # --- showing
     def show_title(self) -> None:
         width, say = self.app.size.width, self.app.say
-        title = f" {say(self.other.name)}: {say(self.other.title)}   {say(f'beside the design as it is {NOW}')}"
+        other = say(Text("{name}: {title}", name=self.other.name, title=self.other.title))
+        title = f" {other}   {say(Text('beside the design as it is now'))}"
         self.query_one("#compare-title", Static).update(Content.styled(fit(title, width), "bold"))
 
     def show_place(self) -> None:
@@ -137,7 +126,7 @@ class CompareScreen(Once, Screen[str | None]):
         parts = []
         for n, name in enumerate(SECTIONS, 1):
             here = name == shown.section and name in self.counts
-            text = f"{mark if here else ' '}{n} {self.app.say(name)} {self.counts.get(name, '')}"
+            text = f"{mark if here else ' '}{n} {self.app.say(SECTIONS[name])} {self.counts.get(name, '')}"
             part = Content.styled(text.rstrip(), "bold" if here else "not bold dim")
             parts.append(part.stylize(Style.from_meta({"@click": f"screen.to_section('{name}')"})))
         self.query_one("#compare-sections", Static).update(Content("  ").join(parts), layout=False)
@@ -168,10 +157,10 @@ class CompareScreen(Once, Screen[str | None]):
         item = self.query_one(ComparisonList).item
         text = (item.value if what == "value" else item.line) if item is not None else ""
         if not text:
-            self.app.tell("There is nothing to copy here.")
+            self.app.tell(Text("There is nothing to copy here."))
             return
         self.app.copy_to_clipboard(text)
-        self.app.tell(f"Copied: {text}")
+        self.app.tell(Text("Copied: {text}", text=text))
 
     def action_go(self) -> None:
         if id := self.query_one(ComparisonList).id_here:

@@ -2,7 +2,7 @@
 """Asks what to compare the design with: its saved file, an earlier state, or another design."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -13,15 +13,14 @@ from textual.widgets import OptionList, Static
 from textual.widgets.option_list import Option
 
 from calc.sheet.errors import BadInput
+from calc.sheet.text import Text
 from calc.shipped import DESIGNS
 
+from ..base_app import BaseApp
 from ..others import Chosen, Other, kept, of_file, of_session, past
 from ..session import Session
 from .once import Once
 from .path_dialog import PathDialog
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
 
 SHOWN_ERRORS = 4
 
@@ -29,7 +28,7 @@ SHOWN_ERRORS = 4
 class CompareWith(Once, ModalScreen[Chosen | None]):
     """Gives the design that was chosen, solved by nobody yet."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q", "cancel", "Back", show=False),
         Binding("j", "move(1)", "Down", show=False),
@@ -45,12 +44,12 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
         self.set_class(self.app.ascii, "-ascii")
         self.others = [*kept(self.session), None, *past(self.session)]
         say = self.app.say
-        texts = [say(other.title if other is not None else "another design file …") for other in self.others]
+        texts = [say(other.title if other is not None else Text("another design file …")) for other in self.others]
         with Vertical(classes="dialog"):
-            yield Static(Content.styled(say("Compare the design, as it is now, with"), "bold"))
+            yield Static(Content.styled(say(Text("Compare the design, as it is now, with")), "bold"))
             yield OptionList(*[Option(Content(text)) for text in texts], id="others", compact=True)
             yield Static("", id="wrong", classes="wrong")
-            yield Static(Content.styled(say("Enter compares, Esc goes back"), "dim"))
+            yield Static(Content.styled(say(Text("Enter compares, Esc goes back")), "dim"))
 
     def on_mount(self) -> None:
         options = self.query_one(OptionList)
@@ -67,7 +66,7 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
             self.dismiss(of_session(self.session, other))
         except BadInput as bad:
             self.query_one("#wrong", Static).update(
-                Content(self.app.say("This state was not valid:") + f"\n{errors_text(bad, 'the design')}")
+                Content(self.app.say(Text("This state was not valid:\n{errors}", errors=errors_text(bad, Text("the design")))))
             )
 
     def _found(self, chosen: Chosen | None) -> None:
@@ -88,8 +87,8 @@ class CompareWith(Once, ModalScreen[Chosen | None]):
 class CompareFile(PathDialog[Chosen | None]):
     """Another design file: those of the folder, then those that come with the program."""
 
-    TITLE_TEXT = "Compare with another design"
-    HINT = "Enter compares, ↓ goes to the list, Esc goes back"
+    TITLE_TEXT = Text("Compare with another design")
+    HINT = Text("Enter compares, ↓ goes to the list, Esc goes back")
 
     def __init__(self, session: Session) -> None:
         folder = session.path.parent if session.path is not None else Path.cwd()
@@ -102,13 +101,13 @@ class CompareFile(PathDialog[Chosen | None]):
         shipped = [path for path in shipped if str(path) not in self._names]
         self._names += [str(path) for path in shipped]
         options = self.query_one("#names", OptionList)
-        options.add_options([Option(Content(f"{path.name}   (comes with the program)")) for path in shipped])
+        options.add_options([Option(Content(self.app.say(Text("{name}   (comes with the program)", name=path.name)))) for path in shipped])
         options.display = bool(self._names)
 
     def take(self, path: Path) -> None:
         if path.is_dir():
             self.fill()
-            self.say("This is a folder; give the name of a design file in it.")
+            self.say(Text("This is a folder; give the name of a design file in it."))
             return
         try:
             chosen = of_file(path)
@@ -118,6 +117,9 @@ class CompareFile(PathDialog[Chosen | None]):
         self.dismiss(chosen)
 
 
-def errors_text(bad: BadInput, place: str) -> str:
-    more = f"\n… and {len(bad.errors) - SHOWN_ERRORS} more" if len(bad.errors) > SHOWN_ERRORS else ""
-    return "\n".join(error.text(place) for error in bad.errors[:SHOWN_ERRORS]) + more
+def errors_text(bad: BadInput, place: str) -> Text:
+    """The first mistakes, one a row."""
+    rows = [error.text(place) for error in bad.errors[:SHOWN_ERRORS]]
+    if len(bad.errors) > SHOWN_ERRORS:
+        rows.append(Text("… and {count} more", count=len(bad.errors) - SHOWN_ERRORS))
+    return Text("\n").join(rows)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The list of all curves and tables of a step: words that are typed find them by their titles."""
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.app import ComposeResult
@@ -13,16 +13,15 @@ from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
 from calc.sheet.step import Curve, Table
+from calc.sheet.text import COMMA, Text, plural
 
+from ..base_app import BaseApp
 from ..widgets.wrap import wrap
 from .once import Once
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 EDGES = 12  # rows of the dialog that are not the list
 SIDES = 10  # cells of the dialog that are not a row of the list
-GROUPS = (("Curves", Curve), ("Tables", Table))
+GROUPS = ((Text("Curves"), Curve), (Text("Tables"), Table))
 
 
 def found(leaves: tuple[Curve | Table, ...], typed: str) -> list[Curve | Table]:
@@ -34,7 +33,7 @@ def found(leaves: tuple[Curve | Table, ...], typed: str) -> list[Curve | Table]:
 class CurveList(Once, ModalScreen[str | None]):
     """Gives the id of what was chosen.  The words are typed and the list is moved through without a change of the focus."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "cancel", "Back", show=False),
         Binding("down", "move(1)", "Down", show=False),
@@ -51,11 +50,13 @@ class CurveList(Once, ModalScreen[str | None]):
         self.set_class(self.app.ascii, "-ascii")
         say = self.app.say
         curves = sum(isinstance(leaf, Curve) for leaf in self.leaves)
+        tables = len(self.leaves) - curves
+        listed = COMMA.join((plural("{n} curve", "{n} curves", n=curves), plural("{n} table", "{n} tables", n=tables)))
         with Vertical(classes="dialog"):
-            yield Static(Content.styled(f"{self.step}: {say(f'{curves} curves, {len(self.leaves) - curves} tables')}", "bold"))
-            yield Input(placeholder=say("words of the title"), compact=True, id="words")
+            yield Static(Content.styled(f"{self.step}: {say(listed)}", "bold"))
+            yield Input(placeholder=say(Text("words of the title")), compact=True, id="words")
             yield OptionList(id="leaves", compact=True)
-            yield Static(Content.styled(say("Enter shows it, ↑ ↓ choose, Esc goes back"), "dim"))
+            yield Static(Content.styled(say(Text("Enter shows it, ↑ ↓ choose, Esc goes back")), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#words", Input).focus()
@@ -79,7 +80,9 @@ class CurveList(Once, ModalScreen[str | None]):
             if own := [leaf for leaf in left if isinstance(leaf, kind)]:
                 made.append(Option(Content.styled(self.app.say(group), "bold"), disabled=True))
                 made += [self._option(leaf, width) for leaf in own]
-        options.add_options(made or [Option(Content.styled(self.app.say("Nothing has these words in its title."), "dim"), disabled=True)])
+        options.add_options(
+            made or [Option(Content.styled(self.app.say(Text("Nothing has these words in its title.")), "dim"), disabled=True)]
+        )
         ids = [option.id for option in made]
         known = [id for id in ids if id is not None]
         options.highlighted = ids.index(self.current if self.current in known else known[0]) if known else None

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where a number comes from: from the value, or the check, back through its formulas to the inputs."""
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -10,28 +10,25 @@ from textual.content import Content
 from textual.screen import ModalScreen
 from textual.widgets import Static
 
-from calc.explain import Chains, Link, behind, origin
+from calc.explain import Chains, Link, origin
 from calc.sheet.check import Check
-from calc.sheet.number import short
+from calc.sheet.text import Amount, Text, plural
 from calc.sheet.trace import Line
 
+from ..base_app import BaseApp
 from ..session import Session
 from ..widgets.chain_list import INPUT, ChainList
 from ..widgets.item_list import ItemList
 from ..widgets.wrap import wrap
 from .once import Once
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
-
-HINT = "Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes"
+HINT = Text("Enter walks back to what a line is made of, or to the field of an input; Backspace returns, Esc closes")
 
 
 class Explain(Once, ModalScreen[str | None]):
     """Gives the key of an input that is to be gone to, None where there is none."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape,q", "leave", "Close", show=False),
         Binding("backspace,left,h", "before", "Back", show=False),
@@ -49,7 +46,7 @@ class Explain(Once, ModalScreen[str | None]):
         self.session = session
         self.chains = Chains(session.results)
         self.check = check
-        self.value = value or (behind(check, self.chains.values) or "" if check is not None else "")
+        self.value = value or (self.chains.behind(check) or "" if check is not None else "")
         first = self.chains.of(self.value) if self.value else self.chains.to(line) if line is not None else []
         self.way: list[list[Link]] = [first]  # the chains that were walked through; the last is shown
 
@@ -74,37 +71,48 @@ class Explain(Once, ModalScreen[str | None]):
         rows: list[Content] = []
         if len(self.way) > 1:
             shown = links[-1].line
-            title = say(f"{len(self.way) - 1} back: {say(shown.about or 'a line of the calculation')}")
+            title = say(Text("{n} back: {what}", n=len(self.way) - 1, what=shown.about or Text("a line of the calculation")))
             rows = [Content.styled(title, "bold")]
         else:
             rows = self._title()
         count = len(links)
         if count:
             inputs = len(dict.fromkeys(key for link in links for key in link.inputs))
-            rows.append(Content.styled(say(f"{count} formulas, {inputs} inputs; each line stands before those that it is made of"), "dim"))
+            text = Text(
+                "{formulas}, {inputs}; each line stands before those that it is made of",
+                formulas=plural("{n} formula", "{n} formulas", n=count),
+                inputs=plural("{n} input", "{n} inputs", n=inputs),
+            )
+            rows.append(Content.styled(say(text), "dim"))
         elif self.value and (taken := origin(self.chains.results, self.value)):
-            rows.append(Content(f"{say('Taken from the inputs')}: {taken}"))
+            rows.append(Content(say(Text("Taken from the inputs: {key}", key=taken))))
         else:
-            rows.append(Content(say("No single line of the calculation gives this number.")))
+            rows.append(Content(say(Text("No single line of the calculation gives this number."))))
         self.query_one("#explain-title", Static).update(Content("\n").join(rows))
         chain = self.query_one(ChainList)
         chain.show(links)
         chain.call_after_refresh(chain.scroll_home, animate=False)
 
     def _title(self) -> list[Content]:
-        found: list[Content] = []
+        rows: list[Content] = []
         say = self.app.say
         if (known := self.chains.values.get(self.value)) is not None:
-            number = f"{short(known.shown, 6)} {known.unit}".rstrip()
-            found.append(Content.assemble((f"{say(known.label)}: {number}", "bold"), (f"   {known.id}", "dim")))
+            text = Text("{label}: {value}", label=known.label, value=Amount(known.shown, known.unit, digits=6))
+            rows.append(Content.assemble((say(text), "bold"), (f"   {known.id}", "dim")))
         if (check := self.check) is not None:
             signs = self.app.signs
-            judged = say(f"{short(check.value)} {check.unit}".rstrip() + f", {check.limit_text()}, margin {check.margin_text()}")
-            text = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {say(check.name)}: {judged}"
-            found += [Content.styled(row, signs.style(check.verdict)) for row in wrap(text, self.room, 2)]
-            found += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
-            found.append(Content.styled(say(check.source), "dim"))
-        return found
+            judged = Text(
+                "{check}: {value}, {limit}, margin {margin}",
+                check=check.name,
+                value=Amount(check.value, check.unit),
+                limit=check.limit_text(),
+                margin=check.margin_text(),
+            )
+            row = f"{signs.mark(check.verdict)} {signs.word(check.verdict)}  {say(judged)}"
+            rows += [Content.styled(row, signs.style(check.verdict)) for row in wrap(row, self.room, 2)]
+            rows += [Content(row) for row in wrap(say(check.advice), self.room)] if check.advice else []
+            rows.append(Content.styled(say(check.source), "dim"))
+        return rows
 
     # --- walking
     def action_move(self, by: int) -> None:
@@ -136,7 +144,7 @@ class Explain(Once, ModalScreen[str | None]):
         if item is not None:
             text = getattr(item, what) or item.line
             self.app.copy_to_clipboard(text)
-            self.app.tell(f"Copied: {text}")
+            self.app.tell(Text("Copied: {text}", text=text))
 
     def action_leave(self) -> None:
         self.dismiss(None)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Help: about the field or the check that has the focus, then about the screen, then all keys."""
 
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
@@ -11,9 +11,10 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from calc.design import STEPS
-from calc.sheet.number import short
+from calc.sheet.text import Amount, Text
 
 from ..actions import ACTIONS, key_names
+from ..base_app import BaseApp
 from ..guide import GUIDES
 from ..places import Place
 from ..widgets.array_heading import ArrayHeading
@@ -21,33 +22,44 @@ from ..widgets.checks import Checks
 from ..widgets.field_help import allowed, meaning
 from ..widgets.table_heading import TableHeading
 from ..widgets.wrap import wrap
+from .host import Host
 from .once import Once
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-    from .workbench import Workbench
-
 SCREEN = (
-    "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its calculation, and curves.",
-    "Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says what it waits for.",
-    "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), and a list with semicolons (-167.5; 167.5).",
-    "(auto) stands where the program chooses because a field is empty.",
-    "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input.",
-    "A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn.",
-    "Enter on a check, a line or a value walks back through its formulas to the inputs.",
-    "Letters act as keys while no field is being edited: Esc leaves a field.",
-    "← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it.",
-    "Edits are kept aside as you work and come back after a crash; nothing is in the file before you save.",
-    "The same numbers on the command line: contralbero check, explain, report, set, replay.",
+    Text(
+        "Six steps lead from the engine to the friction of the train. Each has inputs, and from them checks, its calculation, and curves."
+    ),
+    Text("Everything is solved again while you type. Any step can be opened at any time; one that lacks numbers says what it waits for."),
+    Text(
+        "A field takes 3,5 or 3.5, 1.2e-3, another unit behind the number (3.7 in, 58 psi, 43 Hz), "
+        "and a list with semicolons (-167.5; 167.5)."
+    ),
+    Text("(auto) stands where the program chooses because a field is empty."),
+    Text(
+        "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input."
+    ),
+    Text("A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn."),
+    Text("Enter on a check, a line or a value walks back through its formulas to the inputs."),
+    Text("Letters act as keys while no field is being edited: Esc leaves a field."),
+    Text("← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it."),
+    Text("Edits are kept aside as you work and come back after a crash; nothing is in the file before you save."),
+    Text("The same numbers on the command line: contralbero check, explain, report, set, replay."),
 )
 INDENT = 27  # cells for the keys
 
+KINDS = {
+    "limit": Text("Limit: passed over it fails, and less than 5 % of margin is a warning."),
+    "caution": Text("Caution: the design holds, a near relative of it does not. Passed over it warns."),
+    "advice": Text("Advice: good practice or a possible improvement. Passed over it is a note."),
+    "method": Text("Method: about the calculation, not the part. Passed over it is a note."),
+}
+
 
 class HelpScreen(Once, ModalScreen[None]):
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q,f1,question_mark,enter", "dismiss_help", "Close", show=False)]
 
-    def __init__(self, work: "Workbench") -> None:
+    def __init__(self, work: Host) -> None:
         super().__init__()
         self.work = work
 
@@ -55,9 +67,9 @@ class HelpScreen(Once, ModalScreen[None]):
         with Vertical(classes="dialog -tall"):
             with VerticalScroll(id="help-text"):
                 yield Static(Content("\n").join(self.about_here()), id="help-here")
-                yield Static(Content("\n").join([Content.styled(self.app.say("This screen"), "bold"), *self.paragraphs(SCREEN)]))
+                yield Static(Content("\n").join([Content.styled(self.app.say(Text("This screen")), "bold"), *self.paragraphs(SCREEN)]))
                 yield Static(self.keys())
-            yield Static(Content.styled(self.app.say("↑ ↓ scroll, Esc goes back"), "dim"))
+            yield Static(Content.styled(self.app.say(Text("↑ ↓ scroll, Esc goes back")), "dim"))
 
     def on_mount(self) -> None:
         self.query_one("#help-text").focus()
@@ -68,10 +80,10 @@ class HelpScreen(Once, ModalScreen[None]):
         """The cells of a row in the dialog."""
         return max(30, min(110, self.app.size.width * 9 // 10) - 8)
 
-    def paragraphs(self, texts: tuple[str, ...]) -> list[Content]:
+    def paragraphs(self, texts: tuple[Text, ...]) -> list[Content]:
         return [Content(row) for text in texts for row in wrap(f"· {self.app.say(text)}", self.room, 2)]
 
-    def described(self, keys: str, letters: str, text: str) -> Content:
+    def described(self, keys: str, letters: str, text: Text) -> Content:
         """One row of the table of keys, with the text hanging beside them."""
         rows = wrap(" " * INDENT + self.app.say(text), self.room, INDENT)
         start = f"{keys:<16}{letters:<{INDENT - 16}}"
@@ -91,14 +103,14 @@ class HelpScreen(Once, ModalScreen[None]):
         if not lines:
             step = work.step
             outcome = work.session.results.outcomes[step.key] if work.session.results is not None else None
-            lines = [Content.styled(f"{say(f'Step {STEPS.index(step) + 1} of {len(STEPS)}')}: {say(step.title)}", "bold")]
-            said = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
-            lines += [Content(f"· {say(text)}") for text in said]
+            lines = [Content.styled(say(Text("Step {n} of {count}: {title}", n=work.number, count=len(STEPS), title=step.title)), "bold")]
+            texts = (*outcome.proposals, *outcome.notes) if outcome is not None else ()
+            lines += [Content(f"· {say(text)}") for text in texts]
             if outcome is not None and outcome.reason:
                 lines.append(Content(say(outcome.reason)))
         guide = GUIDES[work.step.key]
-        lines += [Content(""), Content.styled(say(f"In step {work.number}, {say(work.step.title)}"), "bold")]
-        for word, text in (("Decide", guide.decide), ("Good", guide.good), ("Try", guide.trying)):
+        lines += [Content(""), Content.styled(say(Text("In step {n}, {title}", n=work.number, title=work.step.title)), "bold")]
+        for word, text in ((Text("Decide"), guide.decide), (Text("Good"), guide.good), (Text("Try"), guide.trying)):
             lines += [Content(row) for row in wrap(f"{say(word)}: {say(text)}", self.room, 2)]
         return [*lines, Content("")]
 
@@ -106,18 +118,18 @@ class HelpScreen(Once, ModalScreen[None]):
         session, say = self.work.session, self.app.say
         about = session.about(place)
         key = ".".join(map(str, place))
-        unit = f", {say(f'in {about.unit}')}" if about.unit else ""
+        unit = f", {say(Text('in {unit}', unit=about.unit))}" if about.unit else ""
         from calc.sheet.expression import plain, symbol
 
         sign = f"   {plain(symbol(about.symbol))}" if about.symbol else ""
         said = f"{meaning(about, say, sourced=False)} {allowed(about, say)}".strip()
         lines = [Content.assemble((say(about.label), "bold"), sign, (f"   {key}{unit}", "dim")), Content(said)]
         if about.source:
-            lines.append(Content.styled(f"{say('Source')}: {say(about.source)}", "dim"))
+            lines.append(Content.styled(say(Text("Source: {source}", source=about.source)), "dim"))
         if about.kind == "choice":
-            lines.append(Content(f"{say('Allowed')}: {say(about.allowed())}."))
+            lines.append(Content(say(Text("Allowed: {allowed}.", allowed=about.allowed()))))
         if about.optional:
-            lines.append(Content(say("May be left empty: the program then chooses, and says so.")))
+            lines.append(Content(say(Text("May be left empty: the program then chooses, and says so."))))
         if reason := session.reason(place):
             lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid")))
         return lines
@@ -140,18 +152,22 @@ class HelpScreen(Once, ModalScreen[None]):
         check = next((c for c in results.checks() if c.id == id), None) if results is not None else None
         if check is None:
             return []
-        kind = (
-            "Limit: passed over it fails, and less than 5 % of margin is a warning."
-            if check.kind == "limit"
-            else "Advice: passed over it warns."
+        judged = Text(
+            "{value}, {limit}, margin {margin}: {verdict}",
+            value=Amount(check.value, check.unit),
+            limit=check.limit_text(),
+            margin=check.margin_text(),
+            verdict=self.app.signs.word(check.verdict),
         )
-        value = f"{short(check.value)} {check.unit}".rstrip()
         return [
             Content.assemble((say(check.name), "bold"), (f"   {check.id}", "dim")),
-            Content(say(f"{value}, {check.limit_text()}, margin {check.margin_text()}") + f": {self.app.signs.word(check.verdict)}"),
+            Content(say(judged)),
             *([Content(say(check.advice))] if check.advice else []),
-            Content(say(kind)),
-            Content.styled(f"{say('Source')}: {say(check.source)}", "dim"),
+            *([Content(say(Text("Accepted: {reason}", reason=check.accepted)))] if check.accepted else []),
+            *([Content(say(Text("Not known: {keys}.", keys=", ".join(check.missing))))] if check.missing else []),
+            *([Content(say(Text("Moved most by: {keys}", keys=", ".join(check.moved_by))))] if check.moved_by else []),
+            Content(say(KINDS[check.kind])),
+            Content.styled(say(Text("Source: {source}", source=check.source)), "dim"),
         ]
 
     def keys(self) -> Content:
@@ -159,22 +175,26 @@ class HelpScreen(Once, ModalScreen[None]):
         say = self.app.say
         lines = [
             Content(""),
-            Content.styled(self.app.say("Keys"), "bold"),
-            Content.styled(f"{say('anywhere'):<16}{say('no field'):<{INDENT - 16}}{say('does')}", "dim"),
+            Content.styled(self.app.say(Text("Keys")), "bold"),
+            Content.styled(f"{say(Text('anywhere')):<16}{say(Text('no field')):<{INDENT - 16}}{say(Text('does'))}", "dim"),
         ]
         for action in ACTIONS:
             mapped = self.app.key_map.get(action.id)
-            keys, letters = (key_names(mapped), "") if mapped else (key_names(action.keys), key_names(action.letters))
-            lines.append(self.described(" ".join(map(say, keys.split())), letters, f"{say(action.title)}. {say(action.help)}"))
-        lines.append(self.described("Tab Shift+Tab", "", "Next, previous field or pane."))
+            keys, letters = (key_names(mapped, say), "") if mapped else (key_names(action.keys, say), key_names(action.letters, say))
+            lines.append(self.described(keys, letters, Text("{title}. {help}", title=action.title, help=action.help)))
+        lines.append(self.described("Tab Shift+Tab", "", Text("Next, previous field or pane.")))
         lines.append(
             self.described(
                 "← →",
                 "",
-                "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out.",
+                Text(
+                    "On the heading of a list of elements: leaf through them; + adds one, so does Enter in an empty list; − takes it out."
+                ),
             )
         )
-        lines.append(self.described("+ −", "", "On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
+        lines.append(
+            self.described("+ −", "", Text("On the heading of a part that may be left out: adds it, as Enter does; takes it out."))
+        )
         return Content("\n").join(lines)
 
     def action_dismiss_help(self) -> None:

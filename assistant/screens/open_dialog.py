@@ -4,9 +4,11 @@
 from pathlib import Path
 
 from calc.sheet.errors import BadInput
+from calc.sheet.text import Text
 from calc.shipped import DESIGNS
 
 from ..session import Session
+from .compare_with import errors_text
 from .path_dialog import PathDialog
 from .save_dialog import folder_of
 
@@ -14,27 +16,26 @@ from .save_dialog import folder_of
 class OpenDialog(PathDialog[Session | None]):
     """Gives the session of the design that was opened."""
 
-    TITLE_TEXT = "Open a design"
-    HINT = "Enter opens, ↓ goes to the list, Esc goes back. Unsaved edits of this design are kept."
+    TITLE_TEXT = Text("Open a design")
+    HINT = Text("Enter opens, ↓ goes to the list, Esc goes back. Unsaved edits of this design are kept.")
 
     def __init__(self, session: Session) -> None:
         folder = folder_of(session)
         super().__init__(f"{str(folder).rstrip('/')}/", folder)
         self.session = session
 
-    def offered(self) -> list[tuple[str, list[Path]]]:
+    def offered(self) -> list[tuple[Text, list[Path]]]:
         recent = [path for path in self.session.memory.recent() if path != self.session.path]
-        return [("Opened last", recent), ("Examples", sorted(DESIGNS.glob("*.toml")))]
+        return [(Text("Opened last"), recent), (Text("Examples"), sorted(DESIGNS.glob("*.toml")))]
 
     def take(self, path: Path) -> None:
         if path.is_dir():
             self.fill()
-            self.say("This is a folder; give the name of a design file in it.")
+            self.say(Text("This is a folder; give the name of a design file in it."))
             return
         try:
             session = Session.open(path, memory=self.session.memory, now=self.session.now)
         except BadInput as bad:
-            more = f"\n… and {len(bad.errors) - 4} more" if len(bad.errors) > 4 else ""
-            self.say("\n".join(error.text(path.name) for error in bad.errors[:4]) + more)
+            self.say(errors_text(bad, path.name))
             return
         self.dismiss(session)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
 from calc.design_file import quantities
+from calc.sheet.text import Text
 
 from ..actions import ACTIONS, key_names
 from .workbench import Workbench
@@ -27,13 +28,21 @@ class Palette(Provider):
         say = work.app.say
         for action in ACTIONS:
             if action.id not in HIDDEN:
-                keys = key_names(action.binding)
+                keys = key_names(action.binding, say)
                 title = say(action.title)
                 yield f"{title}  ({keys})" if keys else title, say(action.help), partial(work.run_action, action.does)
         for path in work.session.memory.recent():
             if path != work.session.path:
-                yield f"{say('Open recent')}: {path}", say("Opens this design again."), partial(work.open_path, path)
-        yield say("Put back unsaved edits"), say("Edits that were kept aside for another version of this file."), work.action_restore
+                yield (
+                    say(Text("Open recent: {path}", path=str(path))),
+                    say(Text("Opens this design again.")),
+                    partial(work.files.open_path, path),
+                )
+        yield (
+            say(Text("Put back unsaved edits")),
+            say(Text("Edits that were kept aside for another version of this file.")),
+            work.files.restore,
+        )
 
     async def discover(self) -> Hits:
         for title, help, does in self._found():
@@ -48,11 +57,11 @@ class Palette(Provider):
         if isinstance(work, Workbench):
             say = work.app.say
             for key, about in quantities(work.session.data):
-                title = f"{say('Field')}: {say(about.label)}  {key}"
+                title = say(Text("Field: {label}  {key}", label=about.label, key=key))
                 if (score := matcher.match(title)) > 0:
                     yield Hit(
                         score * 0.9,
                         matcher.highlight(title),
-                        partial(work.to_field, work.session.place(key)),
+                        partial(work.moves.to_field, work.session.place(key)),
                         help=say(about.help or about.allowed()),
                     )

@@ -2,7 +2,7 @@
 """A dialog that asks for a path: a place to type, the designs of the folder, and a line that says what is wrong."""
 
 from pathlib import Path
-from typing import TYPE_CHECKING, ClassVar, TypeVar
+from typing import ClassVar, TypeVar
 
 from rich.cells import cell_len
 from textual.app import ComposeResult
@@ -13,10 +13,10 @@ from textual.screen import ModalScreen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
 
-from .once import Once
+from calc.sheet.text import EMPTY, Text
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
+from ..base_app import BaseApp
+from .once import Once
 
 Found = TypeVar("Found")
 MOST = 200  # names in the list
@@ -27,9 +27,9 @@ WIDEST, SHARE, FRAME = 110, 0.9, 9  # columns of a dialog, its share of the scre
 class PathDialog(Once, ModalScreen[Found]):
     """Subclasses say what becomes of the path that was given."""
 
-    app: "ContralberoApp"
-    TITLE_TEXT = ""
-    HINT = ""
+    app: BaseApp
+    TITLE_TEXT = EMPTY
+    HINT = EMPTY
     ENDINGS: tuple[str, ...] = (".toml",)  # of the files that are listed
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "cancel", "Cancel", show=False),
@@ -62,7 +62,7 @@ class PathDialog(Once, ModalScreen[Found]):
         path = Path(self.text()).expanduser()
         return path if path.is_absolute() else self.folder / path
 
-    def offered(self) -> list[tuple[str, list[Path]]]:
+    def offered(self) -> list[tuple[Text, list[Path]]]:
         """Files from elsewhere, under their headings, that are listed as long as the path is untouched."""
         return []
 
@@ -103,7 +103,7 @@ class PathDialog(Once, ModalScreen[Found]):
 
     def on_input_changed(self, event: Input.Changed) -> None:
         event.stop()
-        self.say("")
+        self.say(EMPTY)
         self.fill()
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
@@ -113,7 +113,7 @@ class PathDialog(Once, ModalScreen[Found]):
             path.resolve()
             self.take(path)
         except NO_PATH as error:
-            self.say(f"No file can have this name: {getattr(error, 'strerror', None) or error}.")
+            self.say(Text("No file can have this name: {reason}.", reason=getattr(error, "strerror", None) or str(error)))
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()
@@ -129,7 +129,7 @@ class PathDialog(Once, ModalScreen[Found]):
         """What becomes of the path.  May raise what a path that can not be one raises."""
         raise NotImplementedError
 
-    def say(self, text: str) -> None:
+    def say(self, text: Text) -> None:
         """What is wrong with the path."""
         self.query_one("#wrong", Static).update(Content(self.app.say(text)))
 

@@ -3,6 +3,8 @@
 
 from pathlib import Path
 
+from calc.sheet.text import EMPTY, Text
+
 from ..saving import free_name
 from ..session import Session
 from .path_dialog import PathDialog
@@ -20,20 +22,20 @@ class TargetDialog(PathDialog[Path | None]):
         if not path.suffix and not path.is_dir():
             path = path.with_suffix(self.ENDINGS[0])
         if path.is_dir():
-            self.say("This is a folder; give a file name in it.")
+            self.say(Text("This is a folder; give a file name in it."))
         elif not path.parent.is_dir():
-            self.say(f"The folder {path.parent} does not exist.")
+            self.say(Text("The folder {folder} does not exist.", folder=str(path.parent)))
         elif wrong := self.wrong(path):
             self.say(wrong)
         elif path.exists() and path != self.own and path != self._asked:
             self._asked = path
-            self.say(f"{path.name} exists; Enter once more overwrites it.")
+            self.say(Text("{name} exists; Enter once more overwrites it.", name=path.name))
         else:
             self.dismiss(path)
 
-    def wrong(self, path: Path) -> str:
+    def wrong(self, path: Path) -> Text:
         """What else is wrong with a path."""
-        return ""
+        return EMPTY
 
 
 def folder_of(session: Session) -> Path:
@@ -44,8 +46,8 @@ def folder_of(session: Session) -> Path:
 class SaveDialog(TargetDialog):
     """Gives the path to save the design to."""
 
-    TITLE_TEXT = "Save the design as"
-    HINT = "Enter saves, Esc goes back. The file that was there before stays as .bak."
+    TITLE_TEXT = Text("Save the design as")
+    HINT = Text("Enter saves, Esc goes back. The file that was there before stays as .bak.")
 
     def __init__(self, session: Session) -> None:
         super().__init__(free_name(folder_of(session) / session.name), session.path)
@@ -54,8 +56,8 @@ class SaveDialog(TargetDialog):
 class RecordDialog(TargetDialog):
     """Gives the path to write a replay to; an empty one gives the recording up."""
 
-    TITLE_TEXT = "Write the recorded replay"
-    HINT = "Enter writes it and ends the recording, Esc goes on recording; an empty path gives the recording up."
+    TITLE_TEXT = Text("Write the recorded replay")
+    HINT = Text("Enter writes it and ends the recording, Esc goes on recording; an empty path gives the recording up.")
 
     def __init__(self, session: Session) -> None:
         super().__init__(free_name(folder_of(session) / f"{session.home.stem}-replay.toml"))
@@ -68,19 +70,19 @@ class RecordDialog(TargetDialog):
         else:
             super().take(path)
 
-    def wrong(self, path: Path) -> str:
-        return "This is the design itself; give another name." if path == self.session.path else ""
+    def wrong(self, path: Path) -> Text:
+        return Text("This is the design itself; give another name.") if path == self.session.path else EMPTY
 
 
 class ExportDialog(TargetDialog):
     """Gives the path to export to; its ending says what."""
 
-    TITLE_TEXT = "Export"
+    TITLE_TEXT = Text("Export")
     ENDINGS = (".dxf", ".csv", ".json", ".pdf")
-    DRAWS_SHAFT = (
+    DRAWS_SHAFT = Text(
         "The ending decides: .dxf draws the shaft (in step 5 the gears), .csv has the values, .json all results, .pdf is the report."
     )
-    DRAWS_GEARS = (
+    DRAWS_GEARS = Text(
         "The ending decides: .dxf draws the gears (in step 3 the shaft), .csv has the values, .json all results, .pdf is the report."
     )
 
@@ -89,7 +91,9 @@ class ExportDialog(TargetDialog):
         name = f"{session.home.stem}-gears.dxf" if gears else f"{session.home.stem}.dxf"
         super().__init__(folder_of(session) / name)
 
-    def wrong(self, path: Path) -> str:
+    def wrong(self, path: Path) -> Text:
         if path.suffix.lower() in self.ENDINGS:
-            return ""
-        return f"The ending {path.suffix} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report."
+            return EMPTY
+        return Text(
+            "The ending {ending} is not known: .dxf draws, .csv has the values, .json all results, .pdf is the report.", ending=path.suffix
+        )

@@ -1,23 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
+from collections.abc import Callable
 from typing import ClassVar
 
-from textual import events, work
+from textual import events
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Container, Horizontal, Vertical
-from textual.content import Content
 from textual.reactive import Reactive
-from textual.style import Style
-from textual.timer import Timer
+from textual.screen import Screen
 from textual.widget import Widget
 
 from calc.design import STEPS
 from calc.languages.outcome import said
+from calc.sheet.check import URGENT
 from calc.sheet.step import Step
+from calc.sheet.text import EMPTY, Text, plural
 
-from ..actions import ACTIONS
+from ..actions import ACTIONS, methods
+from ..base_app import BaseApp
 from ..offers.offer import CHOICES
 from ..places import Place, first_key
 from ..session import Session
@@ -38,19 +40,22 @@ from ..widgets.step_bar import StepBar
 from ..widgets.steps import Steps
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
-from ..widgets.taken import Taken
 from ..widgets.top_line import TopLine
-from .doing import VIEWS, Doing
-from .live import Live
+from ..widgets.upstream_values import Taken
+from .background_solve import BackgroundSolve
+from .curve_actions import CurveActions
+from .edit_actions import EditActions
+from .edit_feedback import EditFeedback
+from .file_actions import FileActions
+from .moves import Moves
+from .pane_layout import PANES, PaneLayout
+from .reading_actions import ReadingActions
 
-KEEP = 1.5  # seconds after the first edit that is not kept aside until all of them are: typing does not put it off
-COMPLAIN = 0.6  # seconds until a field that is being typed into says what is wrong with it
-PANES = ("steps", "inputs", "checks", "calculation", "curve")
 
+class Workbench(Screen[None]):
+    """What is shown, and when it is shown anew.  Its parts do the rest: what the keys do, and how the design is solved behind it."""
 
-class Workbench(Doing, Live):
-    """What is shown, and when it is made anew.  What the keys do stands in `Doing`, how it is solved in `Live`."""
-
+    app: BaseApp
     HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]  # noqa: RUF012
     BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
     AUTO_FOCUS = ""
@@ -59,18 +64,21 @@ class Workbench(Doing, Live):
 
     def __init__(self, session: Session) -> None:
         super().__init__()
-        self._keep: Timer | None = None
-        self._complain: Timer | None = None
-        self._making = False
+        self.pane_layout = PaneLayout(self)
+        self.background = BackgroundSolve(self)
+        self.moves = Moves(self, self.background)
+        self.edits = EditActions(self, self.moves, self.background)
+        self.files = FileActions(self)
+        self.curves = CurveActions(self, self.moves)
+        self.readings = ReadingActions(self, self.moves, self.background)
+        self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings)
+        self.feedback = EditFeedback(self)
+        self._composing = False
         self._begin(session)
 
     def _begin(self, session: Session) -> None:
         self.session = session
         self.step = next((s for s in STEPS if s.key in session.data), STEPS[0])
-        self.pages = {}
-        self.pane = "inputs"  # the pane that has, or had last, the focus
-        self.large = False  # that pane alone, on a wide screen
-        self._saw: set[Place] = set()  # fields whose mistake has been said
 
     # --- the parts
     def compose(self) -> ComposeResult:
@@ -80,35 +88,43 @@ class Workbench(Doing, Live):
         yield TopLine(self.session)
         yield StepBar(self.session)
         with Horizontal(id="body"):
-            yield Pane("Steps", Steps(self.session), id="steps")
+            yield Pane(Text("Steps"), Steps(self.session), id="steps")
             yield Pane(self._form_title(), Container(Form(self.step, self.session), id="forms"), FieldHelp(), id="inputs")
             with Vertical(id="results"):
-                yield Pane("Checks", Checks(), id="checks")
-                yield Pane("Calculation", Calculation(), id="calculation")
+                yield Pane(Text("Checks"), Checks(), id="checks")
+                yield Pane(Text("Calculation"), Calculation(), id="calculation")
                 yield CurvePane()
         yield MessageLine(self.session)
         yield FooterLine()
 
     async def enter(self, session: Session) -> None:
         """Go on with another design."""
-        for timer in (self._keep, self._complain, self._ahead):
-            if timer is not None:
-                timer.stop()
-        self._keep = None
+        for part in (self.background, self.feedback, self.pane_layout):
+            part.begin()
         self._begin(session)
-        await self._make_anew()
+        await self._compose_again()
         self.on_mount()
 
-    async def _make_anew(self) -> None:
-        self._making = True
+    async def _compose_again(self) -> None:
+        self._composing = True
         try:
             await self.recompose()
         finally:
-            self._making = False
+            self._composing = False
 
     @property
     def stands(self) -> bool:
-        return not self._making and bool(self.query("#footer-line"))
+        return not self._composing and bool(self.query("#footer-line"))
+
+    async def action_act(self, id: str) -> None:
+        """Run an action of the table."""
+        result = self._actions[id]()
+        if result is not None:
+            await result
+
+    def action_to_view(self, name: str) -> None:
+        """The names of the views on a narrow screen are links to this."""
+        self.moves.to_view(name)
 
     def check_action(self, action: str, parameters: tuple[object, ...]) -> bool | None:
         """Keys do nothing, and are lost, while there is nothing that they could act on."""
@@ -116,23 +132,56 @@ class Workbench(Doing, Live):
 
     async def speak(self) -> None:
         """Show everything in the language that the program speaks now."""
-        step, pane = self.step, self.pane
-        await self._make_anew()
+        step, pane = self.step, self.pane_layout.pane
+        await self._compose_again()
         self.set_out()
         self.show_step()
         self.at_pane(pane)
         await self.open_step(step)
         self.form.focus_place(None)
-        self.solve()
+        self.background.solve()
 
     def on_mount(self) -> None:
         self.set_out()
         self.form.focus_place(None)
         self.show_step()
-        self.call_after_refresh(self.solve)
+        self.call_after_refresh(self.background.solve)
         if self.session.message:
             self.app.tell(self.session.message)
-            self.session.message = ""
+            self.session.message = EMPTY
+
+    # --- what its parts ask for (`Host`)
+    @property
+    def checks(self) -> Checks:
+        return self.query_one(Checks)
+
+    @property
+    def calculation(self) -> Calculation:
+        return self.query_one(Calculation)
+
+    @property
+    def curve_pane(self) -> CurvePane:
+        return self.query_one(CurvePane)
+
+    def pane_named(self, name: str) -> Pane:
+        return self.query_one(f"#{name}", Pane)
+
+    def forms(self) -> list[Form]:
+        return list(self.query(Form))
+
+    def refresh_top_line(self) -> None:
+        for line in self.query(TopLine):  # none while another design is being entered
+            line.refresh()
+
+    def set_slow(self, slow: bool) -> None:
+        self.query_one(TopLine).slow = slow
+
+    def set_stale(self, stale: bool) -> None:
+        for results in (Checks, Calculation, TableList):
+            self.query_one(results).set_stale(stale)
+
+    def in_thread(self, group: str, do: Callable[[], None], *, exclusive: bool = True) -> None:
+        self.run_worker(do, group=group, description=group, exit_on_error=False, exclusive=exclusive, thread=True)
 
     @property
     def form(self) -> Form:
@@ -184,80 +233,54 @@ class Workbench(Doing, Live):
 
     def edited(self) -> None:
         """The design has changed: solve, say what is not accepted, and keep the edit aside, each in its time."""
-        self.solve()
+        self.background.solve()
         self.show_state()
-        if self._keep is None:
-            self._keep = self.set_timer(KEEP, self.keep)
+        self.feedback.keep_soon()
 
     def show_state(self) -> None:
-        """Everything but the results.  A field that is being typed into gets a moment before it complains."""
-        reasons = self.session.reasons()
-        here = self.form.here()
-        late = {place for place in reasons if place == here and place not in self._saw}
-        self.form.refresh_fields({place: reason for place, reason in reasons.items() if place not in late})
-        self._saw = set(reasons) - late
-        if self._complain is not None:
-            self._complain.stop()
-        self._complain = self.set_timer(COMPLAIN, self._complain_now) if late else None
-        self.set_stale(self.session.results is not None and not late and (not self.session.valid or bool(self.session.failure)))
+        complete = self.feedback.show()
         self.query_one(TopLine).refresh()
-        if not late:
+        if complete:
             self.show_remedy()
             self.query_one(Steps).rebuild()
             self.query_one(StepBar).refresh()
-
-    def _complain_now(self) -> None:
-        if not self.stands:
-            return
-        self._saw = set(self.session.reasons())
-        self.show_state()
-
-    def keep(self) -> None:
-        """Put the edits aside, in another thread; a disk may be slow."""
-        self._keep = None
-        self._keep_aside()
-
-    @work(thread=True, exclusive=True, group="keep", exit_on_error=False)
-    def _keep_aside(self) -> None:
-        self.session.autosave()
-        self.app.call_from_thread(self.query_one(TopLine).refresh)
 
     # --- showing
     def show_remedy(self) -> None:
         if self.session.valid and not self.session.current and self.session.results is not None:
             return  # what stands there stays until there are results: it would only flicker
         line = self.query_one(MessageLine)
-        line.trouble, line.remedy = self.trouble, self.remedy
+        line.trouble, line.remedy = self.background.trouble, self.background.remedy
         line.redraw()
         self.show_keys()
 
     def show_verdicts(self) -> None:
         results = self.session.results
         outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
-        self.query_one(Checks).show(outcome)
+        self.checks.show(outcome)
         if outcome is not None:
-            bad = sum(c.verdict != "pass" for c in outcome.checks)
+            bad = sum(c.verdict in URGENT for c in outcome.checks)
             count = len(outcome.checks)
-            passing = f"{count - bad} of {count} {'check passes' if count == 1 else 'checks pass'}"
+            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=count - bad)
             self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
         self.query_one(TopLine).refresh()  # the last line of the screen follows: what lies between two lines is painted with them
 
     def show_written(self) -> None:
-        page = self.pages.get(self.step.key)
-        self.query_one(Calculation).show(page.sheet if page is not None else Sheet())
-        self.query_one(CurvePane).show(self.step.key, page.leaves if page is not None else (), page is None)
+        page = self.background.pages.get(self.step.key)
+        self.calculation.show(page.sheet if page is not None else Sheet())
+        self.curve_pane.show(self.step.key, page.leaves if page is not None else (), page is None)
         self.form.refresh_taken()
         self.show_keys()
 
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
-        pane, results = self.query_one(CurvePane), self.session.results
-        sound = self.session.valid and results is not None and all(c.verdict == "pass" for c in results.checks())
+        pane, results, remedy = self.curve_pane, self.session.results, self.background.remedy
+        sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
         idle = {
             "variant": pane.curve is None or len(pane.curve.variants) < 2,
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
-            "mend": self.remedy is None or not self.remedy.changes,
+            "fix": remedy is None or not remedy.changes,
             "choose": self.step.key not in CHOICES,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
@@ -275,18 +298,18 @@ class Workbench(Doing, Live):
         self.show_verdicts()
         self.show_written()
         self.show_state()
-        self.write_out()
+        self.background.write_out()
         steps.go_to(self.step.key)
         self.show_remedy()
-        self.seek_remedy()
+        self.background.seek_remedy()
 
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
         idle = focus is None and isinstance(self.focused, Form)
-        inside = not stay and (self.pane == "inputs" or focus is not None)
+        inside = not stay and (self.pane_layout.pane == "inputs" or focus is not None)
         with self.app.batch_update():
             if step is not self.step:
-                if self.pane == "inputs":
+                if self.pane_layout.pane == "inputs":
                     self.set_focus(None, scroll_visible=False)
                 self.form.display = False
                 self.step = step
@@ -313,40 +336,12 @@ class Workbench(Doing, Live):
         self.call_later(self._show_help)
 
     def at_pane(self, name: str) -> None:
-        """This pane is the current one; narrow, or large, it is the only one."""
-        if name != self.pane and self.stands:
-            self.pane = name
+        if name != self.pane_layout.pane and self.stands:
+            self.pane_layout.pane = name
             self.set_out()
 
-    @property
-    def single(self) -> bool:
-        """One pane at a time."""
-        return self.large or not self.has_class("-wide")
-
     def set_out(self) -> None:
-        """Show the panes that belong on the screen.  Done here and not by the style sheet, which would restyle every field."""
-        single = self.single
-        shown = "inputs" if self.pane == "steps" and not self.has_class("-wide") else self.pane
-        results = self.query_one("#results")
-        results.display = not single or shown in ("checks", "calculation", "curve")
-        for pane in self.query(Pane):
-            alone = single and pane.id == shown
-            pane.display = alone or not single
-            pane.set_class(alone, "-single")
-            pane.mark(pane.id == self.pane)
-            pane.set_title(views=self._views(shown) if alone and not self.has_class("-wide") else Content(""))
-        if not single or shown == "curve":
-            self.call_after_refresh(self.query_one(CurvePane).draw)
-
-    def _views(self, shown: str) -> Content:
-        """The names of the views, for a narrow screen."""
-        parts = [
-            Content.styled(self.app.say(word), "bold" if name == shown else "not bold dim").stylize(
-                Style.from_meta({"@click": f"screen.to_view('{name}')"})
-            )
-            for name, word in VIEWS.items()
-        ]
-        return Content(" · ").join(parts)
+        self.pane_layout.set_out(self.app.say)
 
     def _show_help(self) -> None:
         """The foot of the form: about the field that has the focus."""
@@ -355,8 +350,10 @@ class Workbench(Doing, Live):
         source, say = self.form.field or self.focused, self.app.say
         if isinstance(source, (Field, ArrayHeading, TableHeading, Taken)):
             self.query_one(FieldHelp).show(*source.explained())
-        elif source is not None and self.pane == "inputs":
-            self.query_one(FieldHelp).show(say("No field is being edited"), say("letters act as keys; Tab or ↓ goes back to the fields."))
+        elif source is not None and self.pane_layout.pane == "inputs":
+            self.query_one(FieldHelp).show(
+                say(Text("No field is being edited")), say(Text("letters act as keys; Tab or ↓ goes back to the fields."))
+            )
         else:
             self.query_one(FieldHelp).show("", "")
 
@@ -375,11 +372,11 @@ class Workbench(Doing, Live):
             self.at_pane("inputs")
             await self.open_step(next(s for s in STEPS if s.key == event.key))
         elif isinstance(source, Checks) and event.clicked:
-            self.to_line(event.key)
+            self.moves.to_line(event.key)
         elif isinstance(source, Checks) or (isinstance(source, (Calculation, TableList)) and not event.clicked):
-            self.action_explain()
+            self.readings.explain()
         elif isinstance(source, Taken):
-            await self.to_value(event.key)
+            await self.moves.to_value(event.key)
 
     def on_resize(self, event: events.Resize) -> None:
         if not self.stands:

@@ -2,7 +2,7 @@
 """The heading of an array of tables: how many there are, which one is shown, and the keys that add, remove and leaf."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.binding import Binding, BindingType
@@ -10,6 +10,9 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 
+from calc.sheet.text import EMPTY, Text
+
+from ..base_app import BaseApp
 from ..places import content_at
 from ..session import Session
 from .entry import LEAVING
@@ -17,14 +20,11 @@ from .field_help import heading_help
 from .rows import Row
 from .wrap import fit
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 
 class ArrayHeading(Widget, can_focus=True):
     """`◂ 2 of 4: central ▸` of a long array, `2` of a short one that stands there whole."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         *LEAVING,
         Binding("left", "leaf(-1)", "Element before", show=False),
@@ -32,7 +32,7 @@ class ArrayHeading(Widget, can_focus=True):
         Binding("plus", "add", "Add an element", show=False),
         Binding("minus,delete", "remove", "Remove the element", show=False),
     ]
-    HELP = (
+    HELP = Text(
         "+ (or Enter, while there is none) adds an element, like the last one; − takes out the one that is shown (the last of a short "
         "list); ← → leafs through them."
     )
@@ -55,10 +55,10 @@ class ArrayHeading(Widget, can_focus=True):
         super().__init__()
         self.row = row
         self.session = session
-        self.reason = ""  # why the array as a whole is not accepted
+        self.reason = EMPTY  # why the array as a whole is not accepted
         self._looks: tuple[object, ...] = ()
 
-    def redraw(self, row: Row, reason: str) -> None:
+    def redraw(self, row: Row, reason: Text) -> None:
         """Draw anew if there is something new to draw."""
         looks = (row.shown, self.names(), reason)
         self.row, self.reason = row, reason
@@ -88,7 +88,7 @@ class ArrayHeading(Widget, can_focus=True):
             middle: list[Content | str | tuple[str, str]] = [(f"  {len(names)}", "dim")]
         else:
             name = f" {names[shown]}" if names[shown] != str(shown + 1) else ""
-            text = f" {self.app.say(f'{shown + 1} of {len(names)}')}{name} "
+            text = f" {self.app.say(Text('{n} of {count}', n=shown + 1, count=len(names)))}{name} "
             middle = [
                 "  ",
                 self._link(before, "leaf(-1)"),
@@ -96,7 +96,7 @@ class ArrayHeading(Widget, can_focus=True):
                 self._link(after, "leaf(1)"),
             ]
         buttons: list[Content | str] = (
-            [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link(f"+ {self.app.say('add')}", "add")]
+            [self._link("+", "add"), " ", self._link(minus, "remove")] if names else [self._link(self.app.say(Text("+ add")), "add")]
         )
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)

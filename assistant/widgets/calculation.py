@@ -6,8 +6,8 @@ from collections.abc import Callable
 from textual.content import Content
 
 from calc.sheet.errors import Cancelled
-from calc.sheet.number import short
 from calc.sheet.step import Erratum
+from calc.sheet.text import Amount, Text, plural
 
 from ..sheets import Entry, Sheet
 from .item_list import Item, ItemList
@@ -36,9 +36,9 @@ class Typesetter:
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")]))
             items.append(self.entry(entry))
         if sheet.errata:
-            items.append(Item("", [Content(""), Content.styled(self.signs.say("Errors of the sources"), "bold")]))
+            items.append(Item("", [Content(""), Content.styled(self.signs.say(Text("Errors of the sources")), "bold")]))
             items += [Item(f"erratum {n}", self._erratum(e, 0), line=e.why) for n, e in enumerate(sheet.errata)]
-        for title, kind, texts in (("Proposed", "proposal", sheet.proposals), ("Assumed", "note", sheet.notes)):
+        for title, kind, texts in ((Text("Proposed"), "proposal", sheet.proposals), (Text("Assumed"), "note", sheet.notes)):
             if texts:
                 items.append(Item("", [Content(""), Content.styled(self.signs.say(title), "bold")]))
                 items += [
@@ -68,9 +68,15 @@ class Typesetter:
 
     def _erratum(self, erratum: Erratum, indent: int) -> list[Content]:
         signs, width = self.signs, self.width
-        theirs = f"{short(erratum.source_value)} {erratum.unit}".rstrip()
-        text = f"{signs.mark('warn')} {signs.say(f'the source has {theirs} for {erratum.label}')}: {erratum.why} ({erratum.source})"
-        return [Content.styled(row, signs.style("warn")) for row in wrap(" " * indent + text, width, indent + 2)]
+        text = Text(
+            "the source has {value} for {label}: {reason} ({source})",
+            value=Amount(erratum.source_value, erratum.unit),
+            label=erratum.label,
+            reason=erratum.why,
+            source=erratum.source,
+        )
+        row = f"{signs.mark('warn')} {signs.say(text)}"
+        return [Content.styled(row, signs.style("warn")) for row in wrap(" " * indent + row, width, indent + 2)]
 
 
 class Calculation(ItemList):
@@ -113,12 +119,13 @@ class Calculation(ItemList):
         if entries and self._first:
             top, bottom = round(self.scroll_y), round(self.scroll_y) + self.size.height
             seen = [n for n, i in enumerate(entries, 1) if self._first[i] < bottom and self._first[i] + len(self.items[i].rows) > top]
-            parts.append(say(f"{seen[0]}–{seen[-1]} of {len(entries)}") if seen else say(f"{len(entries)} lines"))
+            count = plural("{n} line", "{n} lines", n=len(entries))
+            parts.append(say(Text("{first}–{last} of {n}", first=seen[0], last=seen[-1], n=len(entries)) if seen else count))
         errata = len(self.sheet.errata) + sum(len(e.errata) for e in self.sheet.entries)
         if errata:
-            parts.append(say(f"{errata} erratum") if errata == 1 else say(f"{errata} errata"))
+            parts.append(say(plural("{n} erratum", "{n} errata", n=errata)))
         if self.sheet.proposals:
-            parts.append(say(f"{len(self.sheet.proposals)} proposed"))
+            parts.append(say(Text("{n} proposed", n=len(self.sheet.proposals))))
         if self.sheet.notes:
-            parts.append(say(f"{len(self.sheet.notes)} assumed"))
+            parts.append(say(Text("{n} assumed", n=len(self.sheet.notes))))
         return " · ".join(parts)

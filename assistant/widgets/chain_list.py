@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The formulas that lead to a value, the value first, and under each the inputs that enter it."""
 
-from typing import TYPE_CHECKING
-
 from textual.content import Content
 
 from calc.design_file import quantity_of
@@ -10,20 +8,18 @@ from calc.explain import Link
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import line_text
 
+from ..base_app import BaseApp
 from ..session import Session
 from ..sheets import Entry
 from .calculation import Typesetter
 from .item_list import Item, ItemList
 from .wrap import wrap
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 INPUT = "input "  # an item with this before its key is an input of the design; the others are numbers of links
 
 
 class ChainList(ItemList):
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="chain-list")
@@ -45,7 +41,7 @@ class ChainList(ItemList):
                 shown = say(about)
                 title = shown[:1].upper() + shown[1:]
                 items.append(Item("", [*([Content("")] if items else []), Content.styled(title, "bold")] if title else [Content("")]))
-            formula, numbers, source = line_text(link.line, say)
+            formula, numbers, source = line_text(link.line, say, say.number)
             entry = Entry(f"{len(self.links) - number}", link.line.about, formula, numbers, source)
             made = setter.entry(entry)
             items.append(Item(str(number), made.rows, made.value, made.line))

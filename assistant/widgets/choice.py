@@ -2,7 +2,7 @@
 """One of several words, in one row.  Enter or space opens the list; in the list, letters find a word."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.binding import Binding, BindingType
@@ -10,17 +10,15 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 
+from ..base_app import BaseApp
 from .entry import LEAVING
 from .wrap import fit
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
 
 
 class Choice(Widget, can_focus=True):
     """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter,space", "open", "Show the list", show=False)]
 
     @dataclass

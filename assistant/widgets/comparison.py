@@ -9,15 +9,16 @@ from textual.content import Content
 from calc.compare import CheckDifference, Comparison
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
-from calc.languages.outcome import said_table
+from calc.languages.outcome import in_language
 from calc.sheet.step import Table
+from calc.sheet.text import EMPTY, Name, Text, plural
 
 from .item_list import Item, ItemList
 from .signs import WORDS
 from .table_list import Setter
 from .wrap import wrap
 
-SECTIONS = ("Inputs", "Verdicts", "Checks", "Values")
+SECTIONS = {"Inputs": Text("Inputs"), "Verdicts": Text("Verdicts"), "Checks": Text("Checks"), "Values": Text("Values")}
 ROOMY = 100  # columns in which the margins have room
 
 
@@ -26,7 +27,7 @@ class Part:
     """One table of a section, with the id of each of its rows; a section that has nothing to show has a sentence."""
 
     section: str
-    title: str
+    title: Text
     table: Table | None
     ids: tuple[str, ...] = ()
 
@@ -37,12 +38,12 @@ class ComparisonList(ItemList):
     def __init__(self) -> None:
         super().__init__(id="comparison-list")
         self.found: Comparison | None = None
-        self.names: Names = ("A", "B")
-        self.waiting = ""  # what is said as long as there is nothing to show
+        self.names: Names = (Name("A"), Name("B"))
+        self.waiting = EMPTY  # what is shown as long as there is nothing to show
         self._heads: dict[str, int] = {}  # section → its first item
         self._at = ""  # the section that was gone to by its key
 
-    def say(self, text: str) -> None:
+    def say(self, text: Text) -> None:
         """Something instead of a comparison."""
         self.waiting = text
         self.rebuild()
@@ -55,7 +56,9 @@ class ComparisonList(ItemList):
     def build(self, width: int) -> list[Item]:
         say = self.app.say
         if self.found is None or self.found.equal:
-            text = say(self.waiting if self.found is None else "The two designs are equal: no input, verdict, check or value differs.")
+            text = say(
+                self.waiting if self.found is None else Text("The two designs are equal: no input, verdict, check or value differs.")
+            )
             return [Item("", [Content(row) for row in wrap(text, width)])]
         items: list[Item] = []
         self._heads = {}
@@ -65,7 +68,7 @@ class ComparisonList(ItemList):
             if part.table is None:
                 items.append(Item("", [*gap, Content.styled(say(part.title), "bold")]))
                 continue
-            set_ = Setter(said_table(part.table, say), width)
+            set_ = Setter(in_language(part.table, say), width, say)
             items.append(Item("", [*gap, Content.styled(say(part.title), "bold underline"), *set_.head()]))
             items += [self._item(part.section, id, str(row[2]), item) for id, row, item in zip(part.ids, part.table.rows, set_.items())]
         return items
@@ -89,35 +92,63 @@ class ComparisonList(ItemList):
     def _parts(self, found: Comparison, roomy: bool) -> list[Part]:
         names, n = self.names, len(found.inputs)
         if n:
-            title = "1 input differs" if n == 1 else f"{n} inputs differ"
+            title = plural("{n} input differs", "{n} inputs differ", n=n)
             parts = [Part("Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs))]
         else:
-            parts = [Part("Inputs", "No input differs.", None)]
+            parts = [Part("Inputs", Text("No input differs."), None)]
         n = len(found.steps_moved)
-        title = "1 step changes its verdict" if n == 1 else f"{n} steps change their verdict" if n else "No step changes its verdict"
+        changes = plural("{n} step changes its verdict", "{n} steps change their verdict", n=n)
+        title = changes if n else Text("No step changes its verdict")
         parts.append(Part("Verdicts", title, verdict_table(found, names, self._sign), tuple(v.step for v in found.verdicts)))
         moved, n = found.checks_moved, len(found.checks_moved)
-        title = "1 check changes its verdict" if n == 1 else f"{n} checks change their verdict" if n else "No check changes its verdict"
+        changes = plural("{n} check changes its verdict", "{n} checks change their verdict", n=n)
+        title = changes if n else Text("No check changes its verdict")
         parts.append(self._checks(title, moved, roomy) if moved else Part("Checks", title, None))
         lone = [d for d in found.checks if not d.both and d.worse]
         if lone:
-            parts.append(self._checks(f"{len(lone)} checks stand in one design only, and do not pass", lone, roomy))
+            parts.append(
+                self._checks(
+                    plural(
+                        "{n} check stands in one design only, and does not pass",
+                        "{n} checks stand in one design only, and do not pass",
+                        n=len(lone),
+                    ),
+                    lone,
+                    roomy,
+                )
+            )
         if rest := found.checks_kept:
-            parts.append(self._checks(f"{len(rest)} checks keep their verdict at another value or limit", rest, roomy))
+            parts.append(
+                self._checks(
+                    plural(
+                        "{n} check keeps its verdict at another value or limit",
+                        "{n} checks keep their verdict at another value or limit",
+                        n=len(rest),
+                    ),
+                    rest,
+                    roomy,
+                )
+            )
         lone = [d for d in found.checks if not d.both and not d.worse]
         if lone:
-            parts.append(self._checks(f"{len(lone)} checks stand in one design only, and pass", lone, roomy))
+            parts.append(
+                self._checks(
+                    plural("{n} check stands in one design only, and passes", "{n} checks stand in one design only, and pass", n=len(lone)),
+                    lone,
+                    roomy,
+                )
+            )
         for step in STEPS:
             values = [d for d in found.values if d.step == step.key]
             if values:
-                title = f"{step.title}: 1 value differs" if len(values) == 1 else f"{step.title}: {len(values)} values differ"
+                title = plural("{step}: {n} value differs", "{step}: {n} values differ", n=len(values), step=step.title)
                 table = value_table(step.key, title, values, names, ids=False)
                 parts.append(Part("Values", title, table, tuple(d.id for d in values)))
         if not found.values:
-            parts.append(Part("Values", "No value differs.", None))
+            parts.append(Part("Values", Text("No value differs."), None))
         return parts
 
-    def _checks(self, title: str, found: Sequence[CheckDifference], roomy: bool) -> Part:
+    def _checks(self, title: Text, found: Sequence[CheckDifference], roomy: bool) -> Part:
         table = check_table(found, self.names, self._sign, ids=False, margins=roomy)
         return Part("Checks", title, table, tuple(d.id for d in found))
 
@@ -125,7 +156,7 @@ class ComparisonList(ItemList):
     @property
     def section(self) -> str:
         """The section that was gone to, else that of the item under the cursor."""
-        return self._at or self.key.partition(" ")[0] or SECTIONS[0]
+        return self._at or self.key.partition(" ")[0] or next(iter(SECTIONS))
 
     @property
     def id_here(self) -> str:
@@ -149,5 +180,5 @@ class ComparisonList(ItemList):
 
     def turn_section(self, by: int) -> None:
         """To the next section, or the one before."""
-        here = SECTIONS.index(self.section)
-        self.to_section(SECTIONS[max(0, min(len(SECTIONS) - 1, here + by))])
+        names = list(SECTIONS)
+        self.to_section(names[max(0, min(len(names) - 1, names.index(self.section) + by))])

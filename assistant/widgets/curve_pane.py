@@ -13,7 +13,9 @@ from textual.message import Message
 from textual.widgets import Static
 
 from calc.sheet.step import Curve, Table
+from calc.sheet.text import Text
 
+from ..base_app import BaseApp
 from .item_list import ItemList
 from .legend import Legend
 from .pane import Pane
@@ -21,14 +23,13 @@ from .sight import TURN, Cursor, Sight
 from .table_list import TableList
 
 if TYPE_CHECKING:
-    from ..app import ContralberoApp
     from .reading import Reader, Reading
 
 
 class CurvePane(Pane, can_focus=True):
     """`variant` and `degrees` hold for all curves that have variants or vectors; `cursor` for the curve that is shown, as long as it is."""
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "turn(1)", "Next curve", show=False)]
 
     @dataclass
@@ -40,7 +41,7 @@ class CurvePane(Pane, can_focus=True):
     def __init__(self) -> None:
         self.legend = Static(id="curve-legend")
         self.list = TableList()
-        super().__init__("Curve", self.legend, self.list, id="curve")
+        super().__init__(Text("Curve"), self.legend, self.list, id="curve")
         self.leaves: tuple[Curve | Table, ...] = ()
         self.chosen: dict[str, str] = {}  # step → id of the curve or the table that was chosen
         self.step = ""
@@ -193,16 +194,25 @@ class CurvePane(Pane, can_focus=True):
         self._drawn = drawn
         self._arrange(isinstance(leaf, Table))
         key, say, lists = self.app.shown_key, self.app.say, self.app.shown_key("curves")
-        count = say(f"{self._number(leaf) + 1} of {len(self.leaves)}") if leaf is not None and len(self.leaves) > 1 else ""
+        count = (
+            say(Text("{n} of {count}", n=self._number(leaf) + 1, count=len(self.leaves)))
+            if leaf is not None and len(self.leaves) > 1
+            else ""
+        )
+        all_ = say(Text("{key} lists all", key=lists))
         if isinstance(leaf, Table):
-            self.set_title(leaf.title, f"{count} · {say(f'{lists} lists all')}" if count else "")
+            self.set_title(leaf.title, f"{count} · {all_}" if count else "")
             self.list.show(leaf)
             self._head()
         elif leaf is None:
-            self.set_title("Curve", say("is being written out …") if self.pending else say("none in this step"))
+            self.set_title(Text("Curve"), say(Text("is being written out …")) if self.pending else say(Text("none in this step")))
             self._write(Content(""))
         else:
-            hints = (count, say(f"{key('read_back')} {key('read')} reads it"), say(f"{lists} lists all") if count else "")
+            hints = (
+                count,
+                say(Text("{keys} reads it", keys=f"{key('read_back')} {key('read')}")),
+                all_ if count else "",
+            )
             self.set_title(leaf.title, " · ".join(filter(None, hints)))
             self._legend(Sight(leaf, self.variant, self.degrees))
             if self._plot is None:
@@ -242,7 +252,7 @@ class CurvePane(Pane, can_focus=True):
     def _head(self) -> None:
         rows = self.list.head
         if self.list.part:
-            rows = [Content.styled(f"{self.app.say(self.list.part)}, {self.app.say('← → for the others')}", "dim"), *rows]
+            rows = [Content.styled(self.app.say(Text("{columns}, ← → for the others", columns=self.list.part)), "dim"), *rows]
         self._write(Content("\n").join(Content.assemble(" ", row) for row in rows))
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:

@@ -10,13 +10,15 @@ from textual.reactive import Reactive
 from textual.widgets import Input
 from textual.widgets.input import Selection
 
+from ..actions import BY_ID
+
 # Other keys are given to the part that has the focus, and wait there for their turn.  These move the focus before the next key is
 # looked at, so that of keys that come in one burst (a slow line, a busy machine) none ends up in the field that was left.
 LEAVING: tuple[Binding, ...] = (
     Binding("tab", "app.focus_next", "Next field", show=False, priority=True),
     Binding("shift+tab", "app.focus_previous", "Previous field", show=False, priority=True),
-    Binding("down", "screen.down", "Next field", show=False, priority=True),
-    Binding("up", "screen.up", "Previous field", show=False, priority=True),
+    Binding("down", f"screen.{BY_ID['down'].does}", "Next field", show=False, priority=True),
+    Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
@@ -55,7 +57,7 @@ class Entry(Input):
 
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""
-        await self.run_action("screen.go_on")
+        await self.run_action(f"screen.{BY_ID['go_on'].does}")
         if self.screen.focused is self:
             self.call_later(self.action_submit)
 

@@ -4,7 +4,7 @@
 import math
 import re
 from dataclasses import MISSING, dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from textual.app import ComposeResult
 from textual.content import Content
@@ -12,10 +12,11 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input
 
-from calc.sheet.number import short
 from calc.sheet.quantity import Quantity, keys
+from calc.sheet.text import EMPTY, Amount, Text
 
 from .. import numbers
+from ..base_app import BaseApp
 from ..places import Place, key_at, owner
 from ..session import Session
 from .choice import Choice
@@ -24,20 +25,18 @@ from .field_help import allowed, meaning
 from .rows import Row
 from .wrap import fit, pad, wrap
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 LABEL, LABEL_NARROW = 23, 30  # cells, as in the style sheet
 BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "text": 20, "choice": 20}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
+AUTO = "(auto)"  # the program chooses; the same in every language, as in the texts that name it
 NARROW = 60  # a form that has at least this many cells is the only pane
 
 
 class Field(Widget):
     """Draws label and note itself; its one child is where the value is typed or chosen."""
 
-    app: "ContralberoApp"
+    app: BaseApp
 
     @dataclass
     class Edited(Message):
@@ -51,7 +50,7 @@ class Field(Widget):
         self.row = row
         self.session = session
         self.words = words or row.about.choices
-        self.reason = ""
+        self.reason = EMPTY
         self.default = default_of(row)
         self._looks: tuple[object, ...] = ()
         self._box = self._made()
@@ -79,13 +78,13 @@ class Field(Widget):
                 self.words,
                 text,
                 optional=optional,
-                prompt=f"{self.default} (auto)" if self.default else "(auto)" if optional else self.app.say("choose"),
+                prompt=f"{self.default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
             )
         return Entry(text, self._prompt())
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
-        return self.default or ("(auto)" if self.about.optional else "" if self.row.required else self.app.say("left out"))
+        return self.default or (AUTO if self.about.optional else "" if self.row.required else self.app.say(Text("left out")))
 
     def compose(self) -> ComposeResult:
         yield self._box
@@ -108,7 +107,7 @@ class Field(Widget):
         return stepped(self.session, self.place, self.default, by)
 
     # --- what is shown
-    def show(self, reason: str) -> None:
+    def show(self, reason: Text) -> None:
         """Draw anew, with the reason why the text is not accepted."""
         changed = reason != self.reason
         self.reason = reason
@@ -137,12 +136,15 @@ class Field(Widget):
         text = self.session.text(self.place)
         content = self.session.value(self.place)
         if self.reason or content is None:
-            return (self.app.say("(auto)"), "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
+            return (AUTO, "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
         typed = self.box.value if isinstance(self.box, Entry) else text
         if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
             return f"= {text}", "muted"
         if (usual := self.about.usual) and not all(usual[0] <= one <= usual[1] for one in _numbers(content)):
-            return f"{self.app.signs.mark('warn')} {short(usual[0])}–{short(usual[1])}", "warn"
+            return (
+                f"{self.app.signs.mark('warn')} {self.app.say(Text('{low}–{high}', low=Amount(usual[0]), high=Amount(usual[1])))}",
+                "warn",
+            )
         return "", ""
 
     def _label_width(self) -> int:

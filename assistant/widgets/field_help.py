@@ -1,19 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """At the foot of the form: what the field that has the focus means, and what is usual there."""
 
-from typing import TYPE_CHECKING
-
 from textual.content import Content
 from textual.widget import Widget
 
 from calc.languages import Language
-from calc.sheet.number import short
 from calc.sheet.quantity import Quantity
+from calc.sheet.text import Amount, Text
 
+from ..base_app import BaseApp
 from .wrap import fit, wrap
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
 
 
 def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
@@ -21,7 +17,8 @@ def meaning(about: Quantity, say: Language, *, sourced: bool = True) -> str:
     source = f" ({say(about.source)})" if sourced and about.source else ""
     said, usual = say(about.help), ""
     if about.usual:
-        usual = say(f"Usual {short(about.usual[0])} to {short(about.usual[1])}") + f" {about.unit}".rstrip() + f"{source}."
+        low, high = about.usual
+        usual = f"{say(Text('Usual {low} to {high}', low=Amount(low), high=Amount(high, about.unit)))}{source}."
     elif said and source:
         said = f"{said.removesuffix('.')}{source}."
     return " ".join(part for part in (said, usual) if part)
@@ -33,7 +30,7 @@ def allowed(about: Quantity, say: Language) -> str:
     return f"{words[:1].upper()}{words[1:]}." if words else ""
 
 
-def heading_help(about: Quantity, keys: str, reason: str, app: "ContralberoApp") -> tuple[str, str]:
+def heading_help(about: Quantity, keys: Text, reason: Text, app: BaseApp) -> tuple[str, str]:
     """Of a part that may be left out or repeated: why it is not accepted, what it is, and its keys."""
     text = f"{about.help} {app.say(keys)}".strip()
     return about.label, f"{app.signs.mark('invalid')} {app.say(reason)}. {text}" if reason else text
@@ -53,7 +50,7 @@ def foot(said: str, rest: str, more: str, width: int, height: int) -> list[str]:
 
 
 class FieldHelp(Widget):
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self) -> None:
         super().__init__(id="field-help")
@@ -70,5 +67,5 @@ class FieldHelp(Widget):
         if not self.title:
             return Content("")
         said = f"{self.title}: {self.text}" if self.text else self.title
-        rows = foot(said, self.rest, f"  {self.app.say('F1 more')}", max(10, self.size.width - 2), self.size.height)
+        rows = foot(said, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")

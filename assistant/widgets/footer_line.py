@@ -1,26 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """The last row: the keys, as the table of actions and the user's key map have them."""
 
-from typing import TYPE_CHECKING
-
 from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
 from ..actions import ACTIONS, BY_ID, Action
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
+from ..base_app import BaseApp
 
 # What goes first where there is not room for all, after what does nothing here.  Narrow, F4 leads to every pane.
 SPARED = ("palette", "choose", "trouble", "curve", "variant")
-SPARED_NARROW = ("palette", "pane", "choose", "mend", "trouble", "quit", "back", "curve", "variant", "report", "undo")
+SPARED_NARROW = ("palette", "pane", "choose", "fix", "trouble", "quit", "back", "curve", "variant", "report", "undo")
 
 
 class FooterLine(Widget):
     """Textual's own footer is made anew at every change of the focus; this one stands still."""
 
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self) -> None:
         super().__init__(id="footer-line")
@@ -47,5 +43,6 @@ class FooterLine(Widget):
         return Content.assemble(start, left, " " * gap, end) if end else Content.assemble(start, left)
 
     def _part(self, action: Action) -> Content:
-        made = Content.assemble((self.app.shown_key(action.id), "bold $footer-key-foreground"), " ", self.app.say(action.footer))
-        return made.stylize(Style.from_meta({"@click": f"screen.{action.does}"}))
+        say, key = self.app.say, self.app.shown_key(action.id)
+        part = Content.assemble((say(key), "bold $footer-key-foreground"), " ", say(action.footer))
+        return part.stylize(Style.from_meta({"@click": f"screen.{action.does}"}))

@@ -2,7 +2,6 @@
 """The inputs of one step, generated from their descriptions."""
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from textual import events
 from textual.containers import VerticalScroll
@@ -12,9 +11,11 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
-from calc.languages.outcome import said_quantity
+from calc.languages.outcome import in_language
 from calc.sheet.step import Step
+from calc.sheet.text import EMPTY, Text
 
+from ..base_app import BaseApp
 from ..places import Place, content_at, key_at
 from ..session import Session
 from ..upstream import NAMED
@@ -25,10 +26,7 @@ from .field import Field
 from .guide_text import GuideText
 from .rows import Row, rows
 from .table_heading import TableHeading
-from .taken import Taken
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
+from .upstream_values import Taken
 
 Shape = list[tuple[str, Place]]  # kind and place of each row
 
@@ -36,7 +34,7 @@ Shape = list[tuple[str, Place]]  # kind and place of each row
 class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     """Fields in the order of the design file.  Focus on the form itself means that no field is being edited."""
 
-    app: "ContralberoApp"
+    app: BaseApp
 
     @dataclass
     class Asked(Message):
@@ -63,7 +61,10 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def _widgets(self) -> list[Widget]:
         if self.step.key not in self.session.data:
             self._shape = []
-            texts = (f"This design has no step {self.step.title}.", "Enter adds it, with the values of the example; undo takes it out.")
+            texts = (
+                Text("This design has no step {title}.", title=self.step.title),
+                Text("Enter adds it, with the values of the example; undo takes it out."),
+            )
             return [Static(Content("\n\n".join(f" {self.app.say(text)}" for text in texts)))]
         found = self._rows()
         self._shape = _shape(found)
@@ -89,7 +90,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         editing = [self.field.place] if self.is_mounted and self.field is not None else []
         found = rows(self.step, self.session.data, self.chosen, [*editing, *self.session.reasons()])
         say = self.app.say
-        return found if say.code == "en" else [replace(row, about=said_quantity(row.about, say)) for row in found]
+        return found if say.code == "en" else [replace(row, about=in_language(row.about, say)) for row in found]
 
     def _heading(self, row: Row) -> Content:
         last = row.place[-1]
@@ -101,7 +102,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         catalogue = NAMED.get(key_at(row.place)) if row.about.kind == "text" else None
         return tuple(getattr(self.session.design, catalogue)) if catalogue else ()
 
-    def refresh_fields(self, reasons: dict[Place, str]) -> None:
+    def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets another form."""
         if self.step.key not in self.session.data or not self._shape:
             if bool(self._shape) != (self.step.key in self.session.data):
@@ -118,9 +119,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         for child in standing:
             if isinstance(child, Field):
                 child.row = by_place[child.place]
-                child.show(reasons.get(child.place, ""))
+                child.show(reasons.get(child.place, EMPTY))
             elif isinstance(child, (ArrayHeading, TableHeading)):
-                child.redraw(by_place[child.row.place], reasons.get(child.row.place, ""))
+                child.redraw(by_place[child.row.place], reasons.get(child.row.place, EMPTY))
         headings = [row for row in found if row.kind == "heading"]
         for row, heading in zip(headings, (child for child in standing if isinstance(child, Static))):
             made = self._heading(row)

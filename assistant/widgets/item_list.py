@@ -16,10 +16,10 @@ from textual.strip import Strip
 from textual.style import Style
 from textual.visual import RenderOptions
 
+from ..base_app import BaseApp
+
 if TYPE_CHECKING:
     from textual.css.styles import RulesMap
-
-    from ..app import ContralberoApp
 
 
 @dataclass(frozen=True)
@@ -38,7 +38,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
     Up and down are the main screen's, as everywhere.
     """
 
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("pagedown", "page(1)", "A screenful down", show=False),
         Binding("pageup", "page(-1)", "A screenful up", show=False),

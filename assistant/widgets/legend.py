@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING
 
 from textual.content import Content
 
-from calc.sheet.number import short
+from calc.sheet.text import COMMA, Amount, Text
 
+from ..base_app import BaseApp
 from .sight import Sight
 from .wrap import fit
 
 if TYPE_CHECKING:
-    from ..app import ContralberoApp
     from .reading import Reading
 
 GAP = "  "
@@ -22,7 +22,7 @@ GAP = "  "
 class Legend:
     """Of one sight, with what is read off it if there is a cursor."""
 
-    def __init__(self, app: "ContralberoApp", sight: Sight, reading: "Reading | None" = None) -> None:
+    def __init__(self, app: BaseApp, sight: Sight, reading: "Reading | None" = None) -> None:
         self.app, self.sight, self.reading = app, sight, reading
 
     def rows(self, width: int, most: int) -> list[Content]:
@@ -65,7 +65,7 @@ class Legend:
         curve = self.sight.curve
         name, comma, unit = curve.y_label.rpartition(", ")
         up = f"{plain(name)}, {unit}" if comma else plain(curve.y_label)
-        return up if curve.names else self.app.say(f"{up} over {curve.x_label}")
+        return up if curve.names else self.app.say(Text("{y} over {x}", y=up, x=curve.x_label))
 
     def _state(self, keys: bool = True) -> Iterator[Content]:
         """The variant and the crank angle, with the keys that change them."""
@@ -73,8 +73,9 @@ class Legend:
         if sight.variant:
             yield Content.assemble((key("variant") + " ", "dim"), (sight.variant, "bold"))
         if sight.turns:
-            how = " " + say(f"{key('crank_back')} {key('crank_on')} after {key('leave')}") if keys else ""
-            yield Content.assemble((say(f"crank at {sight.degrees}°"), "bold"), (how, "dim"))
+            turning = f"{key('crank_back')} {key('crank_on')}"
+            how = " " + say(Text("{keys} after {leave}", keys=turning, leave=key("leave"))) if keys else ""
+            yield Content.assemble((say(Text("crank at {angle}", angle=Amount(sight.degrees, "°"))), "bold"), (how, "dim"))
 
     def _names(self) -> Iterator[Content]:
         series = self.sight.series
@@ -91,7 +92,7 @@ class Legend:
 
     def _how_to_read(self) -> Content:
         key = self.app.shown_key
-        return Content.styled(self.app.say(f"{key('read_back')} {key('read')} name the bars"), "dim")
+        return Content.styled(self.app.say(Text("{keys} name the bars", keys=f"{key('read_back')} {key('read')}")), "dim")
 
     def _mark(self, n: int) -> str:
         look = self.app.signs.look(n)
@@ -106,14 +107,14 @@ class Legend:
                     yield Content.styled(f"{signs.look(n).line_mark} {name}", signs.look(n).colour)
                 n += 1
         if sight.turns:
-            yield Content(f"{'@' if signs.ascii else '●'} {self.app.say('their sum')}")
+            yield Content(f"{'@' if signs.ascii else '●'} {self.app.say(Text('their sum'))}")
 
     def _limits(self) -> Iterator[Content]:
-        from .reading import axis, finite_limits, with_unit
+        from .reading import axis, finite_limits
 
         signs, unit = self.app.signs, axis(self.sight.curve.y_label)[1]
         for name, limit in finite_limits(self.sight.curve):
-            yield Content.styled(f"{signs.limit().line_mark} {name} {with_unit(short(limit), unit)}", signs.style("fail"))
+            yield Content.styled(f"{signs.limit().line_mark} {name} {self.app.say.part(Amount(limit, unit))}", signs.style("fail"))
 
     def _reads(self, distances: int = 9, *, brief: bool = False) -> Iterator[Content]:
         """What is read, with so many of the distances to limits; the series that was chosen stands out."""
@@ -122,8 +123,8 @@ class Legend:
         for read in self.reading.reads:
             name = f"{self._mark(read.number)} {read.label}".rstrip()
             chosen = read.number == self.reading.chosen
-            said = ", ".join((read.brief if brief else read.value, *map(self.app.say, read.distances[:distances])))
-            yield Content.assemble((name, signs.look(read.number).colour), " ", (said, "bold" if chosen else ""))
+            text = self.app.say(COMMA.join((read.brief if brief else read.value, *read.distances[:distances])))
+            yield Content.assemble((name, signs.look(read.number).colour), " ", (text, "bold" if chosen else ""))
 
 
 def _cut(axes: str, width: int) -> str:

@@ -7,31 +7,36 @@ from textual.content import Content
 from textual.widget import Widget
 
 from calc.design import STEPS
-from calc.sheet.check import Check
-from calc.sheet.number import short
+from calc.sheet.check import URGENT, Check
+from calc.sheet.text import SEMICOLON, Amount, Text
 
+from ..base_app import BaseApp
 from ..places import key_at
 from ..session import Session
 from .checks import sorted_checks
 from .wrap import fit, wrap
 
 if TYPE_CHECKING:
-    from calc.remedies.remedy import Remedy
+    from calc.repair.remedy import Remedy
 
-    from ..app import ContralberoApp
 
 ROWS = 2
 
 
+def reasons_text(remedy: "Remedy") -> Text:
+    """Why each of the remedies that were tried does not do."""
+    return SEMICOLON.join(Text("{remedy}: {reason}", remedy=one.name, reason=one.why) for one in remedy.left)
+
+
 class MessageLine(Widget):
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="message-line")
         self.session = session
         self.step = STEPS[0].key
         self.trouble = ""  # the step that fails
-        self.remedy: Remedy | None = None  # what mends it, as soon as it is known
+        self.remedy: Remedy | None = None  # its remedy, as soon as it is known
         self._shown: tuple[str, ...] = ()
 
     def redraw(self) -> None:
@@ -49,20 +54,22 @@ class MessageLine(Widget):
             here = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
             place, reason = next(iter((here or reasons).items()))
             step = "" if here else self._title(str(place[0]) if place else "")
-            more = "  " + say(f"({len(reasons)} in all)") if len(reasons) > 1 else ""
-            what = key_at(place) or say("the design")
-            return "invalid", f"{step}{what}: {say(reason)}{more}. {say('The results are those of the last valid input.')}"
+            text = Text("{key}: {reason}", key=key_at(place) or Text("the design"), reason=reason)
+            if len(reasons) > 1:
+                text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))
+            return "invalid", step + say(Text("{mistake}. The results are those of the last valid input.", mistake=text))
         if session.failure:
-            return "fail", session.failure
+            return "fail", say(session.failure)
         if session.results is None:
-            return "solving", say("solving …")
+            return "solving", say(Text("solving …"))
         outcome = session.results.outcomes[self.step]
         if outcome.state in ("blocked", "no_solution"):
             return outcome.state, say(outcome.reason)
         checks = sorted_checks(outcome.checks)
-        if checks and checks[0].verdict != "pass":
-            bad = sum(c.verdict != "pass" for c in checks)
-            return checks[0].verdict, self._check(checks[0]) + ("  " + say(f"({bad} of {len(checks)} checks here)") if bad > 1 else "")
+        if checks and checks[0].verdict in URGENT:
+            bad = sum(c.verdict in URGENT for c in checks)
+            more = "  " + say(Text("({n} of {count} checks here)", n=bad, count=len(checks))) if bad > 1 else ""
+            return checks[0].verdict, self._check(checks[0]) + more
         outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
         worst = [(key, found[0]) for key, other in outcomes if (found := sorted_checks(other.checks))]
         for key, check in worst:
@@ -72,33 +79,31 @@ class MessageLine(Widget):
             if other.state in ("blocked", "no_solution"):
                 return other.state, self._title(key) + say(other.reason)
         for key, check in worst:
-            if check.verdict == "warn":
-                return "warn", self._title(key) + self._check(check)
-        return "pass", say("every check passes")
+            if check.verdict in URGENT:
+                return check.verdict, self._title(key) + self._check(check)
+        return "pass", say(Text("every check passes"))
 
     def _title(self, key: str) -> str:
         return next((f"{n} {self.app.say(step.title)}: " for n, step in enumerate(STEPS, 1) if step.key == key), "")
 
     def _check(self, check: Check) -> str:
-        value = f"{short(check.value)} {check.unit}".rstrip()
-        say = self.app.say
-        advice = say(check.advice)
-        advice = f". {advice}" if advice else ""
-        needs = say("only just" if check.narrow else "should be" if check.kind == "advice" else "needs")
-        return f"{say(check.name)} {value}, {needs} {say(check.limit_text())}{advice}"
+        soft = check.kind in ("advice", "method")
+        needs = Text("only just") if check.narrow else Text("should be") if soft else Text("needs")
+        parts = {"check": check.name, "value": Amount(check.value, check.unit), "needs": needs, "limit": check.limit_text()}
+        text = Text("{check} {value}, {needs} {limit}", **parts)
+        return self.app.say(Text("{check}. {advice}", check=text, advice=check.advice) if check.advice else text)
 
     def offer(self) -> str:
-        """What a key would mend of the step that fails."""
+        """What a key would fix of the step that fails."""
         if self.remedy is None or not self.session.valid:
             return ""
-        key, say = self.app.shown_key("mend"), self.app.say
+        key, say = self.app.shown_key("fix"), self.app.say
         if not self.remedy.changes:
-            found = "; ".join(f"{say(one.name)}: {say(one.why)}" for one in self.remedy.left)
-            return f"{say('No remedy was found')}: {found}"
+            return say(Text("No remedy was found: {reasons}", reasons=reasons_text(self.remedy)))
         where = "" if self.trouble == self.step else self._title(self.trouble)
-        mends = say(f"{key} mends it")
         then = self.app.signs.mark("then")
-        return f"{where}{mends}: {say(self.remedy.words).replace('→', then)} {then} {say(self.remedy.said)}"
+        fix = Text("{key} fixes it: {change}", key=key, change=self.remedy.words)
+        return f"{where}{say(fix).replace('→', then)} {then} {say(self.remedy.said)}"
 
     def render(self) -> Content:
         state, text = self.message()

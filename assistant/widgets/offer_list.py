@@ -6,7 +6,8 @@ from typing import ClassVar
 from textual.binding import Binding, BindingType
 from textual.content import Content
 
-from calc.languages.outcome import said_table
+from calc.languages.outcome import in_language
+from calc.sheet.text import Text
 
 from ..offers.offer import Offer
 from .item_list import Item, ItemList
@@ -40,16 +41,16 @@ class OfferList(ItemList):
         items: list[Item] = []
         say = self.app.say
         last, taken = 1, set[str]()
-        for n, table in enumerate(said_table(one, say) for one in (offer.table(TOP), *offer.beside(TOP))):
-            set_ = Setter(table, width, self._column)
+        for n, table in enumerate(in_language(one, say) for one in (offer.table(TOP), *offer.beside(TOP))):
+            set_ = Setter(table, width, say, self._column)
             last = max(last, set_.last)
-            part = f"   ({say(set_.part)}; Shift+→ ←)" if set_.part else ""
-            title = [Content.styled(row, "bold") for row in wrap(table.title + part, width)]
+            part = say(Text("   ({columns}; Shift+→ ←)", columns=set_.part)) if set_.part else ""
+            title = [Content.styled(row, "bold") for row in wrap(f"{table.title}{part}", width)]
             items.append(Item("", [Content(""), *title] if n else title))
             if not n:
                 items += [Item("", [Content(row) for row in wrap(say(words), width)]) for words in offer.summary]
             items.append(Item("", set_.head()))
-            numbered = bool(table.columns) and table.columns[0][0] == say("no.")
+            numbered = bool(table.columns) and table.columns[0][0] == say(Text("no."))
             rows = set_.items()
             for item, cells in zip(rows, table.rows):
                 first = cells[0] if numbered else None

@@ -1,23 +1,19 @@
 # SPDX-License-Identifier: Apache-2.0
 """A part of the screen with a title; the title says whether it has the focus."""
 
-from typing import TYPE_CHECKING
-
 from textual.containers import Vertical
 from textual.content import Content
 from textual.widget import Widget
 from textual.widgets import Static
 
+from ..base_app import BaseApp
 from .wrap import fit
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
 
 
 class Pane(Vertical):
     """`target` takes the focus for the pane."""
 
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self, title: str, *children: Widget, id: str) -> None:
         self.title = Static(id=f"{id}-title", classes="pane-title")

@@ -20,12 +20,12 @@ from textual_plot.plot_widget import Legend, LinePlot
 
 from calc.sheet.step import Curve
 
+from ..base_app import BaseApp
 from .reading import axis, finite_limits
 from .sight import TURN, Sight
 from .signs import Look, Signs
 
 if TYPE_CHECKING:
-    from ..app import ContralberoApp
     from .reading import Reading
 
 ROUND = 2.0  # how much higher than wide a cell of a terminal is
@@ -51,7 +51,7 @@ PLAIN = str.maketrans({**dict.fromkeys("┏┓┗┛┣┫┳┻╋", "+"), "━
 class Sheet(Canvas):
     """A canvas whose rows always have a style: where colours are switched off, a row without one stops the program."""
 
-    app: "ContralberoApp"
+    app: BaseApp
 
     def on_resize(self) -> None:
         """The plot may have been drawn before its margins had their new size."""
@@ -325,7 +325,8 @@ def places_of(curve: Curve) -> list[float]:
 
 def extent(curve: Curve) -> tuple[float, float, float, float]:
     """What the axes of a curve have to hold, over all its variants and all crank angles: x from, to, y from, to."""
-    xs, ys = [s.x for s in curve.series], [*(s.y for s in curve.series), [limit for _, limit in finite_limits(curve)]]
+    xs: list[Any] = [s.x for s in curve.series]
+    ys: list[Any] = [*(s.y for s in curve.series), [limit for _, limit in finite_limits(curve)]]
     if curve.equal:
         tips = [z for chain in curve.turning for degrees in range(0, 360, TURN) for z in chain.at(math.radians(degrees))]
         xs, ys = [*xs, [z.imag for z in tips]], [*ys, [z.real for z in tips]]

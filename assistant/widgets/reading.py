@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from calc.sheet.number import DIGITS, short
+from calc.sheet.number import DIGITS
 from calc.sheet.step import Curve
+from calc.sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
 
 from .sight import Cursor, Sight
 
 STEPS = 50  # about so many coarse steps lead from one end of a curve to the other
+NOTHING = Name("–")  # no value here
 FINER = 10  # fine steps in a coarse one
 DUST = 1e-9  # of the largest number of a curve: less is rounding
 PLACES = "mm"  # a figure in true scale with this unit shows places; with another one it shows vectors, whose length is of interest
@@ -28,33 +30,33 @@ class Read:
     label: str
     x: float
     y: float
-    value: str
-    brief: str
-    distances: tuple[str, ...] = ()
+    value: Text
+    brief: Text
+    distances: tuple[Text, ...] = ()
 
     @property
-    def text(self) -> str:
+    def text(self) -> Text:
         """As it is copied."""
-        return ", ".join((f"{self.label} {self.value}".strip(), *self.distances))
+        return COMMA.join((Text("{label} {value}", label=self.label, value=self.value) if self.label else self.value, *self.distances))
 
 
 @dataclass(frozen=True)
 class Reading:
     """`at`: where the cursor stands, in words.  `x`: of its line; None where it stands on points."""
 
-    at: str
+    at: Text
     reads: tuple[Read, ...]
     x: float | None
     chosen: int
 
     @property
-    def value(self) -> str:
+    def value(self) -> Text:
         """Of the series that was chosen."""
-        return next((read.value for read in self.reads if read.number == self.chosen), "")
+        return next((read.value for read in self.reads if read.number == self.chosen), EMPTY)
 
     @property
-    def line(self) -> str:
-        return "; ".join((self.at, *(read.text for read in self.reads)))
+    def line(self) -> Text:
+        return SEMICOLON.join((self.at, *(read.text for read in self.reads)))
 
 
 def axis(label: str) -> tuple[str, str]:
@@ -62,10 +64,6 @@ def axis(label: str) -> tuple[str, str]:
     said = re.sub(r" \([^()]*\)$", "", label)
     name, _, unit = said.rpartition(", ")
     return (name, unit) if name else (unit, "")
-
-
-def with_unit(number: str, unit: str) -> str:
-    return f"{number}{unit}" if unit == "°" else f"{number} {unit}".rstrip()
 
 
 def step_of(low: float, high: float) -> float:
@@ -93,11 +91,15 @@ class Digits:
         self.plain = largest == 0 or 1e-2 <= largest < 1e5
         self.decimals = min(DIGITS + 2, max(0, DIGITS - 1 - math.floor(math.log10(largest)))) if largest and self.plain else 0
 
-    def write(self, value: float) -> str:
+    def write(self, value: float, unit: str = "") -> Amount:
         if not self.plain or not math.isfinite(value):
-            return short(value)
-        text = f"{value:.{self.decimals}f}"
-        return text.replace("-", "−") if float(text) else text.lstrip("-")
+            return Amount(value, unit)
+        return fixed(value, self.decimals, unit)
+
+
+def fixed(value: float, decimals: int, unit: str = "") -> Amount:
+    """A number with so many decimals; one that they make zero has no sign."""
+    return Amount(value if round(value, decimals) else 0.0, unit, form=f".{decimals}f")
 
 
 class Reader:
@@ -210,8 +212,7 @@ class Reader:
             x = cursor.place
             name, unit = axis(self.curve.x_label)
             decimals = max(0, -math.floor(math.log10(self.step / FINER) + 1e-9))
-            where = f"{x:.{decimals}f}"
-            at = f"{name} {with_unit(where.replace('-', '−') if float(where) else where.lstrip('-'), unit)}"
+            at = _at_axis(name, fixed(x, decimals, unit))
             return Reading(at, tuple(self._one(n, x, _at(points, x)) for n, points in enumerate(self.points)), x, cursor.line)
         if self.kind == "bars":
             x = cursor.place
@@ -222,49 +223,51 @@ class Reader:
         if self.kind == "along":
             assert self.curve.along is not None
             name, unit = axis(self.curve.along[0])
-            at = f"{name} {with_unit(short(cursor.place), unit)}"
+            at = _at_axis(name, Amount(cursor.place, unit))
             lines = tuple(range(len(self.points)))
         else:
-            at = f"point {at_point + 1} of {self.points[cursor.line][0].size}"
+            at = Text("point {n} of {count}", n=at_point + 1, count=int(self.points[cursor.line][0].size))
             lines = (cursor.line,)
         reads = tuple(self._place(n, float(self.points[n][0][at_point]), float(self.points[n][1][at_point])) for n in lines)
         return Reading(at, reads, None, cursor.line)
 
-    def _group(self, x: float) -> str:
+    def _group(self, x: float) -> Text:
         """The name of a group of bars."""
         names = self.curve.names
         if names and x == int(x) and 1 <= x <= len(names):
-            return f"{int(x)} {names[int(x) - 1]}"
+            return Text("{n} {name}", n=int(x), name=names[int(x) - 1])
         name, unit = axis(self.curve.x_label)
-        return f"{name} {with_unit(short(x), unit)}"
+        return _at_axis(name, Amount(x, unit))
 
     def _one(self, n: int, x: float, y: float) -> Read:
         digits, unit = self._digits[n], axis(self.curve.y_label)[1]
         near = sorted((limit for limit in finite_limits(self.curve)), key=lambda limit: abs(y - limit[1])) if math.isfinite(y) else []
-        brief = digits.write(y) if math.isfinite(y) else "–"
-        value = with_unit(brief, unit) if math.isfinite(y) else brief
+        brief, value = (Text("{y}", y=digits.write(y, shown)) if math.isfinite(y) else NOTHING for shown in ("", unit))
         return Read(n, self.sight.series[n].label, x, y, value, brief, tuple(_distance(digits, y, *limit) for limit in near))
 
     def _place(self, n: int, x: float, y: float) -> Read:
         (x_name, x_unit), (y_name, y_unit) = axis(self.curve.x_label), axis(self.curve.y_label)
         digits = self._digits[n]
         x_name, y_name = x_name.partition(":")[0], y_name.partition(":")[0]
-        brief = f"({digits.write(x)}; {digits.write(y)})"
-        if x_unit != y_unit:
-            value = f"{x_name} {with_unit(digits.write(x), x_unit)}, {y_name} {with_unit(digits.write(y), y_unit)}"
-        else:
-            value = f"{x_name} {digits.write(x)}, {y_name} {with_unit(digits.write(y), y_unit)}"
-            if self.curve.equal and y_unit != PLACES:
-                value = f"{value}, length {digits.write(math.hypot(x, y))}"
-                brief = f"{brief}, length {digits.write(math.hypot(x, y))}"
+        brief = Text("({x}; {y})", x=digits.write(x), y=digits.write(y))
+        at_x = _at_axis(x_name, digits.write(x, x_unit if x_unit != y_unit else ""))
+        value = COMMA.join((at_x, _at_axis(y_name, digits.write(y, y_unit))))
+        if x_unit == y_unit and self.curve.equal and y_unit != PLACES:
+            length = digits.write(math.hypot(x, y))
+            value = Text("{place}, length {length}", place=value, length=length)
+            brief = Text("{place}, length {length}", place=brief, length=length)
         return Read(n, self.sight.series[n].label, x, y, value, brief)
 
 
-def _distance(digits: Digits, y: float, name: str, limit: float) -> str:
+def _at_axis(name: str, value: Amount) -> Text:
+    return Text("{axis} {value}", axis=name, value=value)
+
+
+def _distance(digits: Digits, y: float, name: str, limit: float) -> Text:
     away = digits.write(abs(y - limit))
-    if not any(char in "123456789" for char in away):
-        return f"on {name}"
-    return f"{away} above {name}" if y > limit else f"{away} below {name}"
+    if not any(char in "123456789" for char in away.written()):
+        return Text("on {name}", name=name)
+    return Text("{away} above {name}", away=away, name=name) if y > limit else Text("{away} below {name}", away=away, name=name)
 
 
 def finite_limits(curve: Curve) -> list[tuple[str, float]]:

@@ -12,10 +12,11 @@ from typing import Any
 from calc.design_file import Table
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Step
+from calc.sheet.text import Text
 
 from ..places import Place
 
-FURTHER = Quantity("table", "Further")
+FURTHER = Quantity("table", Text("Further"))
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 
 

@@ -5,21 +5,26 @@ from dataclasses import dataclass
 
 from calc.languages import Language, language
 from calc.sheet.check import SIGNS
+from calc.sheet.text import Text
 
-WORDS = {"pass": "pass", "warn": "warn", "fail": "FAIL", "blocked": "waits", "not_asked": "not asked", "no_solution": "NO SOLUTION"}
+WORDS = {
+    "pass": Text("pass"), "warn": Text("warn"), "fail": Text("FAIL"), "note": Text("note"), "not_verified": Text("not verified"),
+    "accepted": Text("accepted"), "blocked": Text("waits"), "not_asked": Text("not used"), "no_solution": Text("NO SOLUTION"),
+}  # fmt: skip
 MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
     "then": "→", "recording": "●",
 }  # fmt: skip
 ASCII = {
-    "pass": "+", "warn": "!", "fail": "x", "blocked": "o", "not_asked": ".", "no_solution": "x",
+    "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o", "not_asked": ".",
+    "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
     "then": "->", "recording": "@",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
-DARK = {"pass": "#56B4E9", "warn": "#E69F00", "fail": "#D55E00", "no_solution": "#D55E00", "invalid": "#E69F00"}
-LIGHT = {"pass": "#0072B2", "warn": "#8A5A00", "fail": "#B04A00", "no_solution": "#B04A00", "invalid": "#8A5A00"}
+DARK = {"pass": "#56B4E9", "warn": "#E69F00", "fail": "#D55E00", "no_solution": "#D55E00", "invalid": "#E69F00", "not_verified": "#E69F00"}
+LIGHT = {"pass": "#0072B2", "warn": "#8A5A00", "fail": "#B04A00", "no_solution": "#B04A00", "invalid": "#8A5A00", "not_verified": "#8A5A00"}
 BOLD = {"fail", "no_solution", "invalid"}
 MUTED = "dim"
 LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")

@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: Apache-2.0
 """The steps in one row, for a narrow screen."""
 
-from typing import TYPE_CHECKING
-
 from textual.content import Content
 from textual.style import Style
 from textual.widget import Widget
 
 from calc.design import STEPS
 
+from ..actions import BY_ID
+from ..base_app import BaseApp
 from ..session import Session
 from .steps import state_of
 from .wrap import fit
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 
 class StepBar(Widget):
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="step-bar")
@@ -48,5 +45,5 @@ class StepBar(Widget):
                 (fit(title, room, ""), "bold" if here else ""),
                 "]" if here else " ",
             )
-            parts.append(text.stylize(Style.from_meta({"@click": f"screen.step({n})"})))
+            parts.append(text.stylize(Style.from_meta({"@click": f"screen.{BY_ID[f'step_{n}'].does}"})))
         return Content("").join(parts)

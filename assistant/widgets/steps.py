@@ -5,8 +5,8 @@ from textual.content import Content
 
 from calc.design import STEPS
 from calc.languages import Language
-from calc.sheet.number import short
 from calc.sheet.step import Outcome
+from calc.sheet.text import Amount, Text
 
 from ..session import Session
 from .item_list import Item, ItemList
@@ -22,23 +22,21 @@ def headline(session: Session, key: str, say: Language) -> str:
 
     outcome = session.results.outcomes.get(key) if session.results is not None else None
     if outcome is None or key not in session.data:
-        return say("not asked") if key not in session.data else ""
+        return say(Text("not used")) if key not in session.data else ""
     if outcome.state == "blocked":
-        text = outcome.reason
-        for title, n in NUMBERS.items():
-            text = text.replace(title, str(n))
-        return say(text)
+        return say(outcome.reason)
     if outcome.state == "no_solution":
-        return say("no solution")
+        return say(Text("no solution"))
     values = session.values()
     step = next(step for step in STEPS if step.key == key)
     if (id := step.headline(values)) is None:
         return ""
-    found = values[id]
-    return f"{plain(found.symbol) + ' ' if found.symbol else ''}{short(found.shown, 3)} {found.unit}".rstrip()
+    value = values[id]
+    number = say.part(Amount(value.shown, value.unit, digits=3))
+    return f"{plain(value.symbol)} {number}" if value.symbol else number
 
 
-def state_of(session: Session, outcome: Outcome | None, key: str, wrong: set[str]) -> str:
+def state_of(session: Session, outcome: Outcome[object] | None, key: str, wrong: set[str]) -> str:
     """The state of a step for its sign."""
     if key in wrong:
         return "invalid"

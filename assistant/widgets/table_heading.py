@@ -2,7 +2,7 @@
 """The heading of a table that may be left out: `Gas  + add` where it is, `Gas  −` above its fields where it is there."""
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
 from textual import events
 from textual.binding import Binding, BindingType
@@ -11,24 +11,26 @@ from textual.message import Message
 from textual.style import Style
 from textual.widget import Widget
 
+from calc.sheet.text import EMPTY, Text
+
+from ..base_app import BaseApp
 from ..places import content_at
 from ..session import Session
 from .entry import LEAVING
 from .field_help import heading_help
 from .rows import Row
 
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 
 class TableHeading(Widget, can_focus=True):
-    app: "ContralberoApp"
+    app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
         *LEAVING,
         Binding("plus", "add", "Add the table", show=False),
         Binding("minus,delete", "remove", "Remove the table", show=False),
     ]
-    HELP = "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo takes either back."
+    HELP = Text(
+        "This part may be left out. + or Enter adds it, its fields empty; − takes it out with all its fields. Undo takes either back."
+    )
 
     @dataclass
     class Added(Message):
@@ -42,7 +44,7 @@ class TableHeading(Widget, can_focus=True):
         super().__init__()
         self.row = row
         self.session = session
-        self.reason = ""  # why the table as a whole is not accepted
+        self.reason = EMPTY  # why the table as a whole is not accepted
         self._looks: tuple[object, ...] = ()
 
     @property
@@ -54,7 +56,7 @@ class TableHeading(Widget, can_focus=True):
         """Whether Enter adds the table: where it is there, Enter goes on."""
         return not self.there
 
-    def redraw(self, row: Row, reason: str) -> None:
+    def redraw(self, row: Row, reason: Text) -> None:
         looks = (self.there, reason, row.about.label)
         self.row = row
         self.reason = reason
@@ -68,7 +70,7 @@ class TableHeading(Widget, can_focus=True):
 
     def render(self) -> Content:
         minus = "-" if self.app.signs.ascii else "−"
-        text, action = (minus, "remove") if self.there else (f"+ {self.app.say('add')}", "add")
+        text, action = (minus, "remove") if self.there else (self.app.say(Text("+ add")), "add")
         link = Content.styled(text, "bold" if self.has_focus else "dim").stylize(Style.from_meta({"@click": action}))
         signs = self.app.signs
         left = Content.styled(f" {self.row.about.label}", "bold" if self.there else "bold dim")

@@ -4,8 +4,10 @@
 from rich.cells import cell_len
 from textual.content import Content
 
+from calc.languages import Language
 from calc.sheet.number import short
 from calc.sheet.step import Table
+from calc.sheet.text import EMPTY, Text
 
 from .item_list import Item, ItemList
 from .wrap import fit, pad, wrap
@@ -15,17 +17,20 @@ LEAST = 12  # cells of a column of words that is wrapped
 Cell = str | float | None
 
 
-def cell_text(cell: Cell) -> str:
-    return "" if cell is None else cell if isinstance(cell, str) else short(cell)
+def cell_text(cell: Cell, say: Language) -> str:
+    return "" if cell is None else cell if isinstance(cell, str) else say.number(short(cell))
 
 
 class Setter:
-    """Sets a table for a width.  `first`: the column that follows the frozen one, where not all of them fit."""
+    """Sets a table, whose texts are said in the language already, for a width.
 
-    def __init__(self, table: Table, width: int, first: int = 1) -> None:
-        self.table, self.width = table, width
+    `first`: the column that follows the frozen one, where not all of them fit.
+    """
+
+    def __init__(self, table: Table, width: int, say: Language, first: int = 1) -> None:
+        self.table, self.width, self.say = table, width, say
         count = len(table.columns)
-        cells = [[cell_text(row[i]) for row in table.rows] for i in range(count)]
+        cells = [[cell_text(row[i], say) for row in table.rows] for i in range(count)]
         self.numeric = [any(isinstance(row[i], (int, float)) for row in table.rows) for i in range(count)]
         least = [max([cell_len(unit), *map(cell_len, column)], default=0) for (_, unit), column in zip(table.columns, cells)]
         whole = [max(size, cell_len(label)) for size, (label, _) in zip(least, table.columns)]
@@ -58,12 +63,13 @@ class Setter:
         return shown
 
     @property
-    def part(self) -> str:
+    def part(self) -> Text:
         """Which columns are in view; empty where all are."""
         if len(self.columns) == len(self.widths):
-            return ""
+            return EMPTY
         low, high = self.columns[1] + 1, self.columns[-1] + 1
-        return f"columns {f'{low}–{high}' if high > low else low} of {len(self.widths)}"
+        columns = Text("{low}–{high}", low=low, high=high) if high > low else Text("{low}", low=low)
+        return Text("columns {columns} of {n}", columns=columns, n=len(self.widths))
 
     def _line(self, texts: list[str]) -> str:
         made = []
@@ -81,7 +87,7 @@ class Setter:
 
     def head(self) -> list[Content]:
         """The labels, and below them the units."""
-        labels = [self.table.columns[i][0] for i in self.columns]
+        labels: list[str] = [self.table.columns[i][0] for i in self.columns]
         units = [self.table.columns[i][1] for i in self.columns]
         rows = [Content.styled(row, "bold") for row in self._block(labels, foot=True)]
         return [*rows, Content.styled(self._line(units), "dim")] if any(units) else rows
@@ -90,7 +96,7 @@ class Setter:
         columns = self.table.columns
         made = []
         for n, row in enumerate(self.table.rows):
-            texts = [cell_text(cell) for cell in row]
+            texts = [cell_text(cell, self.say) for cell in row]
             said = "; ".join(f"{label} {text} {unit}".strip() for (label, unit), text in zip(columns, texts) if text)
             rows = [Content(line) for line in self._block([texts[i] for i in self.columns])]
             made.append(Item(f"{self.table.id} {n}", rows, "\t".join(texts), said))
@@ -107,7 +113,7 @@ class TableList(ItemList):
         super().__init__(id="table-list")
         self.table: Table | None = None
         self.head: list[Content] = []
-        self.part = ""
+        self.part = EMPTY
         self._column = 1
 
     def show(self, table: Table) -> None:
@@ -120,7 +126,7 @@ class TableList(ItemList):
     def build(self, width: int) -> list[Item]:
         if self.table is None:
             return []
-        set_ = Setter(self.table, width, self._column)
+        set_ = Setter(self.table, width, self.app.say, self._column)
         self._column = min(self._column, set_.last)
         self.head, self.part = set_.head(), set_.part
         return set_.items()

@@ -2,23 +2,21 @@
 """The first row: the file and its state, how many checks pass, warn and fail, and how long it took."""
 
 from collections import Counter
-from typing import TYPE_CHECKING
 
 from textual.content import Content
 from textual.widget import Widget
 
+from calc.sheet.text import Amount, Text
+
+from ..base_app import BaseApp
 from ..session import Session
 from .wrap import fit
-
-if TYPE_CHECKING:
-    from ..app import ContralberoApp
-
 
 FEWEST = 60  # columns in which everything can be seen
 
 
 class TopLine(Widget):
-    app: "ContralberoApp"
+    app: BaseApp
 
     def __init__(self, session: Session) -> None:
         super().__init__(id="top-line")
@@ -28,19 +26,19 @@ class TopLine(Widget):
     def state(self, short: bool) -> str:
         """The state of the file."""
         session, signs, say = self.session, self.app.signs, self.app.say
-        parts = []
+        parts: list[str] = []
         if session.recording is not None:
-            parts.append(f"{signs.mark('recording')} rec")
+            parts.append(f"{signs.mark('recording')} {say(Text('rec'))}")
         if session.dirty:
-            parts.append(f"{signs.mark('edited')} {say('edited')}")
+            parts.append(f"{signs.mark('edited')} {say(Text('edited'))}")
             if session.autosave_failure:
-                parts.append(say("not kept!") if short else say("can not be kept aside, save it"))
+                parts.append(say(Text("not kept!")) if short else say(Text("can not be kept aside, save it")))
             elif session.autosaved is not None and not short:
-                parts.append(say(f"autosaved {session.autosaved:%H:%M}"))
+                parts.append(say(Text("autosaved {time}", time=f"{session.autosaved:%H:%M}")))
         if session.read_only:
-            parts.append(f"{signs.mark('read_only')} {say('read-only')}")
+            parts.append(f"{signs.mark('read_only')} {say(Text('read-only'))}")
         if session.example and not session.dirty:
-            parts.append(f"({say('example')})")
+            parts.append(f"({say(Text('example'))})")
         return ", ".join(parts)
 
     def render(self) -> Content:
@@ -57,15 +55,15 @@ class TopLine(Widget):
         if session.results is None:
             right = []
         if not session.valid:
-            time = say("input is not valid")
+            time = say(Text("input is not valid"))
         elif session.failure:
-            time = say("not solved")
+            time = say(Text("not solved"))
         elif self.slow or not session.current:
-            time = f"{signs.mark('solving')} {say('solving')}"
+            time = f"{signs.mark('solving')} {say(Text('solving'))}"
         else:
-            time = say(f"solved in {session.seconds * 1000:.0f} ms")
+            time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
         if width < FEWEST:
-            time, right = say(f"needs {FEWEST} columns"), []  # which must be seen
+            time, right = say(Text("needs {n} columns", n=FEWEST)), []  # which must be seen
         if self.app.writing:
             right += [(say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))

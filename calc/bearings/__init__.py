@@ -1,2 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Plain bearings: film, friction, oil flow, temperature, clearance."""
+
+from typing import TYPE_CHECKING
+
+from ..lazy import lazy
+
+__all__ = ["film_at", "relative_clearance", "solve_film", "sommerfeld", "specific_load"]
+
+if TYPE_CHECKING:
+    from .public import film_at, relative_clearance, solve_film, sommerfeld, specific_load
+else:
+    __getattr__ = lazy(__name__, __all__)

@@ -1,27 +1,36 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a bearing is judged by: limits that fail, advice that warns."""
+"""What a bearing is judged by."""
 
 import math
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
+from functools import partial
 
 from ..fits import clearance_limits, parse
+from ..journal_rules import (
+    FINOTTI,
+    FULL_FILM_FRICTION,
+    HEAT_INDEX,
+    LENGTH_RATIO,
+    SPECIFIC_LOAD,
+    STABLE_FILM,
+    SUPPLY_WIDTH,
+    TRUMPLER,
+    TRUMPLER_TEMPERATURE,
+    USUAL_HEAT_INDEX,
+    USUAL_LENGTH_RATIO,
+    USUAL_SPECIFIC_LOAD,
+)  # fmt: skip
 from ..sheet.check import Check, check
-from ..sheet.number import short
+from ..sheet.remedy import Remedy, by_key, down, up
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
 from . import formulas as f
-from .inputs import BearingsInputs
-from .pairing.pairing import USUAL_LENGTH_RATIO
+from .inputs import IN_WORDS, BearingInputs, BearingsInputs
+from .result import BearingResult
 from .routes.side_by_side import ROUTES, SPREAD, reason
 
-if TYPE_CHECKING:
-    from .result import BearingResult
-
-FINOTTI = "Finotti 2013, 3.2.3.1"
-TRUMPLER = "Trumpler, after Finotti 2013, 5.6"
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (as generally published), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
-
 
 SHEAR_THINNING = 1e5  # 1/s
 POLYMER_THICKENED = -3.3  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
@@ -33,259 +42,111 @@ def least_film(d: float, u: float) -> float | None:
     return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
 
 
-def checks(place: str, r: "BearingResult", slope: float) -> Iterator[Check]:
+def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
+    """`slope`: of the journal in its seat, rad."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
-    at = f"bearings.{place}"
-    where = f", {place}"
-    yield check(
-        f"{at}.film_edge",
-        "Film at the edge" + where,
-        r.film_edge,
-        ">=",
-        r.kreisle_film,
-        "µm",
-        "Kreisle: Rt of both surfaces, Rt = k·Ra",
-        "Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil.",
-    )
-    yield check(
-        f"{at}.film_double_load",
-        "Film at twice the load" + where,
-        math.nan if r.film_double_load is None else r.film_double_load,
-        ">=",
-        r.trumpler_film,
-        "µm",
-        TRUMPLER + ": n_d ≥ 2 on the running load",
-        "Lengthen the bearing (a few millimetres are enough), or lower the clearance.",
-    )
-    yield check(
-        f"{at}.film_trumpler",
-        "Film by Trumpler" + where,
-        r.film,
-        ">=",
-        r.trumpler_film,
-        "µm",
-        TRUMPLER,
-        "Lengthen the bearing, lower the clearance, or take a thicker oil.",
-        kind="advice",
-    )
+    on, longer = partial(_on, place), partial(_longer, place, bearing)
+    kreisle, table_3_1 = Text("Kreisle: Rt of both surfaces, Rt = k·Ra"), Text("Finotti 2013, Table 3.1")
+    yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
+        Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
+    yield on("film_double_load", Text("Film at twice the load"), r.film_double_load, ">=", r.trumpler_film, "µm",
+        TRUMPLER + Text(": n_d ≥ 2 on the running load"),
+        Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."))  # fmt: skip
+    yield on("film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", TRUMPLER,
+        Text("Lengthen the bearing, lower the clearance, or take a thicker oil."))  # fmt: skip
     if r.thinnest_film is not None:
-        yield check(
-            f"{at}.film_edge_speeds",
-            f"Film at the edge over the speeds, thinnest at {short((r.speed_of_thinnest_film or 0.0) * 60)} rpm" + where,
-            r.thinnest_film - (r.film - r.film_edge),
-            ">=",
-            r.kreisle_film,
-            "µm",
-            "Kreisle: Rt of both surfaces, Rt = k·Ra",
-            "As for the film at the edge; or keep away from this speed.",
-            kind="advice",
-        )
-    yield check(
-        f"{at}.temperature",
-        "Outlet temperature" + where,
-        r.outlet_temperature,
-        "<=",
-        inputs.outlet_temperature_limit,
-        "°C",
-        "limit of the design (engine manual)",
-        "More oil (larger hole, more pressure, more clearance) or cooler oil.",
-    )
-    yield check(
-        f"{at}.temperature_trumpler",
-        "Outlet temperature by Trumpler" + where,
-        r.outlet_temperature,
-        "<=",
-        121.0,
-        "°C",
-        TRUMPLER,
-        "Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.specific_load",
-        "Specific load" + where,
-        r.specific_load,
-        "<=",
-        5e6,
-        "MPa",
-        FINOTTI,
-        "Lengthen the bearing or take a larger journal.",
-    )
-    yield check(
-        f"{at}.specific_load_usual",
-        "Specific load, usual" + where,
-        r.specific_load,
-        "<=",
-        2e6,
-        "MPa",
-        FINOTTI,
-        "Lengthen the bearing or take a larger journal.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.heat_index",
-        "Heat index" + where,
-        r.heat_index,
-        "<=",
-        500_000 * 1000 / 60,
-        "N·rpm/mm",
-        "Finotti 2013, Table 3.1",
-        "Lengthen the bearing.",
-    )
-    yield check(
-        f"{at}.heat_index_usual",
-        "Heat index, forced oil and cooling" + where,
-        r.heat_index,
-        "<=",
-        240_000 * 1000 / 60,
-        "N·rpm/mm",
-        "Finotti 2013, Table 3.1",
-        "Lengthen the bearing.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.clearance_cold",
-        f"Clearance at {short(inputs.lowest_temperature)} °C" + where,
-        r.clearance_cold,
-        ">",
-        0.0,
-        "µm",
-        "seizure of a journal that shrinks less than its seat",
-        "The journal seizes when cold: more clearance, or a housing that expands like the journal.",
-    )
-    yield check(
-        f"{at}.length_ratio", "Length ratio l/d" + where, r.length_ratio, "in", (0.2, 1.0), "", FINOTTI, "Change length or diameter."
-    )
-    yield check(
-        f"{at}.length_ratio_usual",
-        "Length ratio l/d, usual" + where,
-        r.length_ratio,
-        "in",
-        USUAL_LENGTH_RATIO,
-        "",
-        "Finotti 2013, 5.5.2",
-        "Change length or diameter.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.transition",
-        "Speed above mixed friction" + where,
-        r.duty.effective_speed,
-        ">=",
-        r.least_speed,
-        "rpm",
-        f.least_speed.source,
-        "A thicker or cooler oil, or a lower specific load.",
-    )
-    yield check(
-        f"{at}.mckee",
-        "McKee number, cP·rpm/psi" + where,
-        r.mckee_number,
-        ">=",
-        150.0,
-        "",
-        "McKee & McKee 1932; 30 is the transition",
-        "A thicker or cooler oil, or a lower specific load, for a stable film.",
-        kind="advice",
-    )
+        slowest = Amount((r.speed_of_thinnest_film or 0.0) * 60)
+        title = Text("Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest)
+        yield on("film_edge_speeds", title, r.thinnest_film - (r.film - r.film_edge), ">=", r.kreisle_film, "µm", kreisle,
+            Text("As for the film at the edge; or keep away from this speed."))  # fmt: skip
+    yield on("temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
+        Text("limit of the design (engine manual)"),
+        Text("More oil (larger hole, more pressure, more clearance) or cooler oil."))  # fmt: skip
+    yield on("temperature_trumpler", Text("Outlet temperature by Trumpler"), r.outlet_temperature, "<=", TRUMPLER_TEMPERATURE, "°C",
+        TRUMPLER, Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C."))  # fmt: skip
+    for key, title, p_limit in (
+        ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
+    ):  # fmt: skip
+        yield on(key, title, r.specific_load, "<=", p_limit, "MPa", FINOTTI, Text("A larger journal helps as well."),
+            remedies=longer(r.specific_load / p_limit))  # fmt: skip
+    for key, title, W_limit in (
+        ("heat_index", Text("Heat index"), HEAT_INDEX),
+        ("heat_index_usual", Text("Heat index, forced oil and cooling"), USUAL_HEAT_INDEX),
+    ):
+        yield on(key, title, r.heat_index, "<=", W_limit, "N·rpm/mm", table_3_1, Text("A longer bearing carries off more heat."),
+            remedies=longer(r.heat_index / W_limit))  # fmt: skip
+    yield on("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm",
+        Text("seizure of a journal that shrinks less than its seat"),
+        Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."))  # fmt: skip
+    for key, title, ratios, source in (
+        ("length_ratio", Text("Length ratio l/d"), LENGTH_RATIO, FINOTTI),
+        ("length_ratio_usual", Text("Length ratio l/d, usual"), USUAL_LENGTH_RATIO, Text("Finotti 2013, 5.5.2")),
+    ):
+        yield on(key, title, r.length_ratio, "in", ratios, "", source, Text("Change length or diameter."),
+            remedies=within(place, bearing, ratios))  # fmt: skip
+    yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
+        Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load."))  # fmt: skip
+    yield on("mckee", Text("McKee number, cP·rpm/psi"), r.mckee_number, ">=", STABLE_FILM, "",
+        Text("McKee & McKee 1932; 30 is the transition"),
+        Text("A thicker or cooler oil, or a lower specific load, for a stable film."))  # fmt: skip
     if r.routes_spread is not None:
-        yield check(
-            f"{at}.routes_spread",
-            "Spread of the routes" + where,
-            r.routes_spread,
-            "<=",
-            SPREAD,
-            "%",
-            "rule of this program, on the clearance as given",
-            _outside(r),
-            kind="advice",
-        )
+        yield on("routes_spread", Text("Spread of the routes"), r.routes_spread, "<=", SPREAD, "%",
+            Text("rule of this program, on the clearance as given"), _outside(r))  # fmt: skip
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
-        yield check(
-            f"{at}.film_edge_usual",
-            "Film at the edge against h_lim" + where,
-            r.film_edge,
-            ">=",
-            h_lim,
-            "µm",
-            "in the manner of ISO 7902-3, as generally published",
-            "Lengthen the bearing or lower the clearance.",
-            kind="advice",
-        )
-    yield check(
-        f"{at}.misalignment",
-        "Slope over the length" + where,
-        slope * bearing.length,
-        "<=",
-        0.3 * r.film,
-        "µm",
-        "rule of this program: 0.3·h₀",
-        "Stiffen the shaft between its bearings.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.friction_regime",
-        "Coefficient of friction" + where,
-        r.friction_coefficient,
-        "in",
-        (0.002, 0.012),
-        "",
-        "Finotti 2013, 5.6: full film",
-        "Outside the usual range of a full film: look at film and clearance.",
-        kind="advice",
-    )
-    yield check(
-        f"{at}.viscosity_range",
-        "Oil viscosity" + where,
-        r.hot.oil.nu,
-        "in",
-        (2e-6, 0.1),
-        "mm²/s",
-        "range of the viscosity law",
-        "Another oil grade or temperature.",
-        kind="advice",
-    )
+        yield on("film_edge_usual", Text("Film at the edge against h_lim"), r.film_edge, ">=", h_lim, "µm",
+            Text("in the manner of ISO 7902-3, as generally published"), Text("Lengthen the bearing or lower the clearance."))  # fmt: skip
+    yield on("misalignment", Text("Slope over the length"), slope * bearing.length, "<=", 0.3 * r.film, "µm",
+        Text("rule of this program: 0.3·h₀"), Text("Stiffen the shaft between its bearings."))  # fmt: skip
+    yield on("friction_regime", Text("Coefficient of friction"), r.friction_coefficient, "in", FULL_FILM_FRICTION, "",
+        Text("Finotti 2013, 5.6: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
+    yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s",
+        Text("range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
     if r.seat.lubricant.C_1 > POLYMER_THICKENED:
-        yield check(
-            f"{at}.shear_rate",
-            "Shear rate in the narrowest gap" + where,
-            r.shear_rate,
-            "<=",
-            SHEAR_THINNING,
-            "1/s",
-            "onset of the thinning of polymer-thickened oils, as generally published",
-            "A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner oil.",
-            kind="advice",
-        )
-    yield from _corner_checks(at, where, r, inputs)
-    if (made := _fits(r)) is not None:
-        yield check(
-            f"{at}.fit",
-            "Clearance made by the fits" + where,
-            r.clearance,
-            "in",
-            made,
-            "µm",
-            "ISO 286",
-            f"{inputs.journal_fit} in {inputs.seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
-            kind="advice",
-        )
+        yield on("shear_rate", Text("Shear rate in the narrowest gap"), r.shear_rate, "<=", SHEAR_THINNING, "1/s",
+            Text("onset of the thinning of polymer-thickened oils, as generally published"),
+            Text("A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner "
+                "oil."))  # fmt: skip
+    yield from _corner_checks(place, r)
+    if (clearances := _fits(r)) is not None:
+        yield on("fit", Text("Clearance made by the fits"), r.clearance, "in", clearances, "µm", Text("ISO 286"),
+            Text("{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
+                journal_fit=inputs.journal_fit, seat_fit=inputs.seat_fit))  # fmt: skip
     if inputs.supply != "groove":
         width = (inputs.pocket_width if inputs.supply == "pocket" else inputs.hole_diameter) or 0.0
-        yield check(
-            f"{at}.supply_range",
-            "Width of the oil supply over the length" + where,
-            width / bearing.length,
-            "in",
-            (0.05, 0.7),
-            "",
-            "range of the supply factors, DIN 31652-2",
-            "Outside, the flow through the hole or pocket is not to be trusted.",
-            kind="advice",
-        )
+        yield on("supply_range", Text("Width of the oil supply over the length"), width / bearing.length, "in", SUPPLY_WIDTH, "",
+            Text("range of the supply factors, DIN 31652-2"),
+            Text("Outside, the flow through the hole or pocket is not to be trusted."))  # fmt: skip
 
 
-def _fits(r: "BearingResult") -> tuple[float, float] | None:
+def _on(
+    place: str, key: str, title: Text, value: float | None, sense: str, limit: float | tuple[float, float], unit: str, source: Text,
+    advice: Text, *, remedies: Callable[[], tuple[Remedy, ...]] | None = None,
+) -> Check:  # fmt: skip
+    """A check on one bearing; a value that is None, since there is no film, keeps no limit."""
+    name = Text("{what}, {place}", what=title, place=IN_WORDS[place])
+    number = math.nan if value is None else value
+    return check(f"bearings.{place}.{key}", name, number, sense, limit, unit, source, advice, remedies=remedies)
+
+
+def _longer(place: str, bearing: BearingInputs, times: float) -> Callable[[], tuple[Remedy, ...]]:
+    """A bearing so many times as long."""
+    key = f"bearings.{place}.length_mm"
+    return by_key(BearingInputs, key, up(bearing.length * times) if math.isfinite(times) else None, place=IN_WORDS[place], bound=">=")
+
+
+def within(place: str, bearing: BearingInputs, ratios: tuple[float, float]) -> Callable[[], tuple[Remedy, ...]]:
+    """The nearest length with a ratio l/d between the two."""
+    low, high = (ratio * bearing.diameter for ratio in ratios)
+    short_ = bearing.length < low
+    key, length = f"bearings.{place}.length_mm", up(low) if short_ else down(high)
+    return by_key(BearingInputs, key, length, place=IN_WORDS[place], bound=">=" if short_ else "<=")
+
+
+def _when_cold(inputs: BearingsInputs) -> Text:
+    return Text("Clearance at {lowest_temperature} °C", lowest_temperature=Amount(inputs.lowest_temperature))
+
+
+def _fits(r: BearingResult) -> tuple[float, float] | None:
     """Least and most clearance of the fits; None where one of them has no place."""
     journal, seat = (parse(fit) for fit in (r.seat.inputs.journal_fit, r.seat.inputs.seat_fit))
     if journal.letter is None or seat.letter is None:
@@ -293,36 +154,34 @@ def _fits(r: "BearingResult") -> tuple[float, float] | None:
     return clearance_limits(journal, seat, r.seat.bearing.diameter)
 
 
-def _outside(r: "BearingResult") -> str:
+def _outside(r: BearingResult) -> Text:
     """Which routes are further off than the spread allows, by how much and why."""
     own = r.side.films["reynolds"].film
-    said = [
-        f"{ROUTES[name][0]} is {(r.side.films[name].film / own - 1) * 100:+.0f} % off: {reason(name, r.side)}"
+    far_off = [
+        Text(
+            "{routes} is {film} % off: {reason}", routes=ROUTES[name][0],
+            film=Amount((r.side.films[name].film / own - 1) * 100, form="+.0f"), reason=reason(name, r.side),
+        )
         for name, far in r.side.deviations.items()
         if far > SPREAD
-    ]
-    return "; ".join([*said, "the own solution of Reynolds' equation judges"]).replace("-", "−") + "." if said else ""
+    ]  # fmt: skip
+    return SEMICOLON.join([*far_off, Text("the own solution of Reynolds' equation judges.")]) if far_off else EMPTY
 
 
-def _corner_checks(at: str, where: str, r: "BearingResult", inputs: BearingsInputs) -> Iterator[Check]:
-    """The limits once more at the worst corner of the tolerances.  Assumed tolerances advise; given ones judge."""
-    c = r.corners
-    kind = "limit" if inputs.fits_given else "advice"
-    rows = (
-        ("film_edge", "Film at the edge", c.film_edge, ">=", r.kreisle_film, "µm", "Kreisle",
-         "A longer bearing, closer fits or a smoother surface."),
-        ("film_double_load", "Film at twice the load", c.film_double_load, ">=", r.trumpler_film, "µm", TRUMPLER,
-         "A longer bearing, or closer fits."),
-        ("outlet_temperature", "Outlet temperature", c.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
-         "limit of the design", "More clearance at the tight end, or more oil."),
-        ("clearance_cold", f"Clearance at {short(inputs.lowest_temperature)} °C", c.clearance_cold, ">", 0.0, "µm", "seizure when cold",
-         "More clearance, or closer fits."),
-    )  # fmt: skip
-    for name, title, number, sense, limit, unit, source, advice in rows:
-        id = "temperature" if name == "outlet_temperature" else name
-        corner = c.worst(name)
-        yield check(
-            f"{at}.{id}_corner", f"{title} at the worst corner{where}", math.nan if number is None else number, sense, limit, unit,
-            f"{source}; corner: {corner}",
-            f"Worst corner: {corner}. {advice}", kind=kind,
-        )  # fmt: skip
+def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
+    """The limits once more at the worst corner of the tolerances, given or assumed."""
+    c, inputs = r.corners, r.seat.inputs
+    for key, column, title, value, sense, limit, unit, source, advice in (
+        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", Text("Kreisle"),
+         Text("A longer bearing, closer fits or a smoother surface.")),
+        ("film_double_load", "film_double_load", Text("Film at twice the load"), c.film_double_load, ">=", r.trumpler_film, "µm",
+         TRUMPLER, Text("A longer bearing, or closer fits.")),
+        ("temperature", "outlet_temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", inputs.outlet_temperature_limit,
+         "°C", Text("limit of the design"), Text("More clearance at the tight end, or more oil.")),
+        ("clearance_cold", "clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", Text("seizure when cold"),
+         Text("More clearance, or closer fits.")),
+    ):  # fmt: skip
+        corner = c.worst(column)
+        yield _on(place, f"{key}_corner", Text("{title} at the worst corner", title=title), value, sense, limit, unit,
+            Text("{source}; corner: {corner}", source=source, corner=corner),
+            Text("Worst corner: {corner}. {advice}", corner=corner, advice=advice))  # fmt: skip

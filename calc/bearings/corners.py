@@ -3,28 +3,38 @@
 
 from dataclasses import replace
 from itertools import product
-from typing import Any
 
 import numpy as np
 
 from ..fits import deviations, parse, tolerance
+from ..sheet.arrays import Array, each, many
+from ..sheet.linked_array import item
 from ..sheet.quantity import result, value
 from ..sheet.step import Table
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about
 from ..sheet.units import Celsius, Metre, Radian
+from ..sheet.value import based_on
 from . import formulas as f
-from .inputs import BearingsInputs
+from .inputs import IN_WORDS, BearingsInputs
+from .routes.balance import closed
 from .routes.routes import own_warm
-from .routes.states import Duty, Film, Seat
+from .routes.states import BearingCase, Film, OperatingPoint
 
 ENDS = (("smallest", -1), ("largest", 1))
 OILS = (("thinner", -1), ("thicker", 1))
 CORNERS = tuple(product(ENDS, ENDS, OILS))
 NAMES = (  # in the order of CORNERS, written out: adjectives are inflected in other languages
-    "smallest journal, smallest seat, thinner oil", "smallest journal, smallest seat, thicker oil",
-    "smallest journal, largest seat, thinner oil", "smallest journal, largest seat, thicker oil",
-    "largest journal, smallest seat, thinner oil", "largest journal, smallest seat, thicker oil",
-    "largest journal, largest seat, thinner oil", "largest journal, largest seat, thicker oil",
+    Text("smallest journal, smallest seat, thinner oil"), Text("smallest journal, smallest seat, thicker oil"),
+    Text("smallest journal, largest seat, thinner oil"), Text("smallest journal, largest seat, thicker oil"),
+    Text("largest journal, smallest seat, thinner oil"), Text("largest journal, smallest seat, thicker oil"),
+    Text("largest journal, largest seat, thinner oil"), Text("largest journal, largest seat, thicker oil"),
+)  # fmt: skip
+COLUMNS = (
+    ("clearance", Text("g"), "µm", 1e-6), ("clearance_cold", Text("g cold"), "µm", 1e-6), ("clearance_hot", Text("g hot"), "µm", 1e-6),
+    ("film", Text("film"), "µm", 1e-6), ("film_edge", Text("at the edge"), "µm", 1e-6),
+    ("film_double_load", Text("twice the load"), "µm", 1e-6),
+    ("outlet_temperature", Text("T_out"), "°C", 1.0), ("friction_power", Text("P_f"), "W", 1.0),
 )  # fmt: skip
 
 
@@ -40,7 +50,7 @@ class Corners:
     film_double_load: Metre | None = value("Thinnest film at twice the load of the corners", "µm", "h_2F")
     outlet_temperature: Celsius | None = value("Hottest outlet of the corners", "°C", "T_out")
     names: tuple[str, ...]
-    columns: dict[str, Any]  # one array over the corners for each quantity above and more
+    columns: dict[str, Array]  # one array over the corners for each quantity above and more
 
     def worst(self, quantity: str) -> str:
         """The name of the corner that governs."""
@@ -61,113 +71,92 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
     return tolerance(parse(inputs.journal_fit).grade, d), tolerance(parse(inputs.seat_fit).grade, d)
 
 
-def corner_points(seat: Seat, duty: Duty) -> tuple[Seat, Duty]:
-    """Eight corners at the load, then the eight at twice the load."""
-    g, thickness = _corners(seat)
-    both: Any = np.tile(g, 2)
-    thick: Any = np.tile(thickness, 2)
-    load: Any = duty.load * np.repeat([1.0, 2.0], len(g))
-    return replace(seat, clearance=both, viscosity_factor=thick), replace(duty, load=load)
+def corner_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
+    """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape (16,)."""
+    g, factor = _corners(seat)
+    load = duty.load * np.repeat([1.0, 2.0], len(g))
+    return replace(seat, clearance=each(np.tile(g, 2)), viscosity_factor=each(np.tile(factor, 2))), replace(duty, load=each(load))
 
 
-def _corners(seat: Seat) -> tuple[Any, Any]:
-    """Clearance at the reference temperature and viscosity factor of each."""
+def _corners(seat: BearingCase) -> tuple[Array, Array]:
+    """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
     journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
-    return np.array(g), np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
+    numbers = based_on(np.array(g), seat.clearance, seat.bearing.diameter, seat.inputs.seat_fit, seat.inputs.journal_fit)
+    return numbers, np.array([1 + o * seat.inputs.viscosity_tolerance for *_, (_, o) in CORNERS])
 
 
-def corners(seat: Seat, duty: Duty, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
+def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, bearing: str = "bearing") -> Corners:
     """`film`: of the corner points.  The worst corner of the film, of twice the load and of the heat is solved once more, line by line,
     under the name of the `bearing`."""
-    (ei, es), (EI, ES) = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
-    if parse(seat.inputs.journal_fit).letter is None or parse(seat.inputs.seat_fit).letter is None:
-        least = f.least_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
-        most = f.most_clearance(g=seat.clearance, T_S=ES - EI, T_J=es - ei)
+    inputs, d, l = seat.inputs, seat.bearing.diameter, seat.bearing.length
+    (ei, es), (EI, ES) = limits(inputs, d, seat.clearance)
+    if _have_a_place(inputs):
+        least = f.least_clearance_of_fits(EI=based_on(EI, inputs.seat_fit, d), es=based_on(es, inputs.journal_fit, d))
+        most = f.most_clearance_of_fits(ES=based_on(ES, inputs.seat_fit, d), ei=based_on(ei, inputs.journal_fit, d))
     else:
-        least = f.least_clearance_of_fits(EI=EI, es=es)
-        most = f.most_clearance_of_fits(ES=ES, ei=ei)
+        T_S, T_J = based_on(ES - EI, inputs.seat_fit, d), based_on(es - ei, inputs.journal_fit, d)
+        least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
+        most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
     g, _ = _corners(seat)
     once, twice = slice(0, len(g)), slice(len(g), None)
-    rise: Any = film.temperature_rise
-    h_0: Any = film.film
-    warm: Any = film.clearance
-    power: Any = film.friction_power
+    rise, h_0 = many(film.temperature_rise), many(film.film)
     columns = {
         "clearance": g,
-        "clearance_cold": np.asarray(replace(seat, clearance=g).clearance_at(seat.inputs.lowest_temperature)),
-        "clearance_hot": np.where(np.isfinite(h_0[once]), warm[once], np.nan),
-        "film": h_0[once],
-        "film_edge": h_0[once] - slope * seat.bearing.length / 2,
-        "film_double_load": h_0[twice],
-        "outlet_temperature": duty.supply_temperature + rise[once],
-        "friction_power": power[once],
-    }
+        "clearance_cold": np.asarray(replace(seat, clearance=each(g)).clearance_at(inputs.lowest_temperature)),
+        "clearance_hot": np.where(np.isfinite(h_0[once]), many(film.clearance)[once], np.nan),
+        "film": h_0[once], "film_edge": h_0[once] - slope * l / 2, "film_double_load": h_0[twice],
+        "outlet_temperature": duty.supply_temperature + rise[once], "friction_power": many(film.friction_power)[once],
+    }  # fmt: skip
 
-    def solved(quantity: str, at: Duty, points: slice) -> Film | None:
+    def solved(quantity: str, at: OperatingPoint, points: slice) -> Film | None:
         """The worst corner by lines of the calculation, at the rise that is known; None where it has no film."""
-        numbers = columns[quantity]
-        if np.isnan(numbers).any():
+        if np.isnan(columns[quantity]).any():
             return None
-        worst = _worst(quantity, numbers)
+        worst = _worst(quantity, columns[quantity])
         (_, j), (_, s), (_, o) = CORNERS[worst]
-        clearance = least if j > s else most if s > j else float(g[worst])
-        factor = f.viscosity_factor(t_nu=seat.inputs.viscosity_tolerance, o=float(o))
-        return own_warm(replace(seat, clearance=clearance, viscosity_factor=factor), at, float(rise[points][worst]))
+        clearance = least if j > s else most if s > j else item(g[worst])
+        factor = f.viscosity_factor(t_nu=inputs.viscosity_tolerance, o=float(o))
+        return closed(own_warm, replace(seat, clearance=clearance, viscosity_factor=factor), at, float(rise[points][worst]))
 
-    with about(f"{bearing}, thinnest corner"):
+    with about(Text("{bearing}, thinnest corner", bearing=bearing)):
         thinnest = solved("film_edge", duty, once)
-    with about(f"{bearing}, thinnest corner at twice the load"):
-        doubled = solved("film_double_load", replace(duty, load=2 * duty.load), twice)
-    with about(f"{bearing}, hottest corner"):
+    with about(Text("{bearing}, thinnest corner at twice the load", bearing=bearing)):
+        doubled = solved("film_double_load", replace(duty, load=based_on(2 * duty.load, duty.load)), twice)
+    with about(Text("{bearing}, hottest corner", bearing=bearing)):
         hottest = solved("outlet_temperature", duty, once)
-    edge = None if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=seat.bearing.length)
+    edge = None if thinnest is None else f.film_at_edge(h_0=thinnest.film, theta=slope, l=l)
     outlet = None if hottest is None else f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest.temperature_rise)
     return Corners(
-        clearance_min=least,
-        clearance_max=most,
-        clearance_cold=replace(seat, clearance=least).clearance_at(seat.inputs.lowest_temperature),
-        film=None if thinnest is None else thinnest.film,
-        film_edge=edge,
-        film_double_load=None if doubled is None else doubled.film,
-        outlet_temperature=outlet,
-        names=NAMES,
-        columns=columns,
-    )
+        clearance_min=least, clearance_max=most, clearance_cold=replace(seat, clearance=least).clearance_at(inputs.lowest_temperature),
+        film=None if thinnest is None else thinnest.film, film_edge=edge, film_double_load=None if doubled is None else doubled.film,
+        outlet_temperature=outlet, names=NAMES, columns=columns)  # fmt: skip
 
 
-def _worst(quantity: str, numbers: Any) -> int:
+def _worst(quantity: str, numbers: Array) -> int:
     """The hottest, else the smallest; a corner without film is worst of all."""
     if np.isnan(numbers).any():
         return int(np.isnan(numbers).argmax())
     return int(numbers.argmax() if quantity == "outlet_temperature" else numbers.argmin())
 
 
-COLUMNS = (
-    ("clearance", "g", "µm", 1e-6), ("clearance_cold", "g cold", "µm", 1e-6), ("clearance_hot", "g hot", "µm", 1e-6),
-    ("film", "film", "µm", 1e-6), ("film_edge", "at the edge", "µm", 1e-6), ("film_double_load", "twice the load", "µm", 1e-6),
-    ("outlet_temperature", "T_out", "°C", 1.0), ("friction_power", "P_f", "W", 1.0),
-)  # fmt: skip
-
-
-def corners_table(place: str, found: Corners, inputs: BearingsInputs) -> Table:
+def corners_table(place: str, corners: Corners, inputs: BearingsInputs) -> Table:
     """All corners of one bearing; a cell without film is empty."""
 
     def cell(name: str, row: int, factor: float) -> float | None:
-        number = float(found.columns[name][row])
+        number = float(corners.columns[name][row])
         return number / factor if np.isfinite(number) else None
 
-    return Table(
-        f"corners_{place}",
-        f"Corners of the tolerances, {place} bearing",
-        (("corner", ""), *((label, unit) for _, label, unit, _ in COLUMNS)),
-        tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(found.names)),
-        f"Journal {inputs.journal_fit}, seat {inputs.seat_fit}{_where(inputs)}; oil ±{inputs.viscosity_tolerance * 100:g} % "
-        "of its viscosity.",
-        (f"bearings.{place}.corners.",),
-    )
+    where = Text(", as they make the clearance") if _have_a_place(inputs) else Text(" about the clearance at its reference temperature")
+    note = Text(
+        "Journal {journal_fit}, seat {seat_fit}{where}; oil ±{viscosity_tolerance} % of its viscosity.", journal_fit=inputs.journal_fit,
+        seat_fit=inputs.seat_fit, where=where, viscosity_tolerance=Amount(inputs.viscosity_tolerance * 100, form="g"))  # fmt: skip
+    return Table(f"corners_{place}", Text("Corners of the tolerances, {place} bearing", place=IN_WORDS[place]),
+        ((Text("corner"), ""), *((label, unit) for _, label, unit, _ in COLUMNS)),
+        tuple((name, *(cell(key, i, factor) for key, _, _, factor in COLUMNS)) for i, name in enumerate(corners.names)),
+        note, (f"bearings.{place}.corners.",))  # fmt: skip
 
 
-def _where(inputs: BearingsInputs) -> str:
-    placed = all(parse(fit).letter is not None for fit in (inputs.journal_fit, inputs.seat_fit))
-    return ", as they make the clearance" if placed else " about the clearance at its reference temperature"
+def _have_a_place(inputs: BearingsInputs) -> bool:
+    """Whether both fits have a letter, and so make the clearance."""
+    return all(parse(fit).letter is not None for fit in (inputs.journal_fit, inputs.seat_fit))

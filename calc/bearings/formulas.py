@@ -4,10 +4,8 @@
 Sommerfeld's number stands in both of its forms, S = μ·n/(P·ψ²) and So = P·ψ²/(μ·ω); So·S = 1/(2π) exactly.
 """
 
-from ..countershaft.supports import heat_index as heat_index  # of any journal, written with the shaft's supports
-from ..countershaft.supports import specific_load as specific_load
 from ..sheet.formula import formula
-from ..sheet.functions import largest, modulus, pi, sin, sqrt
+from ..sheet.functions import largest, modulus, pi, power, sin, sqrt
 from ..sheet.units import (
     Celsius,
     CubicMetrePerSecond,
@@ -17,6 +15,7 @@ from ..sheet.units import (
     Metre,
     MetrePerSecond,
     Newton,
+    NewtonPerMetreSecond,
     Number,
     Pascal,
     PascalSecond,
@@ -38,17 +37,42 @@ CENTIPOISE_RPM_PER_PSI: Number = 1e-3 / 60 / PSI
 
 @formula("u", "definition of the journal's surface speed")
 def surface_speed(d: Metre, n: RevPerSecond) -> MetrePerSecond:
+    """>>> surface_speed(d=0.0595, n=43.33)
+    8.099449...
+    """
     return pi * d * n
+
+
+@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
+def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
+    """>>> specific_load(F=1707, d=0.0595, l=0.0275)
+    1043239...
+    """
+    return F / (d * l)
+
+
+@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
+def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
+    """>>> heat_index(F=1707, n=43.33, l=0.0275)
+    2689611...
+    """
+    return F * n / l
 
 
 @formula("l/d", "definition of the length ratio")
 def length_ratio(l: Metre, d: Metre) -> Number:
+    """>>> length_ratio(l=0.0275, d=0.0595)
+    0.4621848...
+    """
     return l / d
 
 
 @formula("g", "Finotti 2013, 5.5.2: g = K·d·u^¼ with g in mm, d in m, u in m/s", unit="µm")
 def clearance_by_factor(K: Number, d: Metre, u: MetrePerSecond) -> Metre:
-    return MILLI * K * d * (u / ONE_METRE_PER_SECOND) ** 0.25
+    """>>> clearance_by_factor(K=0.8, d=0.0595, u=8.1)
+    8.030234...e-05
+    """
+    return MILLI * K * d * power(u / ONE_METRE_PER_SECOND, 0.25)
 
 
 @formula("g", "definition: the middle of the seat's tolerance less that of the journal's", unit="µm")
@@ -88,18 +112,29 @@ def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
 
 @formula("g_T", "linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
 def clearance_at(g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius) -> Metre:
-    """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized."""
+    """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized.
+
+    >>> clearance_at(g=8.03e-05, d=0.0595, alpha_H=2.15e-05, chi=0, alpha_J=1.15e-05, T=120.9, T_ref=20)
+    0.0001403355
+    """
     return g + d * (alpha_H * (1 - chi) - alpha_J) * (T - T_ref)
 
 
 @formula("ψ", "definition of the relative clearance", unit="‰")
 def relative_clearance(g: Metre, d: Metre) -> Number:
+    """>>> relative_clearance(g=0.0001404, d=0.0595)
+    0.002359663...
+    """
     return g / d
 
 
 @formula("n_h", "hydrodynamically effective speed for journal, bush and load vector (as generally published; ISO 7902-1)", unit="rpm")
 def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
-    """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood."""
+    """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood.
+
+    >>> effective_speed(n_J=43.33, n_B=0, n_F=43.33)
+    43.33
+    """
     return modulus(n_J + n_B - 2 * n_F)
 
 
@@ -110,12 +145,26 @@ def angular_speed(n: RevPerSecond) -> RadPerSecond:
 
 @formula("S", "Raimondi & Boyd 1958: Sommerfeld number")
 def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> Number:
+    """>>> sommerfeld(mu=0.007281, n_h=43.33, p=1043000, psi=0.002359)
+    0.05435500...
+    """
     return mu * n_h / (p * psi**2)
 
 
 @formula("So", "DIN 31652-1: Sommerfeld number")
 def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond) -> Number:
+    """>>> sommerfeld_din(p=1043000, psi=0.002359, mu=0.007281, omega=272.3)
+    2.927531...
+    """
     return p * psi**2 / (mu * omega)
+
+
+@formula(
+    "ΔT", "heat balance: all friction leaves with the oil", shows="ΔT at which the film's friction warms its oil by ΔT, bracketed", unit="K"
+)
+def closing_rise(Delta_T: Kelvin) -> Kelvin:
+    """The rise itself, found from all that the film depends on."""
+    return Delta_T
 
 
 @formula("T_m", "mean temperature of the film")
@@ -125,11 +174,17 @@ def mean_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
 
 @formula("T_out", "temperature of the oil that leaves")
 def outlet_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
+    """>>> outlet_temperature(T_in=120, Delta_T=1.856)
+    121.856
+    """
     return T_in + Delta_T
 
 
 @formula("h_0", "definition of the eccentricity ratio", unit="µm")
 def film(g: Metre, eps: Number) -> Metre:
+    """>>> film(g=0.0001404, eps=0.8638)
+    9.561239...e-06
+    """
     return g / 2 * (1 - eps)
 
 
@@ -171,16 +226,25 @@ def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number)
 
 @formula("f", "Raimondi & Boyd 1958: friction variable f* = f/ψ", names={"f_v": "f*"})
 def friction_coefficient(psi: Number, f_v: Number) -> Number:
+    """>>> friction_coefficient(psi=0.002359, f_v=2.325)
+    0.005484675...
+    """
     return psi * f_v
 
 
 @formula("P_f", "power of friction")
 def friction_power(f: Number, F: Newton, u: MetrePerSecond) -> Watt:
+    """>>> friction_power(f=0.005485, F=1707, u=8.1)
+    75.83944...
+    """
     return f * F * u
 
 
 @formula("ΔT", "heat balance: all friction leaves with the oil", unit="K")
 def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKelvin, Q: CubicMetrePerSecond) -> Kelvin:
+    """>>> temperature_rise(P_f=75.84, rho=800.8, c_p=2358, Q=2.165e-05)
+    1.855122...
+    """
     return P_f / (rho * c_p * Q)
 
 
@@ -238,21 +302,33 @@ def film_over_turn(h_0: Metre, a_n: Metre) -> Metre:
 # --- what is judged -----------------------------------------------------------------------------------------------------
 @formula("h_edge", "film at the edge of a journal that stands at a slope in its seat", unit="µm")
 def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
+    """>>> film_at_edge(h_0=9.559e-06, theta=0.0001563, l=0.0275)
+    7.409875e-06
+    """
     return h_0 - theta * l / 2
 
 
 @formula("h_K", "Kreisle, after Finotti 2013, 5.6: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
 def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
+    """>>> kreisle_film(k_R=7.5, Ra_1=6e-07, Ra_2=6e-07)
+    9e-06
+    """
     return k_R * Ra_1 + k_R * Ra_2
 
 
 @formula("h_T", "Trumpler, after Finotti 2013, 5.6: 0.00508 mm + 4·10⁻⁵·d", unit="µm")
 def trumpler_film(d: Metre) -> Metre:
+    """>>> trumpler_film(d=0.0595)
+    7.46e-06
+    """
     return TRUMPLER_FILM + TRUMPLER_SLOPE * d
 
 
 @formula("n_T", "Vogelpohl's transition to mixed friction, after Finotti 2013, 5.6 (1.7·10⁻⁹ m)", unit="rpm")
 def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
+    """>>> transition_speed(p=1043000, mu=0.007281, d=0.0595)
+    4.092844...
+    """
     return TRANSITION * p / (mu * d)
 
 

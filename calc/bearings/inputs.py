@@ -5,9 +5,14 @@ from collections.abc import Iterable
 from math import pi
 
 from .. import fits
+from ..journal_rules import SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
-from .pairing.data import DEFAULT_APPLICATION
+from ..sheet.text import Amount, Text
+from .materials.data import DEFAULT_APPLICATION
 
+PLACES = ("front", "rear")
+IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words
+IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
 ASSUMED_FIT = "IT7"
 LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
 
@@ -16,40 +21,34 @@ LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at hal
 class BearingInputs:
     """One journal in its seat."""
 
-    diameter: float = quantity(
-        "Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5,
-        help="Diameter of the journal; a larger one carries more and rubs more.",
+    diameter: float = quantity("Journal diameter", "mm", above=0, high=500, symbol="d", step=0.5,
+        help="Diameter of the journal; a larger one carries more and rubs more.")  # fmt: skip
+    length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", step=0.5, source="Finotti 2013, 5.5.2",
+        help=Text("Along the shaft; {usual}. More length: lower specific load, thicker film.", usual=USUAL_LENGTH))  # fmt: skip
+    clearance: float | None = quantity(
+        "Clearance (diametral)", "µm", default=None, low=0.1, high=5000, symbol="g", step=1,
+        source="Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16",
+        help=Text(
+            "Bore minus journal at the reference temperature; {usual}. Left out: by clearance_factor or the fits.",
+            usual=USUAL_CLEARANCE,
+        ),
     )  # fmt: skip
-    length: float = quantity(
-        "Length", "mm", above=0, high=1000, symbol="l", step=0.5, source="Finotti 2013, 5.5.2",
-        help="Along the shaft; usual l/d 0.25 to 0.75. More length: lower specific load, thicker film.",
-    )  # fmt: skip
-    clearance: float = quantity(
-        "Clearance (diametral)", "µm", optional=True, low=0.1, high=5000, symbol="g", step=1, source=THUMB,
-        help="Bore minus journal at the reference temperature; mostly 0.5 to 1.5 ‰ of d. Left out: by clearance_factor or the fits.",
-    )  # fmt: skip
-    clearance_factor: float = quantity(
-        "Clearance factor K", optional=True, low=0.01, high=10, symbol="K", step=0.05, usual=(0.4, 0.8), source="Finotti 2013, 5.5.2",
-        help="Clearance g = K·d·u^¼ in mm, m and m/s.",
-    )  # fmt: skip
-    load: float = quantity(
-        "Load", "N", optional=True, above=0, high=1e7, symbol="F", step=50,
-        help="Radial load on the journal. Left out: the reaction of the counter-shaft.",
-    )  # fmt: skip
+    clearance_factor: float | None = quantity(
+        "Clearance factor K", default=None, low=0.01, high=10, symbol="K", step=0.05, usual=(0.4, 0.8), source="Finotti 2013, 5.5.2",
+        help="Clearance g = K·d·u^¼ in mm, m and m/s.")  # fmt: skip
+    load: float | None = quantity("Load", "N", default=None, above=0, high=1e7, symbol="F", step=50,
+        help="Radial load on the journal. Left out: the reaction of the counter-shaft.")  # fmt: skip
     journal_roughness: float = quantity(
         "Roughness Ra, journal", "µm", low=0, high=50, symbol="Ra_1", step=0.1, usual=(0.1, 0.8), source=THUMB,
-        help="Mean roughness; the film must clear its peaks.",
-    )  # fmt: skip
-    housing_roughness: float = quantity(
-        "Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1, usual=(0.1, 1.6), source=THUMB,
-        help="Mean roughness; the film must clear its peaks.",
-    )  # fmt: skip
+        help="Mean roughness; the film must clear its peaks.")  # fmt: skip
+    housing_roughness: float = quantity("Roughness Ra, seat", "µm", low=0, high=50, symbol="Ra_2", step=0.1, usual=(0.1, 1.6), source=THUMB,
+        help="Mean roughness; the film must clear its peaks.")  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.clearance is not None and self.clearance_factor is not None:
-            yield "clearance_um", "give either clearance_um or clearance_factor, one of the two"
+            yield "clearance_um", Text("give either clearance_um or clearance_factor, one of the two")
         if self.clearance is not None and self.clearance >= 0.1 * self.diameter:
-            yield "clearance_um", "must stay below a tenth of the diameter"
+            yield "clearance_um", Text("must stay below a tenth of the diameter")
 
 
 @inputs
@@ -59,140 +58,107 @@ class BearingsInputs:
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
     supply_temperature: float = quantity(
         "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, usual=(70, 130), source=THUMB,
-        help="Of the oil in the gallery before the bearing.",
-    )  # fmt: skip
-    supply_pressure: float = quantity(
-        "Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, usual=(1, 6), source=THUMB,
-        help="Of the oil in the gallery, above ambient.",
-    )  # fmt: skip
-    supply: str = choice(
-        "Oil supply",
-        "hole",
-        "groove",
-        "pocket",
-        "shaft",
-        help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.",
-    )
-    hole_diameter: float = quantity(
-        "Oil hole diameter", "mm", optional=True, low=0.1, high=200, symbol="d_H", source="DIN 31652-2",
-        help="Diameter of the oil hole; 0.05 to 0.7 of the bearing's length.",
+        help="Of the oil in the gallery before the bearing.")  # fmt: skip
+    supply_pressure: float = quantity("Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, usual=(1, 6), source=THUMB,
+        help="Of the oil in the gallery, above ambient.")  # fmt: skip
+    supply: str = choice("Oil supply", "hole", "groove", "pocket", "shaft",
+        help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.")  # fmt: skip
+    hole_diameter: float | None = quantity(
+        "Oil hole diameter", "mm", default=None, low=0.1, high=200, symbol="d_H", source="DIN 31652-2",
+        help=Text(
+            "Diameter of the oil hole; {low} to {high} of the bearing's length.",
+            low=Amount(SUPPLY_WIDTH[0]), high=Amount(SUPPLY_WIDTH[1]),
+        ),
     )  # fmt: skip
     housing_material: str = text("Housing material", help="A name from the table of materials or from [[material]].")
     front: BearingInputs = table("Front bearing", BearingInputs)
     rear: BearingInputs = table("Rear bearing", BearingInputs)
-    groove_width: float = quantity(
-        "Groove width", "mm", optional=True, low=0, high=500, symbol="b_G", source="DIN 31652-2",
-        help="Width of the oil groove along the shaft; it carries no load.",
-    )  # fmt: skip
-    pocket_width: float = quantity(
-        "Pocket width", "mm", optional=True, low=0.1, high=500, symbol="b_P", source="DIN 31652-2",
-        help="Along the shaft; 0.05 to 0.7 of the bearing's length.",
+    groove_width: float | None = quantity("Groove width", "mm", default=None, low=0, high=500, symbol="b_G", source="DIN 31652-2",
+        help="Width of the oil groove along the shaft; it carries no load.")  # fmt: skip
+    pocket_width: float | None = quantity(
+        "Pocket width", "mm", default=None, low=0.1, high=500, symbol="b_P", source="DIN 31652-2",
+        help=Text("Along the shaft; {low} to {high} of the bearing's length.", low=Amount(SUPPLY_WIDTH[0]), high=Amount(SUPPLY_WIDTH[1])),
     )  # fmt: skip
     groove_arc: tuple[float, ...] | None = series(
-        "Groove from and to", "°", optional=True, count=(2, 2), low=0, high=360, symbol="delta_G", source="DIN 31652-2",
-        help="Angles from the load, 180 opposite to it. Left out: all round.",
-    )  # fmt: skip
+        "Groove from and to", "°", default=None, count=(2, 2), low=0, high=360, symbol="delta_G", source="DIN 31652-2",
+        help="Angles from the load, 180 opposite to it. Left out: all round.")  # fmt: skip
     supply_angle: float = quantity(
         "Angle from load to supply", "°", default=pi, low=0, high=180, symbol="delta", step=5, source="Finotti 2013, Table 5.1",
-        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.",
-    )  # fmt: skip
-    pocket_length: float = quantity(
-        "Pocket length", "mm", optional=True, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
+        help="Where hole or pocket keeps its angle to the load: 180 opposite, 0 in the load zone.")  # fmt: skip
+    pocket_length: float | None = quantity(
+        "Pocket length", "mm", default=None, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
     )
-    expansion_restraint: float = quantity(
-        "Expansion held back",
-        default=0.0,
-        low=0,
-        high=1,
-        symbol="chi",
-        step=0.05,
-        help="Share of the housing's thermal expansion that the block holds back.",
-    )
+    expansion_restraint: float = quantity("Expansion held back", default=0.0, low=0, high=1, symbol="chi", step=0.05,
+        help="Share of the housing's thermal expansion that the block holds back.")  # fmt: skip
     bush_material: str | None = text(
-        "Bush material", optional=True, help="A name from the table of bearing materials. Left out: the journal runs on the housing itself."
+        "Bush material", default=None, help="A name from the table of bearing materials. Left out: the journal runs on the housing itself."
     )
-    journal_material: str | None = text("Journal material", optional=True, help="Left out: that of the counter-shaft.")
+    journal_material: str | None = text("Journal material", default=None, help="Left out: that of the counter-shaft.")
     application: str = text("Application", default=DEFAULT_APPLICATION, help="The row of the table of usual loads to be held against.")
     clearance_reference_temperature: float = quantity(
         "Clearance given at", "°C", default=20.0, low=-60, high=250, symbol="T_ref", source="ISO 1: 20 °C",
-        help="Temperature at which bore and journal have their measures.",
-    )  # fmt: skip
+        help="Temperature at which bore and journal have their measures.")  # fmt: skip
     lowest_temperature: float = quantity(
         "Lowest temperature", "°C", default=-20.0, low=-60, high=60, symbol="T_low", usual=(-40, 0), source=THUMB,
-        help="Cold start: the clearance must still be there.",
-    )  # fmt: skip
+        help="Cold start: the clearance must still be there.")  # fmt: skip
     outlet_temperature_limit: float = quantity(
-        "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", usual=(121, 135),
+        "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", usual=(TRUMPLER_TEMPERATURE, 135),
         source="Finotti 2013, 5.6: Trumpler, engine manual",
-        help="Highest temperature of the oil that leaves.",
-    )  # fmt: skip
+        help="Highest temperature of the oil that leaves.")  # fmt: skip
     journal_fit: str = text(
         "Journal fit", default=ASSUMED_FIT, help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance."
     )
     seat_fit: str = text("Seat fit", default=ASSUMED_FIT, help="ISO 286: H7 and the like, or a bare field, IT7.")
-    viscosity_tolerance: float = quantity(
-        "Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, usual=(0, 10),
+    viscosity_tolerance: float = quantity("Viscosity tolerance ±", "%", default=0.1, low=0, high=50, symbol="t_nu", step=1, usual=(0, 10),
         source="ISO 3448: a grade ±10 % at 40 °C",
-        help="How far the oil may be from its own viscosity.",
-    )  # fmt: skip
-    speed: float = quantity(
-        "Journal speed", "rpm", optional=True, above=0, high=1e5, symbol="n", step=50,
-        help="Speed of the journal. Left out: that of the counter-shaft.",
-    )  # fmt: skip
-    load_speed_ratio: float = quantity(
-        "Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
+        help="How far the oil may be from its own viscosity.")  # fmt: skip
+    speed: float | None = quantity("Journal speed", "rpm", default=None, above=0, high=1e5, symbol="n", step=50,
+        help="Speed of the journal. Left out: that of the counter-shaft.")  # fmt: skip
+    load_speed_ratio: float = quantity("Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
         source="ISO 7902-1, as generally published",
-        help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.",
-    )  # fmt: skip
-    bush_speed_ratio: float = quantity(
-        "Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5,
+        help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.")  # fmt: skip
+    bush_speed_ratio: float = quantity("Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5,
         source="ISO 7902-1, as generally published",
-        help="How fast the bush turns with the journal; 0: the seat stands.",
-    )  # fmt: skip
-    speed_range: tuple[float, ...] | None = series(
-        "Speed range", "rpm", optional=True, count=(2, 2), above=0, high=1e5, symbol="n",
-        help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.",
-    )  # fmt: skip
+        help="How fast the bush turns with the journal; 0: the seat stands.")  # fmt: skip
+    speed_range: tuple[float, ...] | None = series("Speed range", "rpm", default=None, count=(2, 2), above=0, high=1e5, symbol="n",
+        help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.")  # fmt: skip
     roughness_ratio: float = quantity(
         "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", usual=(6, 7.5), source="Kreisle, after Finotti 2013, 5.6",
-        help="Peak-to-valley over mean roughness of both surfaces.",
-    )  # fmt: skip
+        help="Peak-to-valley over mean roughness of both surfaces.")  # fmt: skip
     viscosity_law: str = choice(
         "Viscosity law", "walther", "d341", default="walther", help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341."
     )
     slope: tuple[float, ...] | None = series(
-        "Slope of the journals", "mrad", optional=True, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, 0.25),
+        "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
         source="Finotti 2013, ch. 6",
-        help="One, or [front, rear]. Left out: by bending, else 0.",
-    )  # fmt: skip
+        help="One, or [front, rear]. Left out: by bending, else 0.")  # fmt: skip
 
     @property
     def fits_given(self) -> bool:
         """Whether the tolerances are the design's own; else the program assumed them."""
         return (self.journal_fit, self.seat_fit) != (ASSUMED_FIT, ASSUMED_FIT)
 
-    def problems(self) -> Iterable[tuple[str, str]]:
-        needs = {
-            "hole": ("hole_diameter",),
-            "shaft": ("hole_diameter",),
-            "groove": ("groove_width",),
-            "pocket": ("pocket_width",),
-        }
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        needs = {"hole": ("hole_diameter",), "shaft": ("hole_diameter",), "groove": ("groove_width",), "pocket": ("pocket_width",)}
         for name in needs[self.supply]:
             if getattr(self, name) is None:
-                yield f"{name}_mm", f'needed with supply = "{self.supply}"'
+                yield f"{name}_mm", Text('needed with supply = "{supply}"', supply=self.supply)
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             yield (
                 "load_speed_ratio",
-                "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
-                f"{(1 + self.bush_speed_ratio) / 2:g} by {LEAST_SPEED_SHARE / 2:g} or more",
+                Text(
+                    "the load would turn at half the speed of the surfaces, where no film is built up; must be away from "
+                    "{bush_speed_ratio} by {least_speed_share} or more",
+                    bush_speed_ratio=Amount((1 + self.bush_speed_ratio) / 2, form="g"),
+                    least_speed_share=Amount(LEAST_SPEED_SHARE / 2, form="g"),
+                ),
             )
         if self.bush_speed_ratio == 1:
-            yield "bush_speed_ratio", "a bush that turns with the journal does not slide on it; anything but 1 is allowed"
+            yield "bush_speed_ratio", Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed")
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
-            yield "groove_arc_deg", "must rise: from, to"
+            yield "groove_arc_deg", Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
-            yield "speed_range_rpm", "must rise: from, to"
+            yield "speed_range_rpm", Text("must rise: from, to")
         placed = True
         for name, of in (("journal_fit", "shaft"), ("seat_fit", "hole")):
             if (wrong := fits.problem(getattr(self, name), of)) is not None:
@@ -200,9 +166,9 @@ class BearingsInputs:
             placed = placed and wrong is None and fits.parse(getattr(self, name)).letter is not None
         for place, bearing in (("front", self.front), ("rear", self.rear)):
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
-                letters = "journal_fit and seat_fit with their letters (f7, H7)"
-                yield f"{place}.clearance_um", f"give clearance_um or clearance_factor, or {letters}"
+                letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
+                yield f"{place}.clearance_um", Text("give clearance_um or clearance_factor, or {letters}", letters=letters)
             for name in ("hole_diameter", "groove_width", "pocket_width"):
                 width = getattr(self, name)
                 if width is not None and width >= bearing.length:
-                    yield f"{name}_mm", f"must be smaller than the length of the {place} bearing"
+                    yield f"{name}_mm", Text("must be smaller than the length of the {place} bearing", place=IN_WORDS[place])

@@ -20,7 +20,7 @@ from ..sheet.units import (
 from .corners import Corners
 from .film.dynamics import Dynamics
 from .routes.side_by_side import Side
-from .routes.states import Duty, Film, Seat
+from .routes.states import BearingCase, Film, OperatingPoint
 from .sweep import Sweep
 
 
@@ -39,18 +39,11 @@ class RouteResult:
     attitude_angle: Radian | None = value("Attitude angle", "°", "φ", default=None)
 
 
-def route_result(film: Film) -> RouteResult:
-    return RouteResult(
-        film=film.film,
-        eccentricity=film.eccentricity,
-        sommerfeld=film.sommerfeld,
-        friction_variable=film.friction_variable,
-        friction_coefficient=film.friction_coefficient,
-        friction_power=film.friction_power,
-        temperature_rise=film.temperature_rise,
-        oil_flow=film.oil_flow,
-        attitude_angle=film.attitude,
-    )
+def route_result(film: Film | None) -> RouteResult | None:
+    return None if film is None else RouteResult(
+        film=film.film, eccentricity=film.eccentricity, sommerfeld=film.sommerfeld, friction_variable=film.friction_variable,
+        friction_coefficient=film.friction_coefficient, friction_power=film.friction_power, temperature_rise=film.temperature_rise,
+        oil_flow=film.oil_flow, attitude_angle=film.attitude)  # fmt: skip
 
 
 @result
@@ -114,8 +107,8 @@ class BearingResult:
     dynamics: Dynamics = group()
     standing: StandingResult | None = group(spread=True, default=None)
     hot: Film
-    seat: Seat
-    duty: Duty
+    seat: BearingCase
+    duty: OperatingPoint
     sweep: Sweep
     side: Side
     over_clearance: Film

@@ -3,81 +3,83 @@
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
-
-import numpy as np
+from math import isfinite
+from typing import NamedTuple
 
 from ..catalogue import Material, Oil
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..fits import deviations, parse
 from ..lubricant import Lubricant
+from ..sheet.arrays import many
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
+from ..sheet.remedy import by_key
 from ..sheet.step import Outcome
+from ..sheet.text import EMPTY, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from .checks import checks
 from .corners import corner_points, corners, corners_table
+from .curves import clearance_points, curves
 from .film import short_bearing as short
 from .film.dynamics import dynamics
-from .inputs import BearingInputs, BearingsInputs
-from .pairing.data import application, running_surface
-from .pairing.formulas import film_duty, load_times_speed
-from .pairing.pairing import Journal, Running, application_checks, reference_table
-from .pairing.pairing import checks as pairing_checks
-from .pairing.pairing import table as bushes_table
-from .pictures import clearance_points, curves
-from .remarks import errata, notes
+from .inputs import IN_WORDS, PLACES, BearingInputs, BearingsInputs
+from .materials.data import application, running_surface
+from .materials.formulas import film_duty, load_times_speed
+from .materials.suitability import Journal, Running, application_checks, reference_table
+from .materials.suitability import checks as pairing_checks
+from .materials.suitability import table as bushes_table
+from .notes import errata, notes
 from .result import BearingResult, BearingsResult, route_result
+from .rotating_load import loads_beside
 from .routes import supply
-from .routes.balance import balanced, settled_together
+from .routes.balance import balanced, closed, settled_together
 from .routes.routes import own_warm
-from .routes.side_by_side import routes_table, side_by_side
-from .routes.states import Duty, Film, Seat
+from .routes.side_by_side import ROUTES, routes_table, side_by_side
+from .routes.states import BearingCase, Film, OperatingPoint
 from .sweep import TURNING, Sweep, sweep, sweep_points
-from .turn import loads_beside
 
-PLACES = ("front", "rear")
+
+class BearingMaterials(NamedTuple):
+    """What the bearings run with: their oil, the material of the journals and that of the housing."""
+
+    oil: Oil
+    journal: Material
+    housing: Material
 
 
 def solve(
-    bearings: BearingsInputs, shaft: CountershaftResult | None, engine: EngineInputs | None, oil: Oil, journal: Material, housing: Material
-) -> Outcome:
+    bearings: BearingsInputs, shaft: CountershaftResult | None, engine: EngineInputs | None, solids: BearingMaterials
+) -> Outcome[BearingsResult]:
     """Front and rear bearing under the loads given, or the shaft's reactions, which turn with it and grow with its speed squared."""
     speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
     tables = []
     with trace() as lines:
-        with about("oil"):
-            lubricant = Lubricant(oil, bearings.viscosity_law)
+        with about(Text("oil")):
+            lubricant = Lubricant(solids.oil, bearings.viscosity_law)
         for place in PLACES:
-            with about(f"{place} bearing"):
+            with about(Text("{place} bearing", place=IN_WORDS[place])):
                 bearing: BearingInputs = getattr(bearings, place)
-                seat = Seat(bearing, bearings, lubricant, clearance_of(bearings, bearing, speed), journal.expansion, housing.expansion)
-                load = _load(place, bearing, shaft)
-                slope = _slope(place, bearings, shaft)
+                clearance = clearance_of(bearings, bearing, speed)
+                seat = BearingCase(bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion)
+                load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
             tables += [routes_table(place, results[place].side), corners_table(place, results[place].corners, bearings)]
-    found = tuple(c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r)))
-    found += tuple(_slopes_given(bearings, shaft))
+    every = [c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r))]
+    every += _slopes_given(bearings, shaft)
     surface = bearings.bush_material or bearings.housing_material
     runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
     tables.append(bushes_table(runs, surface))
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     tables.append(reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items()))
-    return Outcome(
-        "bearings",
-        result=BearingsResult(bearings=results),
-        checks=found,
-        lines=tuple(lines),
-        curves=tuple(c for place, r in results.items() for c in curves(place, r)),
-        tables=tuple(tables),
-        errata=tuple(e for place, r in results.items() for e in errata(place, r)),
-        notes=notes(bearings, shaft, results),
-    )
+    return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
+        curves=tuple(c for place, r in results.items() for c in curves(place, r)), tables=tuple(tables),
+        errata=tuple(e for place, r in results.items() for e in errata(place, r)), notes=notes(bearings, shaft, results))  # fmt: skip
 
 
 def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
@@ -88,8 +90,7 @@ def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
         yield from pairing_checks(place, surface, r.specific_load, r.pressure_velocity, r.outlet_temperature)
     yield from application_checks(
         place, application(inputs.application), p=r.specific_load, pv=r.pressure_velocity, mu=r.hot.oil.mu, mu_n_over_p=r.duty_number,
-        psi=r.clearance / bearing.diameter, l_over_d=r.length_ratio,
-    )  # fmt: skip
+        psi=r.clearance / bearing.diameter, l_over_d=r.length_ratio)  # fmt: skip
 
 
 def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSecond) -> Metre:
@@ -98,7 +99,10 @@ def clearance_of(inputs: BearingsInputs, bearing: BearingInputs, speed: RevPerSe
         return bearing.clearance
     if bearing.clearance_factor is not None:
         return f.clearance_by_factor(K=bearing.clearance_factor, d=bearing.diameter, u=f.surface_speed(d=bearing.diameter, n=speed))
-    (ei, es), (EI, ES) = (deviations(parse(fit), bearing.diameter) for fit in (inputs.journal_fit, inputs.seat_fit))
+    (ei, es), (EI, ES) = (
+        tuple(based_on(x, fit, bearing.diameter) for x in deviations(parse(fit), bearing.diameter))
+        for fit in (inputs.journal_fit, inputs.seat_fit)
+    )
     return f.clearance_of_fits(EI=EI, ES=ES, ei=ei, es=es)
 
 
@@ -107,53 +111,53 @@ def _load(place: str, bearing: BearingInputs, shaft: CountershaftResult | None) 
         return bearing.load
     load: float = 0.0 if shaft is None else shaft.reaction_front if place == "front" else shaft.reaction_rear
     if load <= 0:
-        raise NoSolution(f"the {place} bearing carries no load", "", "give the counter-shaft eccentric masses that balance a couple")
+        advice = Text("give the counter-shaft eccentric masses that balance a couple")
+        raise NoSolution(Text("the {place} bearing carries no load", place=IN_WORDS[place]), EMPTY, advice)
     return load
 
 
 def _slope(place: str, inputs: BearingsInputs, shaft: CountershaftResult | None) -> float:
     """As given, else as the counter-shaft's bending has it; zero where neither is known."""
-    at = 0 if place == "front" else -1
     if inputs.slope is not None:
-        return inputs.slope[at]
-    if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
-        return 0.0
-    return (shaft.slope_front, shaft.slope_rear)[at]
+        return inputs.slope[0 if place == "front" else -1]
+    slope = None if shaft is None else shaft.slope_front if place == "front" else shaft.slope_rear
+    return 0.0 if slope is None else slope
 
 
 def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None) -> Iterator[Check]:
     """Slopes that are given, held against those of the shaft as this design bends it."""
-    if inputs.slope is None or shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
-        return
+    if inputs.slope is None or shaft is None or shaft.bending is None or shaft.slope_front is None or shaft.slope_rear is None:
+        return  # where nothing bends, the shaft has its slopes from here
     for place, at, bent in (("front", 0, shaft.slope_front), ("rear", -1, shaft.slope_rear)):
-        if bent is not inputs.slope[at]:  # where nothing bends, the shaft has them from here
-            yield check(
-                f"bearings.{place}.slope_given", f"Slope as given, {place}, against that of the shaft's bending", inputs.slope[at], ">=",
-                bent, "mrad", "bending of the stepped shaft, with the stiffness share of its sectors",
-                "Take out bearings.slope_mrad: the slope is then that of the bending, and the film at the edge follows it.", kind="advice",
-            )  # fmt: skip
+        yield check(
+            f"bearings.{place}.slope_given", Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
+            inputs.slope[at], ">=",
+            bent, "mrad", Text("bending of the stepped shaft, with the stiffness share of its sectors"),
+            remedies=by_key(BearingsInputs, "bearings.slope_mrad", None, effect=Text("the slope is then that of the bending")))  # fmt: skip
 
 
-def _duty(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> Duty:
-    n_B = f.bush_speed(i_B=inputs.bush_speed_ratio, n_J=speed) if inputs.bush_speed_ratio else 0.0
-    n_F = speed if inputs.load_speed_ratio == 1 else f.load_speed(i_F=inputs.load_speed_ratio, n_J=speed)
+def operating_point(inputs: BearingsInputs, load: float, speed: RevPerSecond) -> OperatingPoint:
+    i_B, i_F = inputs.bush_speed_ratio, inputs.load_speed_ratio
+    n_B = f.bush_speed(i_B=i_B, n_J=speed) if i_B else based_on(0.0, i_B)
+    n_F = based_on(speed, speed, i_F) if i_F == 1 else f.load_speed(i_F=i_F, n_J=speed)
     n_h = f.effective_speed(n_J=speed, n_B=n_B, n_F=n_F)
-    slides = 1.0 if n_F in (0.0, speed) and not n_B else f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
-    return Duty(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
+    slides = based_on(1.0, i_B, i_F) if n_F in (0.0, speed) and not n_B else f.sliding_ratio(n_J=speed, n_B=n_B, n_h=n_h)
+    return OperatingPoint(load, speed, n_h, slides, inputs.supply_temperature, inputs.supply_pressure)
 
 
-def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...]) -> BearingResult:
+def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: RevPerSecond, bench: tuple[BenchPoint, ...]) -> BearingResult:
     inputs, bearing = seat.inputs, seat.bearing
     d, l = bearing.diameter, bearing.length
-    n_s = f.sliding_speed(n_J=speed, n_B=inputs.bush_speed_ratio * speed) if inputs.bush_speed_ratio else speed
+    i_B = inputs.bush_speed_ratio
+    n_s = f.sliding_speed(n_J=speed, n_B=based_on(i_B * speed, i_B, speed)) if i_B else based_on(speed, speed, i_B)
     u = f.surface_speed(d=d, n=n_s)
-    duty = _duty(inputs, load, speed)
-    with about(f"{place} bearing, judged"):
+    duty = operating_point(inputs, load, speed)
+    with about(Text("{place} bearing, judged", place=IN_WORDS[place])):
         hot = balanced(own_warm, seat, duty)
         edge = f.film_at_edge(h_0=hot.film, theta=slope, l=l)
         # a groove parts the bearing into two lands: p, l/d and the speeds are those of the lands
         lands = supply.lands(inputs)
-        bare = l if lands == 1 else l - (inputs.groove_width or 0.0)
+        bare = l if lands == 1 else based_on(l - (inputs.groove_width or 0.0), l, inputs.groove_width)
         p = f.specific_load(F=load, d=d, l=bare)
         W = f.heat_index(F=load, n=speed, l=l)
         pv = load_times_speed(p=p, u=u)
@@ -167,77 +171,40 @@ def _bearing(place: str, seat: Seat, load: float, slope: float, speed: RevPerSec
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
-    ratio = f.length_ratio(l=bare / 2 if lands == 2 else bare, d=d)
-    with about(f"{place} bearing, oil supply"):
+    ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
+    with about(Text("{place} bearing, oil supply", place=IN_WORDS[place])):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
     side = side_by_side(place, seat, duty, ratio)
-    with about(f"{place} bearing, dynamics"):
+    with about(Text("{place} bearing, dynamics", place=IN_WORDS[place])):
         moving = dynamics(hot, duty, seat, ratio)
-    twice = replace(duty, load=2 * load)
-    asked = (
-        corner_points(seat, duty), sweep_points(seat, speed, bench, duty), clearance_points(seat, duty), (seat, twice),
-        loads_beside(seat, duty),
-    )  # fmt: skip
-    at_corners, over_speeds, over_clearance, at_twice, beside = settled_together(asked)
-    with about(f"{place} bearing, twice the load"):
-        doubled = _at_known_rise(seat, twice, at_twice)
-    with about(f"{place} bearing, corners of the tolerances"):
-        found = corners(seat, duty, slope, at_corners, f"{place} bearing")
-    swept = sweep(speed, inputs, bool(bench), asked[1][1], over_speeds)
-    with about(f"{place} bearing, speed of the thinnest film"):
-        thinnest = _thinnest(seat, duty, swept)
-    routes: dict[str, Any] = {name: route_result(film) for name, film in side.films.items()}
-    return BearingResult(
-        film=hot.film,
-        film_edge=edge,
-        film_double_load=doubled.film if doubled else None,
-        speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=None if thinnest is None else thinnest.film,
-        eccentricity=hot.eccentricity,
-        attitude_angle=hot.attitude or 0.0,
-        sommerfeld=hot.sommerfeld,
-        friction_coefficient=hot.friction_coefficient,
-        friction_power=hot.friction_power,
-        oil_flow=hot.oil_flow,
-        side_flow=hot.side_flow,
-        supply_flow=hot.supply_flow if hot.side_flow is not None else None,
-        feed_blocked_arc=blocked,
-        temperature_rise=hot.temperature_rise,
-        outlet_temperature=outlet,
-        film_pressure_max=hot.largest_pressure or 0.0,
-        clearance=seat.clearance,
-        clearance_hot=hot.clearance,
-        clearance_cold=cold,
-        relative_clearance=hot.relative_clearance,
-        load=load,
-        specific_load=p,
-        pressure_velocity=pv,
-        heat_index=W,
-        surface_speed=u,
-        shear_rate=shear,
-        length_ratio=ratio,
-        transition_speed=n_T,
-        least_speed=least,
-        least_speed_uncapped=uncapped,
-        mckee_number=mckee,
-        duty_number=number,
-        kreisle_film=kreisle,
-        trumpler_film=trumpler,
-        routes_spread=side.spread,
-        **routes,
-        corners=found,
-        dynamics=moving,
-        hot=hot,
-        seat=seat,
-        duty=duty,
-        sweep=swept,
-        side=side,
-        over_clearance=over_clearance,
-        beside=beside,
+    twice = replace(duty, load=based_on(2 * load, load))
+    speeds = sweep_points(seat, speed, bench, duty)
+    at_corners, over_speeds, over_clearance, at_twice, beside = settled_together(
+        (corner_points(seat, duty), speeds, clearance_points(seat, duty), (seat, twice), loads_beside(seat, duty))
     )
+    with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
+        doubled = _at_known_rise(seat, twice, at_twice)
+    with about(Text("{place} bearing, corners of the tolerances", place=IN_WORDS[place])):
+        at_worst = corners(seat, duty, slope, at_corners, Text("{place} bearing", place=IN_WORDS[place]))
+    swept = sweep(speed, inputs, bool(bench), speeds[1], over_speeds)
+    with about(Text("{place} bearing, speed of the thinnest film", place=IN_WORDS[place])):
+        thinnest = _thinnest(seat, duty, swept)
+    reynolds, raimondi_boyd, din31652, short_bearing = (route_result(side.films.get(name)) for name in ROUTES)
+    return BearingResult(
+        film=hot.film, film_edge=edge, film_double_load=doubled.film if doubled else None, speed_of_thinnest_film=swept.thinnest_speed,
+        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, attitude_angle=hot.attitude or 0.0,
+        sommerfeld=hot.sommerfeld, friction_coefficient=hot.friction_coefficient, friction_power=hot.friction_power, oil_flow=hot.oil_flow,
+        side_flow=hot.side_flow, supply_flow=hot.supply_flow if hot.side_flow is not None else None, feed_blocked_arc=blocked,
+        temperature_rise=hot.temperature_rise, outlet_temperature=outlet, film_pressure_max=hot.largest_pressure or 0.0,
+        clearance=seat.clearance, clearance_hot=hot.clearance, clearance_cold=cold, relative_clearance=hot.relative_clearance, load=load,
+        specific_load=p, pressure_velocity=pv, heat_index=W, surface_speed=u, shear_rate=shear, length_ratio=ratio, transition_speed=n_T,
+        least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
+        trumpler_film=trumpler, routes_spread=side.spread, reynolds=reynolds, raimondi_boyd=raimondi_boyd,
+        din31652=din31652, short_bearing=short_bearing, corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty,
+        sweep=swept, side=side, over_clearance=over_clearance, beside=beside)  # fmt: skip
 
 
-def _thinnest(seat: Seat, duty: Duty, swept: Sweep) -> Film | None:
+def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:
     """The film at the speed where it is thinnest, by lines of the calculation, at the rise that is known."""
     if swept.thinnest is None:
         return None
@@ -245,19 +212,18 @@ def _thinnest(seat: Seat, duty: Duty, swept: Sweep) -> Film | None:
     n = swept.speeds[at]
     load = f.load_at_speed(F=duty.load, n=n, n_0=duty.speed) if seat.inputs.load_speed_ratio == TURNING else duty.load
     slower = replace(
-        duty, load=load, speed=n, effective_speed=duty.effective_speed * (n / duty.speed),
-        supply_temperature=swept.temperatures[at], supply_pressure=swept.pressures[at],
-    )  # fmt: skip
-    return own_warm(seat, slower, swept.rises[at])
+        duty, load=load, speed=n, effective_speed=based_on(duty.effective_speed * (n / duty.speed), duty.effective_speed, n, duty.speed),
+        supply_temperature=swept.temperatures[at], supply_pressure=swept.pressures[at])  # fmt: skip
+    return closed(own_warm, seat, slower, swept.rises[at])
 
 
-def _at_known_rise(seat: Seat, duty: Duty, known: Film) -> Film | None:
+def _at_known_rise(seat: BearingCase, duty: OperatingPoint, known: Film) -> Film | None:
     """The one film that is known, by lines of the calculation; None where no film carries the load: the check on it fails."""
-    rise: Any = known.temperature_rise
-    return own_warm(seat, duty, float(rise[0])) if np.isfinite(rise[0]) else None
+    rise = float(many(known.temperature_rise)[0])
+    return closed(own_warm, seat, duty, rise) if isfinite(rise) else None
 
 
-def _blocked_arc(inputs: BearingsInputs, duty: Duty, hot: Film, ratio: Number) -> Radian | None:
+def _blocked_arc(inputs: BearingsInputs, duty: OperatingPoint, hot: Film, ratio: Number) -> Radian | None:
     """Over which angles the film holds the supply back; asked where the load sweeps over a hole or pocket."""
     if inputs.supply == "groove" or supply.keeps_its_angle(inputs) or duty.supply_pressure <= 0:
         return None

@@ -2,14 +2,17 @@
 """The film over the speeds: where it is thinnest is found, not assumed."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import BenchPoint
+from ..sheet.arrays import Array, each, many
+from ..sheet.linked_array import elements, gathered, item, linked_array
 from ..sheet.record import record
-from .inputs import BearingsInputs
-from .routes.states import Duty, Film, Seat
+from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.value import based_on, joined_links
+from .inputs import IN_WORDS, BearingsInputs
+from .routes.states import BearingCase, Film, OperatingPoint
 
 STEPS_WITHOUT_BENCH = 25
 BETWEEN = 2  # further points between two rows of the bench run, its oil interpolated
@@ -33,32 +36,40 @@ class Sweep:
     rated: float
     bench: bool  # its rows are those of the engine's bench run
 
-    def gaps(self, place: str) -> str:
+    def gaps(self, place: str) -> Text:
         """The speeds without a film in the range of the table; empty where each has one."""
         missing = [n for n, film in zip(self.speeds, self.films) if not np.isfinite(film)]
         if not missing:
-            return ""
-        span = f"from {min(missing) * 60:.0f} to {max(missing) * 60:.0f} rpm" if len(missing) > 1 else f"at {missing[0] * 60:.0f} rpm"
-        return f"At {len(missing)} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the others."
+            return EMPTY
+        low, high = (Amount(n * 60, form=".0f") for n in (min(missing), max(missing)))
+        several = len(missing) > 1
+        span = Text("from {missing} to {missing2} rpm", missing=low, missing2=high) if several else Text("at {missing} rpm", missing=low)
+        return Text("At {count} of the speeds, {span}, no film of the {place} bearing is found: the thinnest is that of the others.",
+            count=len(missing), span=span, place=IN_WORDS[place])  # fmt: skip
 
-    def why(self, place: str) -> str:
+    def why(self, place: str) -> Text:
         """Why the thinnest film is not that of the highest speed; empty where it is."""
         if self.thinnest is None or self.thinnest_speed is None or self.thinnest_film is None:
-            return ""
+            return EMPTY
         last = max(i for i, film in enumerate(self.films) if np.isfinite(film))
         here = self.thinnest
         if last == here:
-            return ""
-        fastest = f"{self.speeds[last] * 60:.0f} rpm, whose oil comes at {self.temperatures[last]:.1f} °C"
+            return EMPTY
+        speed, oil = Amount(self.speeds[last] * 60, form=".0f"), Amount(self.temperatures[last], form=".1f")
+        fastest = Text("{speeds} rpm, whose oil comes at {temperatures} °C", speeds=speed, temperatures=oil)
         above = self.bench and self.speeds[last] > self.rated * (1 + 1e-9)
-        unloaded = " (above the rated speed: run without load, it does not govern)" if above else ""
-        return (
-            f"The {place} bearing's film is thinnest at {self.thinnest_speed * 60:.0f} rpm, {self.thinnest_film * 1e6:.2f} µm with oil of "
-            f"{self.temperatures[here]:.1f} °C, and not at {fastest}{unloaded}."
-        )
+        unloaded = Text(" (above the rated speed: run without load, it does not govern)") if above else ""
+        return Text(
+            "The {place} bearing's film is thinnest at {thinnest_speed} rpm, {thinnest_film} µm with oil of "
+            "{temperatures} °C, and not at {fastest}{unloaded}.", place=IN_WORDS[place],
+            thinnest_speed=Amount(self.thinnest_speed * 60, form=".0f"),
+            thinnest_film=Amount(self.thinnest_film * 1e6, form=".2f"), temperatures=Amount(self.temperatures[here], form=".1f"),
+            fastest=fastest, unloaded=unloaded)  # fmt: skip
 
 
-def sweep_points(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: Duty) -> tuple[Seat, Duty]:
+def sweep_points(
+    seat: BearingCase, rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint
+) -> tuple[BearingCase, OperatingPoint]:
     """Each row of the bench run and between them, or a range of speed with the design's oil supply.
 
     A load that turns with the journal grows with the square of the speed, any other stays; the clearance is made once and warm at each
@@ -68,48 +79,48 @@ def sweep_points(seat: Seat, rated: float, bench: tuple[BenchPoint, ...], duty: 
     ratio = speeds / rated
     turns = seat.inputs.load_speed_ratio == TURNING
     return seat, replace(
-        duty,
-        load=duty.load * ratio**2 if turns else duty.load,
-        speed=speeds,
-        effective_speed=duty.effective_speed * ratio,
-        supply_temperature=temperatures,
-        supply_pressure=pressures,
-    )
-
-
-def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: Duty, film: Film) -> Sweep:
-    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not govern."""
-    speeds: Any = at.speed
-    temperatures: Any = at.supply_temperature
-    pressures: Any = at.supply_pressure
-    h_0: Any = film.film
-    rises: Any = film.temperature_rise
-    power: Any = film.friction_power
-    governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
-    found = not np.isnan(governing).all()
-    least = int(np.nanargmin(governing)) if found else 0
-    return Sweep(
-        tuple(speeds.tolist()), tuple(temperatures.tolist()), tuple(pressures.tolist()), tuple(rises.tolist()), tuple(h_0.tolist()),
-        tuple(power.tolist()),
-        least if found else None, float(speeds[least]) if found else None, float(governing[least]) if found else None, rated,
-        inputs.speed_range is None and bench,
+        duty, load=each(duty.load * ratio**2) if turns else duty.load, speed=each(speeds),
+        effective_speed=each(duty.effective_speed * ratio), supply_temperature=each(temperatures), supply_pressure=each(pressures),
     )  # fmt: skip
 
 
-def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: Duty, inputs: BearingsInputs) -> tuple[Any, Any, Any]:
-    """Speeds in order, with the temperature and pressure of the oil supplied."""
-    rows = np.array(sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench)).reshape(-1, 3)
-    if inputs.speed_range is None and (rows[:, 0] <= rated * (1 + 1e-9)).any():
+def sweep(rated: float, inputs: BearingsInputs, bench: bool, at: OperatingPoint, film: Film) -> Sweep:
+    """`at`, `film`: the points.  Bench rows above the rated speed are run without load: they are shown, and do not govern."""
+    speeds, temperatures, pressures = many(at.speed), many(at.supply_temperature), many(at.supply_pressure)
+    h_0, rises, power = many(film.film), many(film.temperature_rise), many(film.friction_power)
+    governing = np.where(speeds <= (rated if inputs.speed_range is None else np.inf) * (1 + 1e-9), h_0, np.nan)
+    any_film = not np.isnan(governing).all()
+    least = int(np.nanargmin(governing)) if any_film else 0
+    at_thinnest = based_on(item(speeds[least]), speeds[least], inputs.load_speed_ratio)
+    return Sweep(
+        elements(speeds), elements(temperatures), elements(pressures), tuple(rises.tolist()), tuple(h_0.tolist()), tuple(power.tolist()),
+        least if any_film else None, at_thinnest if any_film else None, float(governing[least]) if any_film else None, rated,
+        inputs.speed_range is None and bench)  # fmt: skip
+
+
+def _rows(rated: float, bench: tuple[BenchPoint, ...], duty: OperatingPoint, inputs: BearingsInputs) -> tuple[Array, Array, Array]:
+    """Speeds in order, with the temperature and pressure of the oil supplied: three arrays of shape (n,)."""
+    of_rows = tuple(map(gathered, zip(*sorted((row.speed, row.oil_temperature, row.oil_pressure) for row in bench)))) or (np.zeros(0),) * 3
+    rows = np.stack([np.asarray(column) for column in of_rows], 1)
+    with_bench, under_load = inputs.speed_range is None and len(rows) > 0, rows[:, 0] <= rated * (1 + 1e-9)
+    if with_bench and under_load.any():
         place = np.linspace(0, len(rows) - 1, (len(rows) - 1) * (BETWEEN + 1) + 1)
-        loaded = place <= (rows[:, 0] <= rated * (1 + 1e-9)).sum() - 1  # between a loaded and an unloaded row nothing is known
+        loaded = place <= under_load.sum() - 1  # between a loaded and an unloaded row nothing is known
         place = place[loaded | (place == np.round(place))]
-        return tuple(np.interp(place, np.arange(len(rows)), rows[:, i]) for i in range(3))
+        speeds, temperatures, pressures = (_between(place, column) for column in of_rows)
+        return speeds, temperatures, pressures
     low, high = inputs.speed_range or (SLOWEST * rated, rated)
-    speeds = np.linspace(low, high, STEPS_WITHOUT_BENCH)
-    if inputs.speed_range is None and len(rows):
-        speeds = np.append(speeds, rows[:, 0])
-    own = np.full(speeds.shape, 1.0)
-    temperatures, pressures = duty.supply_temperature * own, duty.supply_pressure * own
-    if inputs.speed_range is None and len(rows):
-        temperatures[-len(rows) :], pressures[-len(rows) :] = rows[:, 1], rows[:, 2]
+    speeds = based_on(np.linspace(low, high, STEPS_WITHOUT_BENCH), low, high)
+    T_in, p_s = duty.supply_temperature, duty.supply_pressure
+    own: list[Array] = [speeds, based_on(np.full(speeds.shape, T_in), T_in), based_on(np.full(speeds.shape, p_s), p_s)]
+    speeds, temperatures, pressures = (gathered([*alone, *row]) for alone, row in zip(own, of_rows)) if with_bench else own
     return speeds, temperatures, pressures
+
+
+def _between(place: Array, numbers: Array) -> Array:
+    """Numbers of a row at whole and broken places, linear between, each with the links of those on either side of it."""
+    parts = getattr(numbers, "parts", ())
+    low, high = np.floor(place).astype(int), np.ceil(place).astype(int)
+    links = tuple(joined_links((parts[i], parts[k])) for i, k in zip(low, high)) if parts else ()
+    between: Array = linked_array(np.interp(place, np.arange(len(numbers)), numbers), joined_links(links), links)
+    return between

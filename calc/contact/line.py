@@ -8,9 +8,10 @@ E: contact ends.  The pair is loaded alone from B to D.  Speeds are those of the
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, modulus, pi
+from ..sheet.text import Text
 from ..sheet.units import Metre, MetrePerSecond, Number, Radian, RevPerSecond
 
-GEOMETRY = "ISO 21771:2007, as generally published"
+GEOMETRY = Text("ISO 21771:2007, as generally published")
 
 
 @formula("ρ_B", "geometry: one base pitch before the end of contact", unit="mm")
@@ -23,18 +24,23 @@ def sole_contact_ends(rho_A: Metre, p_bt: Metre) -> Metre:
     return rho_A + p_bt
 
 
-@formula("ρ_C", f"{GEOMETRY}: the driver's radius of curvature at the pitch point", unit="mm", names={"T": "T_1T_2"})
+@formula(
+    "ρ_C", Text("{geometry}: the driver's radius of curvature at the pitch point", geometry=GEOMETRY), unit="mm", names={"T": "T_1T_2"}
+)
 def pitch_point(T: Metre, z_1: Number, z_2: Number) -> Metre:
     return T * z_1 / (z_1 + z_2)
 
 
-@formula("ρ_2", f"{GEOMETRY}: radius of curvature of the driven flank", unit="mm", names={"T": "T_1T_2"})
+@formula("ρ_2", Text("{geometry}: radius of curvature of the driven flank", geometry=GEOMETRY), unit="mm", names={"T": "T_1T_2"})
 def driven_curvature(T: Metre, rho_1: Metre) -> Metre:
     return T - rho_1
 
 
 @formula("ρ_rel", "ISO/TR 13989-1:2000 (6): relative radius of curvature, transverse", unit="mm")
 def relative_radius(rho_1: Metre, rho_2: Metre) -> Metre:
+    """>>> relative_radius(rho_1=0.009905, rho_2=0.01426)
+    0.005845036...
+    """
     return rho_1 * rho_2 / (rho_1 + rho_2)
 
 

@@ -6,12 +6,13 @@ from typing import Annotated
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi
+from ..sheet.text import Text
 from ..sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, PascalSecond, Radian, Watt
 
 WattPerSquareMetre = Annotated[float, "W/m²"]
 
-ISO = "ISO/TR 15144-1:2014"
-AS_FOUND = "as generally published"
+ISO = Text("ISO/TR 15144-1:2014")
+AS_FOUND = Text("as generally published")
 MICROMETRE: Metre = 1e-6
 MILLIMETRE: Metre = 1e-3
 METRE_PER_SECOND: MetrePerSecond = 1.0
@@ -27,24 +28,27 @@ LUBRICANT_FACTOR = {"mineral": 1.0, "PAO": 0.8, "PAG": 0.7}
 LUBRICATION_FACTOR = {"spray": 1.2, "dip": 1.0, "submerged": 0.2}
 
 
-@formula("Ra", f"{ISO} (3): mean roughness of both flanks", unit="µm")
+@formula("Ra", Text("{iso} (3): mean roughness of both flanks", iso=ISO), unit="µm")
 def mean_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     return (Ra_1 + Ra_2) / 2
 
 
-@formula("v_Σ,C", f"{ISO} (13), {AS_FOUND}: sum of the rolling speeds at the pitch point, where both are the same")
+@formula(
+    "v_Σ,C",
+    Text("{iso} (13), {as_found}: sum of the rolling speeds at the pitch point, where both are the same", iso=ISO, as_found=AS_FOUND),
+)
 def sum_of_speeds(v_C: MetrePerSecond) -> MetrePerSecond:
     return 2 * v_C
 
 
-@formula("X_R", f"{ISO} (87), {AS_FOUND}: roughness factor", names={"rho_nC": "ρ_n,C"})
+@formula("X_R", Text("{iso} (87), {as_found}: roughness factor", iso=ISO, as_found=AS_FOUND), names={"rho_nC": "ρ_n,C"})
 def roughness_factor(Ra: Metre, rho_nC: Metre) -> Number:
     return 2.2 * (Ra / MICROMETRE / (rho_nC / MILLIMETRE)) ** 0.25
 
 
 @formula(
     "μ_m",
-    f"{ISO} (86), {AS_FOUND}: mean coefficient of friction",
+    Text("{iso} (86), {as_found}: mean coefficient of friction", iso=ISO, as_found=AS_FOUND),
     names={"v_SumC": "v_Σ,C", "rho_nC": "ρ_n,C", "eta": "η_oil", "K_Bgamma": "K_Bγ"},
 )
 def mean_friction(
@@ -56,21 +60,28 @@ def mean_friction(
     )  # fmt: skip
 
 
-@formula("H_v", f"Ohlendorf 1958, {ISO} (91), {AS_FOUND}: loss factor, ε_α below 2; exact where two pairs share the load half and half")
+@formula(
+    "H_v",
+    Text(
+        "Ohlendorf 1958, {iso} (91), {as_found}: loss factor, ε_α below 2; exact where two pairs share the load half and half",
+        iso=ISO,
+        as_found=AS_FOUND,
+    ),
+)
 def ohlendorf_loss_factor(eps_1: Number, eps_2: Number, eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
     return (eps_1**2 + eps_2**2 + 1 - eps_alpha) * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
-@formula("H_v", f"{ISO} (92), {AS_FOUND}: loss factor, ε_α of 2 and more")
+@formula("H_v", Text("{iso} (92), {as_found}: loss factor, ε_α of 2 and more", iso=ISO, as_found=AS_FOUND))
 def ohlendorf_loss_factor_high(eps_alpha: Number, z_1: Number, z_2: Number, beta_b: Radian) -> Number:
     return 0.5 * eps_alpha * (1 / z_1 + 1 / z_2) * pi / cos(beta_b)
 
 
-@formula("ΔΘ_M", f"{ISO} (84), {AS_FOUND}: teeth above oil", names={"X_Ca": "X_Ca"})
+@formula("ΔΘ_M", Text("{iso} (84), {as_found}: teeth above oil", iso=ISO, as_found=AS_FOUND), names={"X_Ca": "X_Ca"})
 def bulk_rise(P: Watt, mu_m: Number, H_v: Number, a: Metre, b: Metre, X_S: Number, X_Ca: Number) -> Kelvin:
     return RISE * (P * mu_m * H_v / (KILOWATT_PER_SQUARE_MILLIMETRE * a * b)) ** 0.72 * X_S / (1.2 * X_Ca)
 
 
-@formula("Θ_M", f"{ISO} (84), {AS_FOUND}: bulk temperature", names={"T_oil": "Θ_oil", "Delta_T": "ΔΘ_M"})
+@formula("Θ_M", Text("{iso} (84), {as_found}: bulk temperature", iso=ISO, as_found=AS_FOUND), names={"T_oil": "Θ_oil", "Delta_T": "ΔΘ_M"})
 def bulk_temperature(T_oil: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_oil + Delta_T

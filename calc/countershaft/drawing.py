@@ -8,8 +8,11 @@ of the first eccentric sector; in a cross-section, "up" is that direction too an
 import math
 from itertools import pairwise
 
+import numpy as np
+
 from ..sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
-from ..sheet.step import Curve, Series
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre, Radian
 from .outline import TOUCH, Outline, Piece
 
@@ -63,11 +66,11 @@ def silhouette(outline: Outline) -> tuple[Point, ...]:
 def support_marks(outline: Outline, positions: tuple[Metre, ...]) -> tuple[tuple[Point, ...], ...]:
     """A triangle under the shaft for each support, its tip in the support's mid-plane."""
     up, size = upwards(outline), 2 * LETTER * (outline.end - outline.start)
-    found = []
+    marks = []
     for z in positions:
         low = max((reach(p, up)[1] for p in outline.pieces if p.start - TOUCH <= z <= p.end + TOUCH), default=0.0)
-        found.append(((z, -low), (z + size / 2, -low - size), (z - size / 2, -low - size)))
-    return tuple(found)
+        marks.append(((z, -low), (z + size / 2, -low - size), (z - size / 2, -low - size)))
+    return tuple(marks)
 
 
 def axis(outline: Outline) -> tuple[Point, Point]:
@@ -80,7 +83,7 @@ def _edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
     """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with its core."""
     if piece.half_angle is None or math.pi - piece.half_angle < FLAT:
         return []
-    found = []
+    edges = []
     high, low = reach(piece, up)
     for side in (1.0, -1.0):
         angle = piece.angle - up + side * piece.half_angle
@@ -88,8 +91,8 @@ def _edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
         for radius, seen in ((piece.outer_radius, near), (piece.core_radius, near and faces)):
             y = radius * math.cos(angle)
             if seen and radius and -low + TOUCH < y < high - TOUCH:
-                found.append(((piece.start, y), (piece.end, y)))
-    return found
+                edges.append(((piece.start, y), (piece.end, y)))
+    return edges
 
 
 def _section(piece: Piece, up: Radian, centre: Point) -> list[Primitive]:
@@ -100,10 +103,10 @@ def _section(piece: Piece, up: Radian, centre: Point) -> list[Primitive]:
         return [Arc("SECTORS", centre, R, 0.0, 2 * math.pi)]
     middle = math.pi / 2 - (piece.angle - up)  # clockwise from up, as angles of the sheet
     first, last = middle - gamma, middle + gamma
-    made: list[Primitive] = [Arc("SECTORS", centre, R, first, last)]
+    shapes: list[Primitive] = [Arc("SECTORS", centre, R, first, last)]
     for angle in (first, last):
-        made.append(Polyline("SECTORS", (_round(centre, r_0, angle), _round(centre, R, angle))))
-    return [*made, Arc("SECTORS", centre, r_0, last, first + 2 * math.pi)] if r_0 else made
+        shapes.append(Polyline("SECTORS", (_round(centre, r_0, angle), _round(centre, R, angle))))
+    return [*shapes, Arc("SECTORS", centre, r_0, last, first + 2 * math.pi)] if r_0 else shapes
 
 
 def _round(centre: Point, radius: Metre, angle: Radian) -> Point:
@@ -118,17 +121,17 @@ def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, sc
     """
     up, h = upwards(outline), LETTER * (outline.end - outline.start)
     largest = max(max(reach(piece, up)) for piece in outline.pieces)
-    made: list[Primitive] = [Polyline("OUTLINE", silhouette(outline), True), Polyline("AXIS", axis(outline))]
+    shapes: list[Primitive] = [Polyline("OUTLINE", silhouette(outline), True), Polyline("AXIS", axis(outline))]
     for piece in outline.pieces:
         if (layer := LAYER_OF.get(piece.what)) is not None:
             high, low = reach(piece, up)
-            made.append(Polyline(layer, ((piece.start, -low), (piece.end, -low), (piece.end, high), (piece.start, high)), True))
-            made += [Polyline(layer, edge) for edge in _edges(piece, up)]
-    made += [Polyline("SUPPORTS", mark, True) for mark in support_marks(outline, positions)]
-    made += _lengths(outline, positions, largest, h)
-    made += _diameters(outline, h)
-    made += _sections(outline, up, largest, h)
-    return (*made, *_title(outline, up, largest, h, title, scale))
+            shapes.append(Polyline(layer, ((piece.start, -low), (piece.end, -low), (piece.end, high), (piece.start, high)), True))
+            shapes += [Polyline(layer, edge) for edge in _edges(piece, up)]
+    shapes += [Polyline("SUPPORTS", mark, True) for mark in support_marks(outline, positions)]
+    shapes += _lengths(outline, positions, largest, h)
+    shapes += _diameters(outline, h)
+    shapes += _sections(outline, up, largest, h)
+    return (*shapes, *_title(outline, up, largest, h, title, scale))
 
 
 def _lengths(outline: Outline, positions: tuple[Metre, ...], largest: Metre, h: Metre) -> list[Primitive]:
@@ -145,20 +148,20 @@ def _lengths(outline: Outline, positions: tuple[Metre, ...], largest: Metre, h: 
 
 def _diameters(outline: Outline, h: Metre) -> list[Primitive]:
     """One dimension for each kind and size of a full piece, across the longest of them, beside its middle where a support may stand."""
-    made: list[Primitive] = []
+    shapes: list[Primitive] = []
     told = set()
     for piece in sorted(outline.pieces, key=lambda piece: -piece.length):
         size = (piece.what, round(piece.outer_radius, 9))
         if piece.half_angle is None and size not in told:
             told.add(size)
             z, R = piece.start + 0.7 * piece.length, piece.outer_radius
-            made.append(Dimension("DIMENSIONS", (z, -R), (z, R), (z, 0.0), h, upright=True, diameter=True, shift=R / 2))
-    return made
+            shapes.append(Dimension("DIMENSIONS", (z, -R), (z, R), (z, 0.0), h, upright=True, diameter=True, shift=R / 2))
+    return shapes
 
 
 def _sections(outline: Outline, up: Radian, largest: Metre, h: Metre) -> list[Primitive]:
     """A cross-section for each kind of sector, with its letter."""
-    made: list[Primitive] = []
+    shapes: list[Primitive] = []
     letters: dict[tuple[float, ...], str] = {}
     for piece in outline.pieces:
         if piece.half_angle is None:
@@ -170,15 +173,16 @@ def _sections(outline: Outline, up: Radian, largest: Metre, h: Metre) -> list[Pr
             letter = letters[kind] = chr(ord("A") + len(letters)) if len(letters) < 26 else f"A{len(letters) - 25}"
             x, y = _place(len(letters) - 1, outline, largest, h)
             reaches = largest + 2 * h
-            made += [Polyline("AXIS", ((x - reaches, y), (x + reaches, y))), Polyline("AXIS", ((x, y - reaches), (x, y + reaches)))]
-            made += _section(piece, up, (x, y))
-            said = (
-                f"Section {letter}", f"R {_mm(piece.outer_radius)}, core {_mm(piece.core_radius)}",
-                f"half-angle {_degrees(piece.half_angle)}°", f"middle at {_degrees(piece.angle % (2 * math.pi))}°",
+            shapes += [Polyline("AXIS", ((x - reaches, y), (x + reaches, y))), Polyline("AXIS", ((x, y - reaches), (x, y + reaches)))]
+            shapes += _section(piece, up, (x, y))
+            lines = (
+                Text("Section {letter}", letter=letter), Text("R {mm}, core {mm2}", mm=_mm(piece.outer_radius), mm2=_mm(piece.core_radius)),
+                Text("half-angle {degrees}°", degrees=_degrees(piece.half_angle)),
+                Text("middle at {degrees}°", degrees=_degrees(piece.angle % (2 * math.pi))),
             )  # fmt: skip
-            made += [Words("TEXT", (x + reaches + h, y + (2 - 1.7 * i) * h), line, h) for i, line in enumerate(said)]
-        made.append(Words("TEXT", ((piece.start + piece.end) / 2, largest + 2 * h), letter, h))
-    return made
+            shapes += [Words("TEXT", (x + reaches + h, y + (2 - 1.7 * i) * h), line, h) for i, line in enumerate(lines)]
+        shapes.append(Words("TEXT", ((piece.start + piece.end) / 2, largest + 2 * h), letter, h))
+    return shapes
 
 
 def _place(n: int, outline: Outline, largest: Metre, h: Metre) -> Point:
@@ -189,13 +193,14 @@ def _place(n: int, outline: Outline, largest: Metre, h: Metre) -> Point:
 
 
 def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str, scale: str) -> list[Primitive]:
+    degrees = _degrees(up % (2 * math.pi))
     lines = [
-        f"Millimetres, {scale}. z from mid-shaft, to the right towards the flywheel.",
-        f"Drawn up: {_degrees(up % (2 * math.pi))}° from up with cylinder 1 at TDC, in the sense of crank rotation. "
-        "In the sections the crank turns clockwise.",
-    ]
+        Text("Millimetres, {scale}. z from mid-shaft, to the right towards the flywheel.", scale=scale),
+        Text("Drawn up: {degrees}° from up with cylinder 1 at TDC, in the sense of crank rotation. In the sections the "
+            "crank turns clockwise.", degrees=degrees),
+    ]  # fmt: skip
     if outline.derived:
-        lines.append("Put together from masses, core, journals and gear (reference circle); fillets, holes and extras are left out.")
+        lines.append(Text("Put together from masses, core, journals and gear (reference circle); fillets, holes and extras are left out."))
     top = largest + (8 + 1.8 * len(lines)) * h
     small = [Words("TEXT", (outline.start, top - 1.8 * (i + 1) * h), line, h) for i, line in enumerate(lines)]
     return [Words("TEXT", (outline.start, top), title, 1.6 * h), *small]
@@ -212,12 +217,13 @@ def _degrees(angle: Radian) -> str:
 # --- the screen's and the report's ---------------------------------------------------------------------------------------
 def outline_curve(outline: Outline, positions: tuple[Metre, ...]) -> Curve:
     """The side view as a curve in true scale: the points of the drawing, in mm."""
-    names = ("front support", *(f"support {n}" for n in range(2, len(positions))), "rear support")
-    series = [_series("outline", (*silhouette(outline), silhouette(outline)[0])), _series("axis", axis(outline))]
+    names = (Text("front support"), *(Text("support {n}", n=n) for n in range(2, len(positions))), Text("rear support"))
+    series = [_series(Text("outline"), (*silhouette(outline), silhouette(outline)[0])), _series(Text("axis"), axis(outline))]
     series += [_series(name, (*mark, mark[0])) for name, mark in zip(names, support_marks(outline, positions))]
-    return Curve("outline", "Outline of the shaft", "z, mm", "up: first eccentric mass, mm", tuple(series), equal=True)
+    return Curve("outline", Text("Outline of the shaft"), axis_label("z", "mm"), axis_label("up: first eccentric mass", "mm"),
+        tuple(series), equal=True)  # fmt: skip
 
 
-def _series(label: str, points: tuple[Point, ...]) -> Series:
+def _series(label: Text, points: tuple[Point, ...]) -> Series:
     shown = UNITS["mm"].shown
-    return Series(label, [shown(x) for x, _ in points], [shown(y) for _, y in points])
+    return Series(label, np.array([shown(x) for x, _ in points]), np.array([shown(y) for _, y in points]))

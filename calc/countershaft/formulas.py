@@ -7,6 +7,7 @@ TDC.  They turn with the shaft, against the crank.  z from mid-shaft, + towards 
 
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, conj, cos, joined, modulus, pi, resultant, sqrt, tan, total
+from ..sheet.text import Text
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -25,7 +26,7 @@ from ..sheet.units import (
     Watt,
 )  # fmt: skip
 
-TABLE_4_1 = "Finotti 2013, 4.1 (with ω², not ω as printed there)"
+TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
 
 
 @formula("F_S", TABLE_4_1)
@@ -56,6 +57,9 @@ def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Ra
 
 @formula("ω_S", "speed of the shaft", names={"i": "i"})
 def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
+    """>>> shaft_speed(i=-1, omega=272.3)
+    272.3
+    """
     return abs(i) * omega
 
 
@@ -71,6 +75,9 @@ def whole_couple(C_m: PhasorNewtonMetre, C_x: PhasorNewtonMetre) -> PhasorNewton
 
 @formula("ΣU", "static unbalance: rotating force over ω²", unit="g·mm")
 def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
+    """>>> static_unbalance(F_S=6.806, omega=272.3)
+    9.179027...e-05
+    """
     return F_S / omega**2
 
 
@@ -115,11 +122,8 @@ def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> Phasor
     return C_like + C_S
 
 
-@formula(
-    "C_left",
-    "largest couple of that order over a turn: the vectors of both senses in line",
-    names={"C_res": "C_res", "C_against": "C_against"},
-)
+@formula("C_left", "largest couple of that order over a turn: the vectors of both senses in line",
+    names={"C_res": "C_res", "C_against": "C_against"})  # fmt: skip
 def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> NewtonMetre:
     """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of it."""
     return modulus(C_against) + modulus(C_res)
@@ -162,27 +166,28 @@ def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMet
 
 
 # --- what is asked of a shaft to be sized ----------------------------------------------------------------------------------
-@formula(
-    "U_req", "opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm", names={"F_like": "F"}
-)
+@formula("U_req", "opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm",
+    names={"F_like": "F"})  # fmt: skip
 def asked_unbalance(x_o: Number, F_like: PhasorNewton, omega: RadPerSecond) -> PhasorKilogramMetre:
     return -(1 + x_o) * F_like / omega**2
 
 
-@formula(
-    "P_req", "opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²", names={"C_like": "C"}
-)
+@formula("P_req", "opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²",
+    names={"C_like": "C"})  # fmt: skip
 def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
     return -(1 + x_o) * C_like / omega**2
 
 
 # --- what stands still --------------------------------------------------------------------------------------------------------
-GEAR = "components of the tooth force at the reference circle of a helical wheel"
+GEAR = Text("components of the tooth force at the reference circle of a helical wheel")
 G: MetrePerSecond2 = 9.80665
 
 
 @formula("G_S", "weight, g = 9.80665 m/s²", names={"G": "g"})
 def weight(m_S: Kilogram) -> Newton:
+    """>>> weight(m_S=9.034)
+    88.59327...
+    """
     return m_S * G
 
 
@@ -198,21 +203,33 @@ def weight_front(G_S: Newton, G_r: Newton) -> Newton:
 
 @formula("T", "power over angular speed")
 def gear_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
+    """>>> gear_torque(P=220.2, n=43.33)
+    0.8088141...
+    """
     return P / (2 * pi * n)
 
 
 @formula("F_t", GEAR)
 def gear_tangential(T: NewtonMetre, d: Metre) -> Newton:
+    """>>> gear_tangential(T=0.8089, d=0.05389)
+    30.02041...
+    """
     return 2 * T / d
 
 
 @formula("F_r", GEAR)
 def gear_radial(F_t: Newton, alpha_n: Radian, beta: Radian) -> Newton:
+    """>>> gear_radial(F_t=30.02, alpha_n=0.3491, beta=0.3825)
+    11.77874...
+    """
     return F_t * tan(alpha_n) / cos(beta)
 
 
 @formula("F_a", GEAR)
 def gear_axial(F_t: Newton, beta: Radian) -> Newton:
+    """>>> gear_axial(F_t=30.02, beta=0.3825)
+    12.07747...
+    """
     return F_t * tan(beta)
 
 

@@ -9,12 +9,13 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray
+from ..sheet.arrays import Array, ComplexArray, column, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, resultant
-from ..sheet.number import short
+from ..sheet.linked_array import gathered, where
 from ..sheet.record import record
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about
 from ..sheet.units import (
     CubicMetre,
@@ -31,6 +32,7 @@ from ..sheet.units import (
     RadPerSecond,
     SquareMetre,
 )  # fmt: skip
+from ..sheet.value import based_on
 from . import sector as s
 from .inputs import CountershaftInputs, EccentricMass, Extra
 
@@ -53,7 +55,7 @@ class Piece:
 
     @property
     def length(self) -> Metre:
-        return self.end - self.start
+        return based_on(self.end - self.start, self.end, self.start)
 
 
 @record
@@ -85,15 +87,15 @@ class Outline:
 
     def each(self, name: str) -> Any:
         """One number of every piece, as an array."""
-        return np.array([getattr(piece, name) for piece in self.pieces])
+        return gathered(getattr(piece, name) for piece in self.pieces)
 
 
 class NoOutline(Exception):
     """Why the shaft can not be drawn from what is known; `broken`: the check that fails where it is no shaft at all."""
 
-    def __init__(self, reason: str, broken: Check | None = None) -> None:
+    def __init__(self, reason: Text, broken: Check | None = None) -> None:
         super().__init__(reason)
-        self.broken = broken
+        self.reason, self.broken = reason, broken
 
 
 @formula("m_S", "sum over the pieces of the shaft", unit="kg")
@@ -126,12 +128,12 @@ def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 
 
-@formula("sin γ/γ", f"{s.SECTOR}: e over its value for a narrow sector")
+@formula("sin γ/γ", Text("{sector}: e over its value for a narrow sector", sector=s.SECTOR))
 def narrowness(e: Metre, R: Metre, r_0: Metre) -> Number:
     return e * (R**2 - r_0**2) / (2 / 3 * (R**3 - r_0**3))
 
 
-@formula("γ", f"{s.SECTOR}", shows="γ from sin γ/γ, Newton", names={"t": "sin γ/γ"})
+@formula("γ", Text("{sector}", sector=s.SECTOR), shows="γ from sin γ/γ, Newton", names={"t": "sin γ/γ"})
 def half_angle(t: Number) -> Radian:
     """The half-angle of a sector, 0 < t < 1."""
     gamma = math.sqrt(6 * (1 - t)) if t > 0.4 else math.pi * (1 - t)
@@ -183,7 +185,7 @@ def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
     return S * cis(gamma)
 
 
-def around(z: Metre, b: Metre, what: str) -> tuple[Metre, Metre]:
+def around(z: Metre, b: Metre, what: Text) -> tuple[Metre, Metre]:
     """The faces of a stretch of the shaft, from its middle and its length."""
     with about(what):
         return front_face(z=z, b=b), rear_face(z=z, b=b)
@@ -193,34 +195,34 @@ def outline(pieces: tuple[Piece, ...], derived: bool) -> Outline:
     """Pieces with the properties of their sections.  Raises NoOutline where one is too thin to join its neighbours."""
     thinnest, largest = (pick(pieces, key=lambda piece: piece.outer_radius) for pick in (min, max))
     if thinnest.outer_radius < THIN * largest.outer_radius:
-        reason = f"{_said(thinnest)} has a radius of {thinnest.outer_radius * 1e3:.3g} mm, too thin to join the shaft's parts"
+        reason = Text("{said} has a radius of {outer_radius} mm, too thin to join the shaft's parts", said=_stretch(thinnest),
+            outer_radius=Amount(thinnest.outer_radius * 1000.0, form=".3g"))  # fmt: skip
         raise NoOutline(reason, _too_thin(thinnest, largest))
-    R, r_0, full = (np.array([getattr(p, n) for p in pieces]) for n in ("outer_radius", "core_radius", "half_angle"))
-    sectors = np.array([g is not None for g in full])
-    area, inertia = np.empty(len(pieces)), np.empty(len(pieces))
+    sectors = np.array([p.half_angle is not None for p in pieces])
+    R, r_0 = column(pieces, "outer_radius"), column(pieces, "core_radius")
     moment = np.zeros(len(pieces), dtype=complex)
-    with about("full sections of the shaft"):
-        area[~sectors] = s.cylinder_area(R=R[~sectors])
-        inertia[~sectors] = s.cylinder_inertia(R=R[~sectors])
+    with about(Text("full sections of the shaft")):
+        area = many(s.cylinder_area(R=R[~sectors]))
+        inertia = many(s.cylinder_inertia(R=R[~sectors]))
     if sectors.any():
-        gamma: Any = full[sectors].astype(float)
+        gamma = each(gathered(p.half_angle for p in pieces if p.half_angle is not None))
         R, r_0 = R[sectors], r_0[sectors]
-        with about("sectors of the shaft"):
+        with about(Text("sectors of the shaft")):
             A = s.sector_area(gamma=gamma, R=R, r_0=r_0)
-            S: Any = s.sector_moment(gamma=gamma, R=R, r_0=r_0)
+            S = s.sector_moment(gamma=gamma, R=R, r_0=r_0)
             whole = s.whole_area(A=A, r_0=r_0)
             y = s.whole_centre(S=S, A_tot=whole)
-            area[sectors], inertia[sectors] = whole, s.sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y)
-            middle: Any = np.array([p.angle for p in pieces])[sectors]
-            moment[sectors] = directed_moment(S=S, gamma=middle)
+            area = where(sectors, whole, area)
+            inertia = where(sectors, s.sector_inertia(R=R, r_0=r_0, gamma=gamma, A_tot=whole, y=y), inertia)
+            moment = where(sectors, directed_moment(S=S, gamma=column(pieces, "angle")[sectors]), moment[~sectors])
     return Outline(pieces=pieces, derived=derived, area=area, inertia=inertia, moment=moment)
 
 
 def _too_thin(thinnest: Piece, largest: Piece) -> Check:
-    return check(
-        "countershaft.core", f"Radius of {_said(thinnest)}", thinnest.outer_radius, ">=", THIN * largest.outer_radius, "mm",
-        "rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts", "A larger core_radius_mm.",
-    )  # fmt: skip
+    return check("countershaft.core", Text("Radius of {said}", said=_stretch(thinnest)), thinnest.outer_radius, ">=",
+        THIN * largest.outer_radius, "mm",
+        Text("rule of this program: 0.2 % of the largest radius, below which nothing joins the shaft's parts"),
+        Text("A larger core."))  # fmt: skip
 
 
 def given(shaft: CountershaftInputs) -> Outline:
@@ -235,34 +237,33 @@ def given(shaft: CountershaftInputs) -> Outline:
 
 def sectors_of(masses: tuple[EccentricMass, ...], rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> list[Piece]:
     """Sectors that have the mass, the centre of gravity and the place of the masses.  Raises NoOutline where one has no such sector."""
-    found = []
+    sectors = []
     for mass in masses:
         if not mass.mass:
             continue
-        with about(f"sector of mass {mass.name}"):
+        with about(Text("sector of mass {name}", name=mass.name)):
             t = narrowness(e=mass.radius, R=R, r_0=r_0)
             if not 1e-6 < t < 1:
-                within = f" (it stays below {mass.radius / t * 1e3:.4g} mm)" if t else ""
-                place = f"from {r_0 * 1e3:g} to {R * 1e3:.4g} mm"
-                reason = f"mass {mass.name}: no sector {place} has its centre of gravity at {mass.radius * 1e3:g} mm{within}"
+                within = Text(" (it stays below {radius} mm)", radius=Amount(mass.radius / t * 1000.0, form=".4g")) if t else ""
+                place = Text("from {r_0} to {r} mm", r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form=".4g"))
+                reason = Text("mass {name}: no sector {place} has its centre of gravity at {radius} mm{within}", name=mass.name,
+                    place=place, radius=Amount(mass.radius * 1000.0, form="g"), within=within)  # fmt: skip
                 raise NoOutline(reason, _no_such_sector(mass, mass.radius / t if t else 0.0))
             gamma = half_angle(t=t)
             b = sector_length(m=mass.mass, rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0))
-        found.append(Piece(*around(mass.z, b, f"sector of mass {mass.name}"), R, r_0, gamma, mass.angle, "sector"))
-    return found
+        sectors.append(Piece(*around(mass.z, b, Text("sector of mass {name}", name=mass.name)), R, r_0, gamma, mass.angle, "sector"))
+    return sectors
 
 
 def _no_such_sector(mass: EccentricMass, most: Metre) -> Check:
-    return check(
-        "countershaft.mass_shape", f"Radius of the centre of gravity of mass {mass.name}, as a sector", mass.radius, "<", most, "mm",
-        s.SECTOR,
-        "Give the true shape as [[countershaft.sections]], or a larger outer_radius_mm: nothing of its bending is judged.", kind="advice",
-    )  # fmt: skip
+    return check("countershaft.mass_shape", Text("Radius of the centre of gravity of mass {name}, as a sector", name=mass.name),
+        mass.radius, "<", most, "mm", s.SECTOR,
+        Text("Give the true shape as [[countershaft.sections]], or a larger outer radius: nothing of its bending is judged."),
+        missing=("countershaft.sections",))  # fmt: skip
 
 
-def assembled(
-    shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], gear: tuple[Metre, Metre] | None
-) -> Outline:
+def assembled(shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...],
+    gear: tuple[Metre, Metre] | None) -> Outline:  # fmt: skip
     """Sectors, journals and gear (diameter, length of each), joined by the core.  Raises NoOutline where two of them cross."""
     return _joined(_solid(shaft, sectors, journals, gear), shaft.core_radius or 0.0, shaft.bearing_positions, shaft.extras)
 
@@ -272,29 +273,29 @@ def known(shaft: CountershaftInputs, R: Metre | None, journals: tuple[tuple[Metr
     r_0 = shaft.core_radius
     if R is None or r_0 is None or not journals:
         there = (("core_radius_mm", r_0 is not None), ("outer_radius_mm", R is not None))
-        missing = [name for name, given in (*there, ("[bearings] or [[countershaft.journals]]", bool(journals))) if not given]
-        raise NoOutline(f"give [[countershaft.sections]], or {' and '.join(missing)}")
+        missing = [name for name, given in (*there, (Text("[bearings] or [[countershaft.journals]]"), bool(journals))) if not given]
+        raise NoOutline(Text("give [[countershaft.sections]], or {missing}", missing=Text(" and ").join(missing)))
     if r_0 >= R:
-        raise NoOutline(f"the core of radius {r_0 * 1e3:.4g} mm is not smaller than the outer radius of the sectors, {R * 1e3:.4g} mm")
+        core, outer = Amount(r_0 * 1000.0, form=".4g"), Amount(R * 1000.0, form=".4g")
+        raise NoOutline(Text("the core of radius {r_0} mm is not smaller than the outer radius of the sectors, {r} mm", r_0=core, r=outer))
     return R, r_0
 
 
-def _solid(
-    shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...], gear: tuple[Metre, Metre] | None
-) -> list[Piece]:
+def _solid(shaft: CountershaftInputs, sectors: list[Piece], journals: tuple[tuple[Metre, Metre], ...],
+    gear: tuple[Metre, Metre] | None) -> list[Piece]:  # fmt: skip
     """Sectors, journals and gear, front to rear.  A gear without a place stands ahead of the front journal, against it."""
     positions = shaft.bearing_positions
     solid = list(sectors)
     for n, (z, (d, l)) in enumerate(zip(positions, journals)):
-        solid.append(_turned(z, d, l, "journal", f"journal {n + 1}"))
+        solid.append(_turned(z, d, l, "journal", Text("journal {n}", n=n + 1)))
     if gear is not None:
         d, width = gear
         middle = shaft.gear_z if shaft.gear_z is not None else gear_middle(z_f=positions[0], l=journals[0][1], b=width)
-        solid.append(_turned(middle, d, width, "gear", "gear on the shaft"))
+        solid.append(_turned(middle, d, width, "gear", Text("gear on the shaft")))
     return sorted(solid, key=lambda piece: piece.start)
 
 
-def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: str) -> Piece:
+def _turned(z: Metre, d: Metre, l: Metre, what: str, subject: Text) -> Piece:
     with about(subject):
         return Piece(front_face(z=z, b=l), rear_face(z=z, b=l), radius(d=d), 0.0, None, 0.0, what)
 
@@ -308,7 +309,7 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
     here = start
     for piece in solid:
         if piece.start < here - TOUCH:
-            raise NoOutline(f"{_said(piece)} crosses {_said(pieces[-1])}", _crossing(pieces[-1], piece))
+            raise NoOutline(Text("{said} crosses {said2}", said=_stretch(piece), said2=_stretch(pieces[-1])), _crossing(pieces[-1], piece))
         if piece.start > here + TOUCH:
             pieces.append(Piece(here, piece.start, r_0, 0.0, None, 0.0, "core"))
         pieces.append(piece)
@@ -319,29 +320,28 @@ def _joined(solid: list[Piece], r_0: Metre, positions: tuple[Metre, ...], extras
 
 
 def _crossing(first: Piece, second: Piece) -> Check:
-    return check(
-        "countershaft.crossing", f"Overlap of {_said(first)} and {_said(second)}",
+    return check("countershaft.crossing", Text("Overlap of {said} and {said2}", said=_stretch(first), said2=_stretch(second)),
         min(first.end, second.end) - second.start, "<=", 0.0, "mm",
-        "two pieces of one shaft stand side by side; each eccentric mass as a sector out to outer_radius_mm",
-        "Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]].",
-    )  # fmt: skip
+        Text("two pieces of one shaft stand side by side; each eccentric mass as a sector out to the outer radius"),
+        Text("Move them apart, widen the envelope, or give the true shape as [[countershaft.sections]]."))  # fmt: skip
 
 
-def _said(piece: Piece) -> str:
-    return f"the {piece.what} from {short(piece.start * 1e3)} to {short(piece.end * 1e3)} mm"
+def _stretch(piece: Piece) -> Text:
+    return Text(
+        "the {what} from {start} to {end} mm", what=Text(piece.what), start=Amount(piece.start * 1000.0), end=Amount(piece.end * 1000.0)
+    )
 
 
-def _extent(found: Outline) -> tuple[Any, Any]:
-    z_1, z_2 = found.each("start"), found.each("end")
+def _extent(shape: Outline) -> tuple[Any, Any]:
+    z_1, z_2 = shape.each("start"), shape.each("end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
 
 
-def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> tuple[Kilogram, Metre]:
+def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
-    A: Any = found.area
-    l, z = _extent(found)
-    m: Any = np.array([x.mass for x in extras])
-    z_m: Any = np.array([x.z for x in extras])
+    A = each(shape.area)
+    l, z = _extent(shape)
+    m, z_m = column(extras, "mass"), column(extras, "z")
     if not extras:
         m_S = pieces_mass(rho=rho, A=A, l=l)
         return m_S, pieces_centre(rho=rho, A=A, l=l, z=z, m_S=m_S)
@@ -349,15 +349,13 @@ def weighed(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | Eccent
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
 
 
-def turning_inertia(found: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> KilogramMetre2:
+def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
-    full: Any = np.array([piece.half_angle is None for piece in found.pieces])
-    gamma: Any = np.array([math.pi if piece.half_angle is None else piece.half_angle for piece in found.pieces])
-    core: Any = np.where(full, 0.0, found.each("core_radius"))
-    l, _ = _extent(found)
-    m: Any = np.array([x.mass for x in extras])
-    e: Any = np.array([x.radius for x in extras])
-    I_p = s.polar_moment(gamma=gamma, R=found.each("outer_radius"), r_0=core)
+    gamma = each(gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces))
+    core = each(gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces))
+    l, _ = _extent(shape)
+    m, e = column(extras, "mass"), column(extras, "radius")
+    I_p = s.polar_moment(gamma=gamma, R=shape.each("outer_radius"), r_0=core)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
@@ -367,14 +365,13 @@ def outline_force(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMet
 
 
 @formula("C_O", "couple of the pieces of the outline and the further elements, their unbalance times position")
-def outline_couple(
-    omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre, C_x: PhasorNewtonMetre
-) -> PhasorNewtonMetre:
+def outline_couple(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre,
+    C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:  # fmt: skip
     return omega**2 * rho * resultant(S * l * z) + C_x
 
 
-def vectors_of(found: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex) -> tuple[complex, complex]:
+def vectors_of(shape: Outline, rho: KilogramPerMetre3, omega: RadPerSecond, F_x: complex, C_x: complex) -> tuple[complex, complex]:
     """Force and couple of the outline about mid-shaft, with those of the further elements."""
-    S: Any = found.moment
-    l, z = _extent(found)
+    S = each(shape.moment)
+    l, z = _extent(shape)
     return outline_force(omega=omega, rho=rho, S=S, l=l, F_x=F_x), outline_couple(omega=omega, rho=rho, S=S, l=l, z=z, C_x=C_x)

@@ -15,13 +15,13 @@ from ..sheet.units import (
     Number,
     Pascal,
     Radian,
+    RadPerSecond,
     RevPerSecond,
 )  # fmt: skip
 from .bending.shaft import Bending
 from .making.holes import HolesResult
 from .making.tolerance import ToleranceResult
 from .outline import Outline
-from .standing import Standing
 
 if TYPE_CHECKING:  # loaded only where they are asked for
     from .making.bolts import BoltsResult
@@ -29,6 +29,23 @@ if TYPE_CHECKING:  # loaded only where they are asked for
     from .making.scatter import ScatterResult
     from .sizing.alternatives import MaterialResult
     from .sizing.sectors import SizedSector
+
+
+@result
+class Standing:
+    """The standing part of the bearings' load, and the largest load over a turn."""
+
+    weight: Newton | None = value("Weight of the shaft", "N", "G_S", default=None)
+    weight_front: Newton | None = value("Weight on the front bearing", "N", "G_f", default=None)
+    weight_rear: Newton | None = value("Weight on the rear bearing", "N", "G_r", default=None)
+    gear_torque: NewtonMetre | None = value("Torque at the shaft's gear", "N·m", "T", default=None)
+    gear_force_tangential: Newton | None = value("Tooth force, tangential", "N", "F_t", default=None)
+    gear_force_radial: Newton | None = value("Tooth force, radial", "N", "F_r", default=None)
+    gear_force_axial: Newton | None = value("Tooth force, axial", "N", "F_a", default=None)
+    stationary_front: Newton | None = value("Standing part at the front bearing, at most", "N", "R_0,f", default=None)
+    stationary_rear: Newton | None = value("Standing part at the rear bearing, at most", "N", "R_0,r", default=None)
+    reaction_front_peak: Newton | None = value("Largest load of the front bearing over a turn", "N", default=None)
+    reaction_rear_peak: Newton | None = value("Largest load of the rear bearing over a turn", "N", default=None)
 
 
 @result
@@ -85,5 +102,10 @@ class CountershaftResult:
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex
-    omega: float  # of the shaft
+    omega: RadPerSecond  # of the shaft
     outline: Outline | None = None
+
+    @property
+    def vectors(self) -> tuple[complex, complex]:
+        """Force and couple, cylinder 1 at TDC."""
+        return self.force_vector, self.couple_vector

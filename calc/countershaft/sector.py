@@ -6,33 +6,49 @@ Area and static moment are those of the sector alone, without the core; valid fo
 
 from ..sheet.formula import formula
 from ..sheet.functions import cos, pi, sin
+from ..sheet.text import Text
 from ..sheet.units import CubicMetre, Kilogram, KilogramMetre, KilogramPerMetre3, Metre, Metre4, Radian, SquareMetre
 
-SECTOR = "geometry of the circular sector between the radii r_0 and R"
+SECTOR = Text("geometry of the circular sector between the radii r_0 and R")
 
 
 @formula("A", SECTOR, unit="mm²")
 def sector_area(gamma: Radian, R: Metre, r_0: Metre) -> SquareMetre:
+    """>>> sector_area(gamma=1.59, R=0.0405, r_0=0.015)
+    0.002250247...
+    """
     return gamma * (R**2 - r_0**2)
 
 
-@formula("S", f"{SECTOR}: static moment about the axis", unit="mm³")
+@formula("S", Text("{sector}: static moment about the axis", sector=SECTOR), unit="mm³")
 def sector_moment(gamma: Radian, R: Metre, r_0: Metre) -> CubicMetre:
+    """>>> sector_moment(gamma=1.336, R=0.043, r_0=0.018)
+    4.776899...e-05
+    """
     return 2 / 3 * sin(gamma) * (R**3 - r_0**3)
 
 
 @formula("e", "centre of gravity of the sector from the axis", unit="mm")
 def centre_of_gravity(S: CubicMetre, A: SquareMetre) -> Metre:
+    """>>> centre_of_gravity(S=4.777e-05, A=0.002038)
+    0.02343964...
+    """
     return S / A
 
 
 @formula("m", "mass of a sector of length b", unit="kg")
 def sector_mass(rho: KilogramPerMetre3, A: SquareMetre, b: Metre) -> Kilogram:
+    """>>> sector_mass(rho=7860, A=0.002038, b=0.1195)
+    1.914232...
+    """
     return rho * A * b
 
 
 @formula("U", "unbalance of a sector of length b", unit="g·mm")
 def sector_unbalance(rho: KilogramPerMetre3, S: CubicMetre, b: Metre) -> KilogramMetre:
+    """>>> sector_unbalance(rho=7860, S=4.777e-05, b=0.1195)
+    0.04486892...
+    """
     return rho * S * b
 
 

@@ -5,37 +5,37 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from ..bearings.formulas import heat_index, specific_load
 from ..catalogue import Material
 from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.arrays import column
 from ..sheet.errors import NoSolution
+from ..sheet.linked_array import elements, item
 from ..sheet.step import Outcome
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from .bending.shaft import Bending, bending
-from .bending.shaft import checks as bending_checks
+from .checks import Journals, bending_checks, checks
+from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass, Extra
-from .judgement import checks, notes
 from .making.parts import Gathered, making
+from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
 from .outline import NoOutline, Outline, assembled, given, known, sectors_of, turning_inertia, vectors_of, weighed
-from .pictures import pictures
 from .result import CountershaftResult, SupportResult
-from .standing import Gear
-from .supports import heat_index, reactions, specific_load
+from .stationary_load import Gear
+from .supports import reactions
 from .task import Task, task
 
 if TYPE_CHECKING:
     from .sizing.sectors import Sized
 
-Journals = tuple[tuple[Metre, Metre], ...]  # (diameter, length), front to rear
 
-
-def solve(
-    shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, materials: Mapping[str, Material],
-    journals: Journals, gear: Gear | None, slopes: tuple[float, ...] | None = None,
-) -> Outcome:  # fmt: skip
+def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSecond, materials: Mapping[str, Material], journals: Journals,
+    gear: Gear | None, slopes: tuple[float, ...] | None = None) -> Outcome[CountershaftResult]:  # fmt: skip
     """Check a shaft against what the engine asks for, or size it first.
 
     `omega` is the crank's rated angular speed; `journals` are those of [bearings] or of the shaft itself, empty where they are not known;
@@ -51,41 +51,35 @@ def solve(
             from .sizing.sectors import eccentric_masses
 
             masses = eccentric_masses(sized)
-        R = shaft.outer_radius if shaft.outer_radius is not None else _widest(shaft, journals)
+        R = shaft.outer_radius
+        if R is None and journals:  # what may be threaded through the largest seat
+            R = f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0)
         F_S, C_S = _supplied(masses, shaft.extras, omega_S)
-        found = _balance(shaft, todo, masses, F_S, C_S, omega_S)
-        drawn = _drawn(shaft, masses, sized, R, steel, journals, gear, to)
+        result = _balance(shaft, todo, masses, F_S, C_S, omega_S)
+        outline = _outline(shaft, masses, sized, R, steel, journals, gear, to)
         bent = None
-        if drawn is not None:
-            points: tuple[Any, ...] = (*shaft.extras, *(masses if drawn.plain else ()))  # what the outline itself does not hold
-            m_S, z_S = weighed(drawn, steel.density, points)
-            J_S = turning_inertia(drawn, steel.density, points)
-            found = replace(found, outline=drawn, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
-            if not drawn.derived:
-                to.values |= _beside(points, drawn, steel, omega_S, F_S, C_S)
-            bent = bending(drawn, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
-            found = _with_bending(found, bent, steel, to, certain=sized is not None or not drawn.derived)
+        if outline is not None:
+            points: tuple[Any, ...] = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
+            m_S, z_S = weighed(outline, steel.density, points)
+            J_S = turning_inertia(outline, steel.density, points)
+            result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
+            if not outline.derived:
+                to.values |= _beside(points, outline, steel, omega_S, F_S, C_S)
+            bent = bending(outline, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
+            result = _with_bending(result, bent, steel, to, certain=sized is not None or not outline.derived)
         elif slopes:
-            found = replace(found, slope_front=slopes[0], slope_rear=slopes[-1])
-            to.notes.append("The slopes of the journals are those given in [bearings] (slope_mrad), not computed.")
-        found = _with_supports(shaft, masses, journals, found, bent, to)
-        making(shaft, todo, masses, found, R, materials, to)
-    found = replace(found, **to.values)
-    return Outcome(
-        "countershaft",
-        result=found,
-        checks=(*checks(shaft, todo, found, journals, gear), *to.checks),
-        lines=tuple(lines),
-        curves=(*pictures(todo, found, omega, shaft.bearing_positions), *to.curves),
-        tables=tuple(to.tables),
-        notes=(*notes(shaft, journals), *to.notes),
-    )
+            result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
+            to.notes.append(SLOPES_GIVEN)
+        result = _with_supports(shaft, masses, journals, result, bent, to)
+        making(shaft, todo, masses, result, R, materials, to)
+    result = replace(result, **to.values)
+    return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
+        curves=(*curves(todo, result, omega, shaft.bearing_positions), *to.curves), tables=tuple(to.tables),
+        notes=(*notes(shaft, journals), *to.notes))  # fmt: skip
 
 
-def _sized(
-    shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material], journals: Journals,
-    to: Gathered,
-) -> "Sized | None":  # fmt: skip
+def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material],
+    journals: Journals, to: Gathered) -> "Sized | None":  # fmt: skip
     """The lightest pair of sectors in the envelope, where that is asked.  Raises NoSolution where the envelope can not hold it."""
     if shaft.mode != "size" or shaft.outer_radius is None or shaft.core_radius is None or shaft.half_length is None:
         return None
@@ -99,18 +93,13 @@ def _sized(
     front = front_curve(U, P, omega, shaft.outer_radius, shaft.core_radius, shaft.half_length, densities, shaft.extras)
     to.curves += [front] if front is not None else []
     try:
-        found = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
+        sized = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
     except TooSmall as small:
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
-    heavier = max(found.front.mass, found.rear.mass)
-    to.values |= dict(
-        sector_half_angle=found.sector_half_angle, sector_length=found.sector_length, sector_mass=heavier, utilisation=found.utilisation,
-        sector={"front": found.front, "rear": found.rear},
-    )  # fmt: skip
-    for word, there in (("masses", shaft.masses), ("sections", shaft.sections)):
-        if there:
-            to.notes.append(f"Mode size: [[countershaft.{word}]] are left aside; the sectors are found.")
-    return found
+    to.values |= dict(sector_half_angle=sized.sector_half_angle, sector_length=sized.sector_length, utilisation=sized.utilisation,
+        sector_mass=max(sized.front.mass, sized.rear.mass), sector={"front": sized.front, "rear": sized.rear})  # fmt: skip
+    to.notes += size_notes(shaft)
+    return sized
 
 
 def _room(shaft: CountershaftInputs, journals: Journals) -> str:
@@ -119,18 +108,12 @@ def _room(shaft: CountershaftInputs, journals: Journals) -> str:
         return ""
     seat = max(d for d, _ in journals) / 2 - (shaft.radial_clearance or 0.0)
     face = min(abs(z) - l / 2 for z, (_, l) in zip(shaft.bearing_positions, journals))
-    return f" (the journals as they are leave an outer radius of {seat * 1e3:.4g} mm and a half-length of {face * 1e3:.4g} mm)"
+    return Text(" (the journals as they are leave an outer radius of {seat} mm and a half-length of {face} mm)",
+        seat=Amount(seat * 1000.0, form=".4g"), face=Amount(face * 1000.0, form=".4g"))  # fmt: skip
 
 
-def _widest(shaft: CountershaftInputs, journals: Journals) -> Metre | None:
-    """What may be threaded through the largest seat; None where no journal is known."""
-    return f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0) if journals else None
-
-
-def _drawn(
-    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, steel: Material,
-    journals: Journals, gear: Gear | None, to: Gathered,
-) -> Outline | None:  # fmt: skip
+def _outline(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized: "Sized | None", R: Metre | None, steel: Material,
+    journals: Journals, gear: Gear | None, to: Gathered) -> Outline | None:  # fmt: skip
     """The shaft's outline, given or put together; None where it can not be, and a note says why."""
     try:
         if shaft.sections and sized is None:
@@ -142,95 +125,74 @@ def _drawn(
             sectors = pieces(sized)
         else:
             sectors = sectors_of(masses, steel.density, outer, core)
-        found = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
+        outline = assembled(shaft, sectors, journals, (gear.diameter, gear.face_width) if gear else None)
     except NoOutline as none:
         to.checks += [none.broken] if none.broken is not None else []
-        to.notes.append(f"Mass, balance tolerance, bending and critical speed are not computed: {none}.")
+        to.notes.append(Text("Mass, balance tolerance, bending and critical speed are not computed: {none}.", none=none.reason))
         return None
-    to.notes.append(
-        f"The outline is put together from the sectors, the core, the journals{' and the gear' if gear else ''}."
-        if sized is not None
-        else "The outline is put together: each eccentric mass as a sector of its mass, centre of gravity and place, the core, the journals"
-        f"{' and the gear' if gear else ''}; the true shape may be given as [[countershaft.sections]]."
-    )
-    return found
+    to.notes.append(outline_note(sized is not None, gear is not None))
+    return outline
 
 
-def _beside(
-    points: tuple[Any, ...], drawn: Outline, steel: Material, omega: RadPerSecond, F_S: complex, C_S: complex
-) -> dict[str, NewtonMetre]:
+def _beside(points: tuple[Any, ...], outline: Outline, steel: Material, omega: RadPerSecond, F_S: complex, C_S: complex) -> dict[str,
+    NewtonMetre]:  # fmt: skip
     """How far the given sections are from the given masses: both must be one shaft."""
-    with about("given sections"):
+    with about(Text("given sections")):
         F_x, C_x = _of(points, omega) if points else (0j, 0j)
-        F_O, C_O = vectors_of(drawn, steel.density, omega, F_x, C_x)
+        F_O, C_O = vectors_of(outline, steel.density, omega, F_x, C_x)
         return {
             "outline_force_deviation": f.force_deviation(F_O=F_O, F_S=F_S),
             "outline_couple_deviation": f.couple_deviation(C_O=C_O, C_S=C_S),
         }
 
 
-def _with_bending(found: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool) -> CountershaftResult:
+def _with_bending(result: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool) -> CountershaftResult:
     """The same result with the slopes of its outer journals and its first critical speed.
 
     `certain`: the outline is the designer's or this program's own; else the gaps between its pieces are no more than assumed.
     """
     to.checks += [c for c in bending_checks(bent, steel) if certain or c.id != "countershaft.fillet_room"]
-    to.notes += bent.notes
-    to.notes.append("Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they stood in it.")
-    if steel.proof_stress is None:
-        to.notes.append(f"No proof stress of {steel.name} is known: its bending stresses are not judged.")
-    return replace(
-        found,
-        bending=bent,
-        slope_front=bent.slopes[0].item(),
-        slope_rear=bent.slopes[-1].item(),
-        slope_front_stiff=bent.slopes_stiff[0].item(),
-        slope_rear_stiff=bent.slopes_stiff[-1].item(),
-        first_critical_speed=bent.natural_frequency,
-        first_critical_speed_stiff=bent.natural_frequency_stiff,
-    )
+    to.notes += bending_notes(bent, steel)
+    return replace(result, bending=bent, slope_front=item(bent.slopes[0]), slope_rear=item(bent.slopes[-1]),
+        slope_front_stiff=item(bent.slopes_stiff[0]), slope_rear_stiff=item(bent.slopes_stiff[-1]),
+        first_critical_speed=bent.natural_frequency, first_critical_speed_stiff=bent.natural_frequency_stiff)  # fmt: skip
 
 
-def _with_supports(
-    shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, found: CountershaftResult, bent: Bending | None,
-    to: Gathered,
-) -> CountershaftResult:  # fmt: skip
+def _with_supports(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, result: CountershaftResult,
+    bent: Bending | None, to: Gathered) -> CountershaftResult:  # fmt: skip
     """The same result support by support, where there are more than two or the journals are the shaft's own; else [bearings] has them."""
     positions = shaft.bearing_positions
     if len(positions) == 2 and not shaft.journals:
-        return found
+        return result
     if len(positions) == 2:
-        loads = [found.reaction_front, found.reaction_rear]
-    elif bent is not None:
-        loads = [f.reaction(R=R.item()) for R in bent.reactions]
+        loads = [result.reaction_front, result.reaction_rear]
     else:
-        parts = (*masses, *shaft.extras)
-        m, e, gamma, z = (column(parts, name) for name in ("mass", "radius", "angle", "z"))
-        forces = f.mass_force(omega=found.omega, m=m, e=e, gamma=gamma)
-        loads = [f.reaction(R=R.item()) for R in reactions(forces, z, positions)]
-    if len(positions) > 2:
-        how = "the stepped shaft, with the stiffness share of its sectors" if bent is not None else "a shaft of one stiffness throughout"
-        to.notes.append(f"Supports: the reactions are those of {how}, on rigid supports in line; weight and gear force are left out.")
-    made = {}
-    n_S = f.revolutions(omega=found.omega)
+        if bent is not None:
+            forces = bent.reactions
+        else:
+            m, e, gamma, z = (column((*masses, *shaft.extras), name) for name in ("mass", "radius", "angle", "z"))
+            forces = reactions(f.mass_force(omega=result.omega, m=m, e=e, gamma=gamma), z, positions)
+        loads = [f.reaction(R=R) for R in elements(forces)]
+        to.notes.append(supports_note(bent is not None))
+    support = {}
+    n_S = f.revolutions(omega=result.omega)
     for n, load in enumerate(loads):
-        with about(f"support {n + 1}"):
+        with about(Text("support {n}", n=n + 1)):
             p = specific_load(F=load, d=journals[n][0], l=journals[n][1]) if journals else None
             W = heat_index(F=load, n=n_S, l=journals[n][1]) if journals else None
-            slope = bent.slopes[n].item() if bent is not None else None
-            made[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W, slope=slope)
-    outer = list(made.values())
-    return replace(found, support=made, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
+            slope = item(bent.slopes[n]) if bent is not None else None
+            support[f"{n + 1}"] = SupportResult(reaction=load, specific_load=p, heat_index=W, slope=slope)
+    outer = list(support.values())
+    return replace(result, support=support, reaction_front=outer[0].reaction, reaction_rear=outer[-1].reaction)
 
 
 def _supplied(masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> tuple[complex, complex]:
     """The force and the couple of the shaft, cylinder 1 at TDC."""
-
     if not extras:
         return _of(masses, omega)
-    with about("main masses"):
+    with about(Text("main masses")):
         F_m, C_m = _of(masses, omega)
-    with about("further elements"):
+    with about(Text("further elements")):
         F_x, C_x = _of(extras, omega)
     return f.whole_force(F_m=F_m, F_x=F_x), f.whole_couple(C_m=C_m, C_x=C_x)
 
@@ -242,15 +204,14 @@ def _of(parts: tuple[Any, ...], omega: RadPerSecond) -> tuple[complex, complex]:
     return f.shaft_force(omega=omega, m=m, e=e, gamma=gamma), C
 
 
-def _balance(
-    shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], F_S: complex, C_S: complex, omega: RadPerSecond
-) -> CountershaftResult:
+def _balance(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], F_S: complex, C_S: complex,
+    omega: RadPerSecond) -> CountershaftResult:  # fmt: skip
     """What the shaft supplies, what is left, and what two supports carry."""
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     couple, phase, force = f.couple(C_S=C_S), f.couple_phase(C_S=C_S), f.force(F_S=F_S)
     C_against, F_against = todo.C_against, todo.F_against
     if shaft.pair == "yes":
-        with about("twin shaft"):
+        with about(Text("twin shaft")):
             C_against = f.residual_vector(C_like=C_against, C_S=f.mirrored_couple(C_S=C_S))
             F_against = f.residual_force_vector(F_like=F_against, F_S=f.mirrored_force(F_S=F_S))
     C_left = f.residual_couple(C_against=C_against, C_res=f.residual_vector(C_like=todo.C, C_S=C_S))
@@ -258,22 +219,10 @@ def _balance(
     R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
     R_f = f.reaction_front(F_S=F_S, R_r=R_r)
     first = todo.order == 1
-    return CountershaftResult(
-        couple=couple,
-        couple_phase=phase,
-        residual_order_1_couple=C_left if first else None,
-        residual_order_1_force=F_left if first else None,
-        residual_order_2_couple=None if first else C_left,
-        residual_order_2_force=None if first else F_left,
-        static_unbalance=f.static_unbalance(F_S=force, omega=omega),
-        force=force,
-        reaction_front=f.reaction(R=R_f),
-        reaction_rear=f.reaction(R=R_r),
-        support={},
-        couple_against=abs(C_against),
+    return CountershaftResult(couple=couple, couple_phase=phase, residual_order_1_couple=C_left if first else None,
+        residual_order_1_force=F_left if first else None, residual_order_2_couple=None if first else C_left,
+        residual_order_2_force=None if first else F_left, static_unbalance=f.static_unbalance(F_S=force, omega=omega), force=force,
+        reaction_front=f.reaction(R=R_f), reaction_rear=f.reaction(R=R_r), support={}, couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),
-        roll_torque=roll_torque(p=complex(*shaft.axis), F=F_S) if shaft.axis is not None and shaft.pair == "no" else None,
-        force_vector=F_S,
-        couple_vector=C_S,
-        omega=omega,
-    )
+        roll_torque=None if shaft.axis is None or shaft.pair == "yes" else roll_torque(p=based_on(complex(*shaft.axis), shaft.axis), F=F_S),
+        force_vector=F_S, couple_vector=C_S, omega=omega)  # fmt: skip

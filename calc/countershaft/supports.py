@@ -1,34 +1,33 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The reactions of a shaft on any number of supports, and the load that they put on the journals.
+"""The reactions of a shaft on any number of supports.
 
 Clapeyron's three moments: constant bending stiffness over the whole length, supports rigid and in line, point loads, shear left out.  Loads
 and reactions are complex and turn with the shaft.  A moment is positive where a load in the positive direction makes it so between two
 supports, so that the moments over inner supports come out below zero (hogging).
 """
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import ComplexArray
+from ..sheet.arrays import ComplexArray, phasors
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
-from ..sheet.units import Metre, Newton, NewtonPerMetreSecond, Pascal, PhasorNewton, PhasorNewtonMetre, RevPerSecond
+from ..sheet.text import Text
+from ..sheet.units import Metre, PhasorNewton, PhasorNewtonMetre
 
-CLAPEYRON = "Clapeyron's three-moment equation (Finotti 2013, 3.2.3.1, for two spans; here any number, with overhangs)"
+CLAPEYRON = Text("Clapeyron's three-moment equation (Finotti 2013, 3.2.3.1, for two spans; here any number, with overhangs)")
 
 
-@formula(
-    "M_i", CLAPEYRON,
+@formula("M_i", CLAPEYRON,
     shows="M_(i−1)·L_i + 2·M_i·(L_i + L_(i+1)) + M_(i+1)·L_(i+1) = −Σ F·a·(L_i² − a²)/L_i − Σ F·b·(L_(i+1)² − b²)/L_(i+1); "
-    "M = −Σ F·a over the outer supports, a the distance of the loads beyond them",
-)  # fmt: skip
+    "M = −Σ F·a over the outer supports, a the distance of the loads beyond them")  # fmt: skip
 def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     """Bending moments over the supports at z_s, from loads F at z: all arrays.  a is counted from the support away, b likewise."""
     load, place, support = _arrays(F, z, z_s)
     n, L = support.size, np.diff(support)
     first, last = place < support[0], place > support[-1]
-    M: Any = np.zeros(n, dtype=complex)
+    M = np.zeros(n, dtype=complex)
     M[0] = -np.sum((load * (support[0] - place))[first])
     M[-1] = -np.sum((load * (place - support[-1]))[last])
     if n > 2:
@@ -42,20 +41,18 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
         wanted[-1] -= M[-1] * L[-1]
         A = np.diag(2 * (L[:-1] + L[1:])) + np.diag(L[1:-1], 1) + np.diag(L[1:-1], -1)
         M[1:-1] = np.linalg.solve(A, wanted)
-    return M
+    return cast(PhasorNewtonMetre, M)
 
 
-@formula(
-    "R_i", "equilibrium of each span between its supports, after Clapeyron",
-    shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung loads)",
-)  # fmt: skip
+@formula("R_i", "equilibrium of each span between its supports, after Clapeyron",
+    shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung loads)")  # fmt: skip
 def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetre) -> PhasorNewton:
     """Forces of the supports on the shaft, from the loads and the moments over the supports: all arrays."""
     load, place, support = _arrays(F, z, z_s)
-    moment: Any = M
+    moment = M
     span, a, b, inside = _spans(load, place, support)
-    L: Any = np.diff(support)
-    carried: Any = np.zeros(support.size, dtype=complex)
+    L = np.diff(support)
+    carried = np.zeros(support.size, dtype=complex)
     carried[0] += np.sum(load[place < support[0]])
     carried[-1] += np.sum(load[place > support[-1]])
     np.add.at(carried, span, load[inside] * b / L[span])
@@ -63,17 +60,7 @@ def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetr
     tilt = np.diff(moment) / L
     carried[:-1] += tilt
     carried[1:] -= tilt
-    return -carried
-
-
-@formula("p", "Finotti 2013, 3.2.3.1: specific load on the projected area", unit="MPa")
-def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
-    return F / (d * l)
-
-
-@formula("W", "Finotti 2013, Table 3.1: heat index P·n/l", unit="N·rpm/mm")
-def heat_index(F: Newton, n: RevPerSecond, l: Metre) -> NewtonPerMetreSecond:
-    return F * n / l
+    return cast(PhasorNewton, -carried)
 
 
 def reactions(F: Any, z: Any, positions: Any) -> ComplexArray:
@@ -82,13 +69,10 @@ def reactions(F: Any, z: Any, positions: Any) -> ComplexArray:
     Raises NoSolution for less than two supports or two in one place.
     """
     if len(positions) < 2 or np.any(np.diff(positions) <= 0):
-        raise NoSolution(
-            "reactions of the shaft's supports", f"{len(positions)} supports at {', '.join(f'{p * 1e3:g}' for p in positions)} mm",
-            "Give at least two bearing_positions_mm that rise from front to rear.",
-        )  # fmt: skip
-    M = support_moments(F=F, z=z, z_s=positions)
-    found: Any = support_reactions(F=F, z=z, z_s=positions, M=M)
-    return found
+        raise NoSolution(Text("reactions of the shaft's supports"),
+            Text("{count} supports at {what} mm", count=len(positions), what=', '.join(f'{p * 1000.0:g}' for p in positions)),
+            Text("Give at least two bearing_positions_mm that rise from front to rear."))  # fmt: skip
+    return phasors(support_reactions(F=F, z=z, z_s=positions, M=support_moments(F=F, z=z, z_s=positions)))
 
 
 def _arrays(F: Any, z: Any, z_s: Any) -> tuple[Any, Any, Any]:

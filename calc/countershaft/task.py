@@ -3,11 +3,13 @@
 
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.record import record
+from ..sheet.text import Text
 from ..sheet.units import Newton, NewtonMetre
+from ..sheet.value import based_on
 from .inputs import CountershaftInputs
 
 LEFT_OVER = 0.05  # share of the couple to be balanced that a good shaft may leave
-WORDS = {1: "First", 2: "Second"}
+WORDS = {1: Text("First"), 2: Text("Second")}
 
 
 @record
@@ -28,12 +30,13 @@ class Task:
     @property
     def may_leave(self) -> NewtonMetre:
         """The couple that a good shaft may leave: a share of the one to be balanced, or of m·r·ω²·a where there is none."""
-        return LEFT_OVER * (self.couple or self.one_couple)
+        whole = self.couple or self.one_couple
+        return based_on(LEFT_OVER * whole, whole)
 
     @property
     def couple(self) -> NewtonMetre:
         """The couple that a shaft must supply to leave nothing of what turns like it."""
-        return abs(self.C)
+        return based_on(abs(self.C), self.C)
 
 
 def task(shaft: CountershaftInputs, imbalance: ImbalanceResult) -> Task:

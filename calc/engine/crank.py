@@ -2,14 +2,17 @@
 """Where the throws stand: crank angles, axial positions and banks of any engine, or of many engines that differ in their numbers."""
 
 import math
-from typing import Any
+from dataclasses import replace
+from typing import Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, IndexArray
+from ..sheet.arrays import Array, BoolArray, IndexArray, distinct
 from ..sheet.formula import formula
 from ..sheet.record import record
+from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian
+from ..sheet.value import based_on
 from .firing import Firing, in_order, most_even
 from .inputs import EngineInputs, usual_order
 
@@ -20,20 +23,20 @@ SAME_PIN = 1e-6  # rad
 def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
     """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
     phi: Any = psi - i * math.pi * strokes / N
-    return (phi - phi[..., :1]) % (2 * math.pi)
+    return cast(Radian, (phi - phi[..., :1]) % (2 * math.pi))
 
 
 @formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
 def places_in_order(order: Number) -> Number:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
     place: Any = np.argsort(order)
-    return place
+    return cast(Number, place)
 
 
 @formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")
 def axial_positions(k: Number, a: Metre) -> Metre:
     row: Any = k
-    return (row - (row.min() + row.max()) / 2) * a
+    return cast(Metre, (row - (row.min() + row.max()) / 2) * a)
 
 
 @record
@@ -47,7 +50,7 @@ class Crank:
     z: Array
     psi: Array
     theta_0: Radian
-    chosen: tuple[str, ...]
+    chosen: tuple[Text, ...]
 
 
 def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
@@ -57,33 +60,35 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
     an engine each; crank angles and axial positions then have the cylinders along their last axis.
     """
     n = engine.cylinders
-    chosen: list[str] = []
+    chosen: list[Text] = []
     bank = _banks(engine)
     if engine.layout != "inline" and engine.bank_of_cylinder is None:
         banks = ", ".join(map(str, bank.tolist()))
-        chosen.append(f"Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.")
+        chosen.append(Text("Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.", banks=banks, n=n))
     given = 0.0 if engine.bank_angle is None else engine.bank_angle
     opening: Any = math.pi if engine.layout == "boxer" else column(given)
     psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
+    psi = based_on(psi, given, engine.bank_of_cylinder)
     if engine.crank_angles is not None:
         given_phi: Any = np.asarray(engine.crank_angles)
-        phi: Any = given_phi - given_phi[..., :1]
+        phi: Any = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
         if np.any(given_phi[..., 0]):
-            chosen.append("The crank angles are counted from cylinder 1: that of its throw is taken off all of them.")
+            chosen.append(Text("The crank angles are counted from cylinder 1: that of its throw is taken off all of them."))
     else:
         order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
-            chosen.append(f"Firing order {'-'.join(map(str, order))} chosen: {_why(n, engine.strokes)}.")
-        given_order: Any = np.asarray(order)
+            chosen.append(Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes)))
+        given_order: Any = based_on(np.asarray(order), order)
         phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
     if engine.axial_positions is not None:
-        z: Any = np.asarray(engine.axial_positions)
+        z: Any = based_on(np.asarray(engine.axial_positions), engine.axial_positions)
     else:
         row: Any = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
         row = 2 * row + (bank != bank[0]) if engine.layout == "boxer" else row
         z = axial_positions(k=row, a=column(engine.cylinder_pitch))
     theta_0: Any = psi[..., 0] + tdc_angle
-    return Crank(phi, z, psi, theta_0 if np.ndim(theta_0) else float(theta_0), tuple(chosen))
+    theta_0 = based_on(theta_0 if np.ndim(theta_0) else float(theta_0), psi, tdc_angle)
+    return Crank(phi, z, psi, theta_0, tuple(chosen))
 
 
 def firing(engine: EngineInputs, throws: Crank) -> Firing:
@@ -92,7 +97,9 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
     given = engine.firing_order or (usual if engine.crank_angles is None else None)
     first = given.index(1) if given else 0
     found = in_order(throws.phi, throws.psi, engine.strokes, given[first:] + given[:first]) if given else None
-    return found or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
+    found = found or most_even(throws.phi, throws.psi, engine.strokes, usual or ())
+    of = (throws.phi, throws.psi, engine.strokes, engine.firing_order)
+    return replace(found, angles=based_on(found.angles, *of), intervals=based_on(found.intervals, *of))
 
 
 def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
@@ -107,12 +114,12 @@ def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
     turned: Any = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
     near: Any = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
     other_bank: Any = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
-    return (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool)
+    return cast(BoolArray, (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool))
 
 
 def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
     """The crankpin, from 0, that each cylinder runs on; pins are numbered in the order of their first cylinders."""
-    return np.unique(sharing(engine, throws).argmax(1), return_inverse=True)[1]
+    return distinct(sharing(engine, throws).argmax(1))[2]
 
 
 def column(x: Any) -> Any:
@@ -122,7 +129,11 @@ def column(x: Any) -> Any:
 
 def _why(n: int, strokes: int) -> str:
     usual = n <= 3 or (strokes == 4 and n in (4, 5, 6, 8))
-    return f"the usual one of an inline engine with {n} cylinders" if usual else "of those that were tried it leaves the least, at λ = 0.3"
+    return (
+        Text("the usual one of an inline engine with {n} cylinders", n=n)
+        if usual
+        else Text("of those that were tried it leaves the least, at λ = 0.3")
+    )
 
 
 def places(engine: EngineInputs) -> Any:

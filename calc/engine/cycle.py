@@ -8,16 +8,18 @@ four-stroke engine exhausts and draws in at constant pressures between.
 """
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, distinct
 from ..sheet.formula import formula
-from ..sheet.functions import asin, cos, pi
+from ..sheet.functions import asin, cos, pi, power
+from ..sheet.linked_array import gathered
 from ..sheet.record import record
-from ..sheet.trace import untraced
+from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from .gas import COMPRESSION, CRANKCASE, EXHAUST, EXPANSION, HELD, INTAKE, GasInputs
 
@@ -27,7 +29,7 @@ if TYPE_CHECKING:
 
 TURN = 2 * math.pi
 DUST: Radian = 1e-9
-SEILIGER = "mixed (Sabathé, Seiliger) cycle as generally published"
+SEILIGER = Text("mixed (Sabathé, Seiliger) cycle as generally published")
 WIDE = math.radians(60.0)  # a gap between the points of a table that is worth a word
 PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 
@@ -41,7 +43,7 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
     since: Any = np.mod(epsilon - fires, cycle)
     found: Any = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
-    return found if found.ndim else found.item()
+    return cast(Radian, found if found.ndim else found.item())
 
 
 @formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
@@ -65,23 +67,23 @@ def clearance_height(s: Metre, eps_c: Number) -> Metre:
     return s / (eps_c - 1)
 
 
-@formula("p_c", f"{SEILIGER}: end of compression", unit="bar", names={"eps_c": "ε_c"})
+@formula("p_c", Text("{seiliger}: end of compression", seiliger=SEILIGER), unit="bar", names={"eps_c": "ε_c"})
 def compression_end(p_in: Pascal, eps_c: Number, n_c: Number) -> Pascal:
-    return p_in * eps_c**n_c
+    return p_in * power(eps_c, n_c)
 
 
-@formula("p_1", f"{SEILIGER}: polytropic compression from BDC", unit="bar")
+@formula("p_1", Text("{seiliger}: polytropic compression from BDC", seiliger=SEILIGER), unit="bar")
 def compression(p_in: Pascal, h_c: Metre, s: Metre, x: Metre, n_c: Number) -> Pascal:
-    return p_in * ((h_c + s) / (h_c + x)) ** n_c
+    return p_in * power((h_c + s) / (h_c + x), n_c)
 
 
-@formula("p_2", f"{SEILIGER}: polytropic expansion from the end of constant pressure, x_p", unit="bar")
+@formula("p_2", Text("{seiliger}: polytropic expansion from the end of constant pressure, x_p", seiliger=SEILIGER), unit="bar")
 def expansion(p_max: Pascal, h_c: Metre, x_p: Metre, x: Metre, n_e: Number) -> Pascal:
-    return p_max * ((h_c + x_p) / (h_c + x)) ** n_e
+    return p_max * power((h_c + x_p) / (h_c + x), n_e)
 
 
 @formula(
-    "p", f"{SEILIGER}, gas exchange at constant pressure", unit="bar",
+    "p", Text("{seiliger}, gas exchange at constant pressure", seiliger=SEILIGER), unit="bar",
     shows="p_max up to ε_p, p_2 up to BDC, then p_ex and p_in for a stroke each (four-stroke), p_1 from BDC to TDC",
 )  # fmt: skip
 def mixed_cycle(
@@ -89,13 +91,13 @@ def mixed_cycle(
 ) -> Pascal:
     ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
     found: Any = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
-    return found if found.ndim else found.item()
+    return cast(Pascal, found if found.ndim else found.item())
 
 
 @formula("p", "indicated pressure as given", unit="bar", shows="linear between the points of the table, which closes over the cycle")
 def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
     found: Any = np.interp(epsilon, angles, pressures, period=cycle)
-    return found if found.ndim else found.item()
+    return cast(Pascal, found if found.ndim else found.item())
 
 
 @record
@@ -106,7 +108,7 @@ class Cycle:
     crankcase: Pascal
     corners: Array
     given: dict[str, Any]
-    notes: tuple[str, ...]
+    notes: tuple[Text, ...]
     compression_end: Pascal | None = None
 
     def pressure(self, epsilon: Any, x: Any) -> Any:
@@ -130,43 +132,49 @@ def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
 
 def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
     """The cycle of an engine's cylinders, with what was taken for numbers left out."""
-    length = engine.strokes * math.pi
-    notes: list[str] = []
+    length = based_on(engine.strokes * math.pi, engine.strokes)
+    notes: list[Text] = []
 
     def taken(given: float | None, otherwise: float, words: str) -> float:
         if given is None:
-            notes.append(f"{words} taken, since none is given.")
+            notes.append(Text("{words} taken, since none is given.", words=words))
         return otherwise if given is None else given
 
-    crankcase = taken(gas.crankcase_pressure, CRANKCASE, "A crankcase pressure of 1.0 bar")
+    crankcase = taken(gas.crankcase_pressure, CRANKCASE, Text("A crankcase pressure of 1.0 bar"))
     if gas.pressure:
-        angles: Any = np.array([point.angle for point in gas.pressure])
-        pressures: Any = np.array([point.pressure for point in gas.pressure])
-        corners: Any = np.sort(np.mod(angles, length))
+        angles: Any = gathered(point.angle for point in gas.pressure)
+        pressures: Any = gathered(point.pressure for point in gas.pressure)
+        corners: Any = based_on(np.sort(np.mod(angles, length)), angles)
         from_, gap = widest_gap(corners, length)
         if gap > WIDE:
             start, end = math.degrees(from_), math.degrees(from_ + gap)
-            notes.append(f"The pressure table has no point between {start:.4g}° and {end:.4g}°: a straight line is taken there.")
+            notes.append(
+                Text(
+                    "The pressure table has no point between {start}° and {end}°: a straight line is taken there.",
+                    start=Amount(start, form=".4g"),
+                    end=Amount(end, form=".4g"),
+                )
+            )
         return Cycle(length, crankcase, corners, {"angles": angles, "pressures": pressures}, tuple(notes))
     assert gas.peak_pressure is not None and gas.compression_ratio is not None
     given: dict[str, Any] = {"s": e.stroke, "p_max": gas.peak_pressure}
-    given["p_in"] = taken(gas.intake_pressure, INTAKE, "An intake pressure of 1.0 bar")
+    given["p_in"] = taken(gas.intake_pressure, INTAKE, Text("An intake pressure of 1.0 bar"))
     given["p_ex"] = given["p_in"]
     if engine.strokes == 4:
-        given["p_ex"] = taken(gas.exhaust_pressure, EXHAUST, "An exhaust pressure of 1.1 bar")
+        given["p_ex"] = taken(gas.exhaust_pressure, EXHAUST, Text("An exhaust pressure of 1.1 bar"))
     else:
-        notes.append("The ports of the two-stroke engine are neglected: expansion and compression reach to BDC.")
-    given["n_c"] = taken(gas.compression_exponent, COMPRESSION, "A compression exponent of 1.35")
-    given["n_e"] = taken(gas.expansion_exponent, EXPANSION, "An expansion exponent of 1.28")
-    given["eps_p"] = taken(gas.constant_pressure_angle, HELD, "A peak pressure held for 10° of crank angle")
+        notes.append(Text("The ports of the two-stroke engine are neglected: expansion and compression reach to BDC."))
+    given["n_c"] = taken(gas.compression_exponent, COMPRESSION, Text("A compression exponent of 1.35"))
+    given["n_e"] = taken(gas.expansion_exponent, EXPANSION, Text("An expansion exponent of 1.28"))
+    given["eps_p"] = taken(gas.constant_pressure_angle, HELD, Text("A peak pressure held for 10° of crank angle"))
     given["eps_bdc"] = dead_centre_angle(delta=e.delta, lam=e.lambda_)
     given["h_c"] = clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
     p_c = compression_end(p_in=given["p_in"], eps_c=gas.compression_ratio, n_c=given["n_c"])
-    with untraced():
-        alpha = crank_angle(phi_0=e.tdc_angle, epsilon=given["eps_p"])
-        beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+    alpha = crank_angle(phi_0=e.tdc_angle, epsilon=given["eps_p"])
+    beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
     given["x_p"] = piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    corners = np.unique([0.0, given["eps_p"], given["eps_bdc"], length - TURN, length - TURN + given["eps_bdc"]])
+    corners = distinct(np.array([0.0, given["eps_p"], given["eps_bdc"], length - TURN, length - TURN + given["eps_bdc"]]))[0]
+    corners = based_on(corners, given["eps_p"], given["eps_bdc"], engine.strokes)
     return Cycle(length, crankcase, corners, given, tuple(notes), p_c)
 
 
@@ -197,7 +205,7 @@ def points(cycle: Cycle, fires: Any) -> Any:
     edges = edges[np.append(True, np.diff(edges) > DUST)]
     found = np.empty(2 * edges.size - 1)
     found[::2], found[1::2] = edges, (edges[:-1] + edges[1:]) / 2
-    return found
+    return based_on(found, cycle.corners, cycle.length, fires)
 
 
 def running(epsilon: Any, y: Any) -> Any:

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..sheet.arrays import Array
 from ..sheet.record import record
+from ..sheet.text import EMPTY, Text
 
 TURN = 2 * math.pi
 DUST = 1e-9  # of a turn: two dead centres nearer than this are one
@@ -28,7 +29,7 @@ class Firing:
     order: tuple[int, ...]
     angles: Array
     intervals: Array
-    chosen: str = ""
+    chosen: Text = EMPTY
 
 
 def dead_centres(phi: Array, psi: Array) -> Array:
@@ -46,12 +47,12 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
     idle = round((strokes * math.pi - float(np.sum(gaps))) / TURN)  # whole turns that the dead centres leave over
     if idle < 0:
         return None
-    chosen = ""
+    chosen = EMPTY
     for _ in range(idle):  # pistons that stand at TDC together fire a turn apart; what is left lies before cylinder 1
         together = np.flatnonzero(gaps == 0.0)
         gaps[together[0] if together.size else -1] += TURN
         if not together.size and len(order) > 1:
-            chosen = "The order leaves a whole turn without firing; it is taken before cylinder 1."
+            chosen = Text("The order leaves a whole turn without firing; it is taken before cylinder 1.")
     angles = np.empty(len(order))
     angles[k] = np.concatenate(([0.0], np.cumsum(gaps)[:-1]))
     return Firing(order, angles, gaps, chosen)
@@ -60,8 +61,11 @@ def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Fi
 def most_even(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> Firing:
     """The most even of all firings that a crank allows; among equals the usual one, or else the first by number."""
     found = evenest(phi, psi, strokes, usual)
-    said = f"The firing order is chosen: one of {len(found)} equally even ways in which this crank can fire; give firing_order for another."
-    return replace(found[0], chosen=said if len(found) > 1 else "")
+    said = Text(
+        "The firing order is chosen: one of {count} equally even ways in which this crank can fire; give firing_order for another.",
+        count=len(found),
+    )
+    return replace(found[0], chosen=said if len(found) > 1 else EMPTY)
 
 
 def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -> list[Firing]:

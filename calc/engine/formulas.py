@@ -33,16 +33,25 @@ def rod_reciprocating_mass_by_thirds(M_B: Kilogram) -> Kilogram:
 
 @formula("M_alt", "Finotti 2013, 2.5.3.1: reciprocating mass per cylinder", unit="g")
 def reciprocating_mass(M_P: Kilogram, M_ra: Kilogram) -> Kilogram:
+    """>>> reciprocating_mass(M_P=1.178, M_ra=0.3113)
+    1.4893
+    """
     return M_P + M_ra
 
 
 @formula("M_rot", "Finotti 2013, 2.5.3.1: rotating mass per cylinder, crank throw apart", unit="g")
 def rotating_mass(M_shell: Kilogram, M_B: Kilogram, M_ra: Kilogram) -> Kilogram:
+    """>>> rotating_mass(M_shell=0.055, M_B=1.015, M_ra=0.31128)
+    0.7587199...
+    """
     return M_shell + M_B - M_ra
 
 
 @formula("λ", "Finotti 2013, 2.1: crank ratio")
 def crank_ratio(r: Metre, L: Metre) -> Number:
+    """>>> crank_ratio(r=0.0535, L=0.163)
+    0.3282208...
+    """
     return r / L
 
 
@@ -53,6 +62,9 @@ def offset_ratio(d: Metre, L: Metre) -> Number:
 
 @formula("ω", "definition of angular speed")
 def angular_speed(n: RevPerSecond) -> RadPerSecond:
+    """>>> angular_speed(n=43.33)
+    272.2504...
+    """
     return 2 * pi * n
 
 
@@ -63,16 +75,25 @@ def tdc_angle(delta: Number, lam: Number) -> Radian:
 
 @formula("s", "stroke of the offset slider-crank: distance of its dead centres", unit="mm")
 def stroke(L: Metre, r: Metre, d: Metre) -> Metre:
+    """>>> stroke(L=0.163, r=0.0535, d=0.005)
+    0.1070564...
+    """
     return sqrt((L + r) ** 2 - d**2) - sqrt((L - r) ** 2 - d**2)
 
 
 @formula("V_h", "definition of displacement", unit="cm³")
 def displacement(N: Number, D: Metre, s: Metre) -> CubicMetre:
+    """>>> displacement(N=3, D=0.094, s=0.107)
+    0.002227668...
+    """
     return N * pi / 4 * D**2 * s
 
 
 @formula("u_m", "Finotti 2013, 2.1: mean piston speed")
 def mean_piston_speed(s: Metre, n: RevPerSecond) -> MetrePerSecond:
+    """>>> mean_piston_speed(s=0.107, n=43.33)
+    9.27262
+    """
     return 2 * s * n
 
 

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator
 from math import pi
 
 from ..sheet.quantity import THUMB, inputs, quantity, tables
+from ..sheet.text import Amount, Text
 
 FEWEST_POINTS = 8  # of a pressure table
 SAME_ANGLE = 1e-9  # rad: two points nearer than this are one
@@ -29,45 +30,45 @@ class GasInputs:
     """The gas of one cylinder over its cycle; all cylinders have the same.  Pressures are absolute."""
 
     peak_pressure: float | None = quantity(
-        "Peak pressure", "bar", optional=True, above=0, high=1000, symbol="p_max", usual=(40, 220), source=THUMB,
+        "Peak pressure", "bar", default=None, above=0, high=1000, symbol="p_max", usual=(40, 220), source=THUMB,
         help="Highest in the mixed (Sabathé) cycle, absolute.",
     )  # fmt: skip
     compression_ratio: float | None = quantity(
-        "Compression ratio", optional=True, above=1, high=50, symbol="epsilon_c", usual=(7, 23), source=THUMB,
+        "Compression ratio", default=None, above=1, high=50, symbol="epsilon_c", usual=(7, 23), source=THUMB,
         help="Largest over smallest volume of a cylinder.",
     )  # fmt: skip
     intake_pressure: float | None = quantity(
-        "Intake pressure", "bar", optional=True, above=0, high=100, symbol="p_in", usual=(0.3, 3.5), source=THUMB,
+        "Intake pressure", "bar", default=None, above=0, high=100, symbol="p_in", usual=(0.3, 3.5), source=THUMB,
         help="Absolute, as compression begins. Left out: 1.0 bar.",
     )  # fmt: skip
     exhaust_pressure: float | None = quantity(
-        "Exhaust pressure", "bar", optional=True, above=0, high=100, symbol="p_ex", usual=(1, 4), source=THUMB,
+        "Exhaust pressure", "bar", default=None, above=0, high=100, symbol="p_ex", usual=(1, 4), source=THUMB,
         help="In a four-stroke's exhaust, absolute. Left out: 1.1 bar.",
     )  # fmt: skip
     crankcase_pressure: float | None = quantity(
-        "Crankcase pressure", "bar", optional=True, low=0, high=100, symbol="p_case", usual=(0.8, 1.5), source=THUMB,
+        "Crankcase pressure", "bar", default=None, low=0, high=100, symbol="p_case", usual=(0.8, 1.5), source=THUMB,
         help="Absolute, under the piston. Left out: 1.0 bar.",
     )  # fmt: skip
     compression_exponent: float | None = quantity(
-        "Compression exponent", optional=True, low=1, high=2, symbol="n_c", usual=(1.25, 1.4), source=THUMB,
+        "Compression exponent", default=None, low=1, high=2, symbol="n_c", usual=(1.25, 1.4), source=THUMB,
         help="Of the polytropic compression. Left out: 1.35.",
     )  # fmt: skip
     expansion_exponent: float | None = quantity(
-        "Expansion exponent", optional=True, low=1, high=2, symbol="n_e", usual=(1.2, 1.35), source=THUMB,
+        "Expansion exponent", default=None, low=1, high=2, symbol="n_e", usual=(1.2, 1.35), source=THUMB,
         help="Of the polytropic expansion. Left out: 1.28.",
     )  # fmt: skip
     constant_pressure_angle: float | None = quantity(
-        "Peak pressure held for", "°", optional=True, low=0, high=90, symbol="epsilon_p", usual=(0, 30), source=THUMB,
+        "Peak pressure held for", "°", default=None, low=0, high=90, symbol="epsilon_p", usual=(0, 30), source=THUMB,
         help="Crank angle after TDC. Left out: 10°.",
     )  # fmt: skip
     pressure: tuple[PressurePoint, ...] = tables(
         "Indicated pressure",
         PressurePoint,
-        optional=True,
+        default=(),
         help="Over one cycle, linear between the points; instead of peak pressure and ratio.",
     )
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         of_the_cycle = (
             ("peak_pressure_bar", self.peak_pressure), ("compression_ratio", self.compression_ratio),
@@ -77,34 +78,47 @@ class GasInputs:
         )  # fmt: skip
         if self.pressure:
             yield from (
-                (key, "belongs to the simple cycle; the pressure table says it all: leave one of the two out")
+                (key, Text("belongs to the simple cycle; the pressure table says it all: leave one of the two out"))
                 for key, given in of_the_cycle
                 if given is not None
             )
             if len(self.pressure) < FEWEST_POINTS:
-                yield "pressure", f"has {len(self.pressure)} points; needs at least {FEWEST_POINTS} over the cycle"
+                yield (
+                    "pressure",
+                    Text(
+                        "has {count} points; needs at least {fewest_points} over the cycle",
+                        count=len(self.pressure),
+                        fewest_points=FEWEST_POINTS,
+                    ),
+                )
             yield from _doubled(self, 4 * pi)
             return
         for key, given in of_the_cycle[:2]:
             if given is None:
-                yield key, "is missing; give peak pressure and compression ratio, or a table [[engine.gas.pressure]]"
+                yield key, Text("is missing; give peak pressure and compression ratio, or a table [[engine.gas.pressure]]")
         if self.peak_pressure is None or self.compression_ratio is None:
             return
         n_c = COMPRESSION if self.compression_exponent is None else self.compression_exponent
         end = (INTAKE if self.intake_pressure is None else self.intake_pressure) * self.compression_ratio**n_c
         if self.peak_pressure <= end:
-            yield "peak_pressure_bar", f"must exceed the pressure at the end of compression, {end / 1e5:.4g} bar"
+            yield (
+                "peak_pressure_bar",
+                Text("must exceed the pressure at the end of compression, {end} bar", end=Amount(end / 100000.0, form=".4g")),
+            )
 
 
-def cycle_problems(gas: GasInputs, strokes: int) -> Iterator[tuple[str, str]]:
+def cycle_problems(gas: GasInputs, strokes: int) -> Iterator[tuple[str, Text]]:
     """What is wrong with the gas for an engine of so many strokes, with keys of [engine.gas]."""
     if strokes == 2:
         yield from _doubled(gas, 2 * pi)
         if gas.exhaust_pressure is not None and not gas.pressure:
-            yield "exhaust_pressure_bar", "belongs to a four-stroke engine; the cycle of a two-stroke has no exhaust stroke: leave it out"
+            yield (
+                "exhaust_pressure_bar",
+                Text("belongs to a four-stroke engine; the cycle of a two-stroke has no exhaust stroke: leave it out"),
+            )
 
 
-def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, str]]:
+def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, Text]]:
     """Points of the table that fall on one crank angle of the cycle; those of a two-stroke that do so in 720° as well are named once."""
     if length < 4 * pi and any(True for _ in _doubled(gas, 4 * pi)):
         return
@@ -115,5 +129,9 @@ def _doubled(gas: GasInputs, length: float) -> Iterator[tuple[str, str]]:
             first, second = sorted((one, other))
             yield (
                 f"pressure.{second}.angle_deg",
-                f"is the angle of point {first} too, {length / pi * 180:g}° being one cycle; give one pressure for it",
+                Text(
+                    "is the angle of point {first} too, {length}° being one cycle; give one pressure for it",
+                    first=first,
+                    length=Amount(length / pi * 180, form="g"),
+                ),
             )

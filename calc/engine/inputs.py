@@ -5,8 +5,11 @@ from collections.abc import Iterable
 from dataclasses import replace
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, integers, quantity, series, table, tables, text
+from ..sheet.text import EMPTY, Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
+
+CRANK_RATIO = (0.20, 0.33)  # λ of vehicle engines; Finotti 2013, 2.1
 
 # Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that leaves least.
 FOUR_STROKE = {
@@ -59,7 +62,10 @@ class EngineInputs:
     )  # fmt: skip
     rod_length: float = quantity(
         "Rod length", "mm", above=0, high=4000, symbol="L", source="Finotti 2013, 2.1",
-        help="Between centres. λ = r/L is usually 0.20 to 0.33; a longer rod lowers the second order.",
+        help=Text(
+            "Between centres. λ = r/L is usually {low} to {high}; a longer rod lowers the second order.",
+            low=Amount(CRANK_RATIO[0]), high=Amount(CRANK_RATIO[1]),
+        ),
     )  # fmt: skip
     cylinder_pitch: float = quantity(
         "Cylinder pitch", "mm", above=0, high=2000, symbol="a", source="Finotti 2013, 2.4",
@@ -69,28 +75,28 @@ class EngineInputs:
         "Cylinder offset", "mm", default=0.0, low=-500, high=500, symbol="d", source="Finotti 2013, 2.1",
         help="Cylinder axis to crank axis; positive moves TDC to later crank angles. Usual up to 0.045 rod lengths.",
     )  # fmt: skip
-    bank_angle: float = quantity(
-        "Bank angle", "°", optional=True, low=0, high=180, symbol="V", usual=(45, 180), source=THUMB,
+    bank_angle: float | None = quantity(
+        "Bank angle", "°", default=None, low=0, high=180, symbol="V", usual=(45, 180), source=THUMB,
         help="Between the banks of a vee engine; a boxer has 180°.",
     )  # fmt: skip
     firing_order: tuple[int, ...] | None = integers(
-        "Firing order", optional=True, low=1, source="Finotti 2013, 2.4",
+        "Firing order", default=None, low=1, source="Finotti 2013, 2.4",
         help="Cylinder numbers, 1 first. The crank angles of an evenly firing engine follow from it.",
     )  # fmt: skip
     crank_angles: tuple[float, ...] | None = series(
         "Crank angles",
         "°",
-        optional=True,
+        default=None,
         low=-720,
         high=720,
         symbol="phi",
         help="One per cylinder, of the pin it runs on; positive leads cylinder 1.",
     )
     axial_positions: tuple[float, ...] | None = series(
-        "Axial positions", "mm", optional=True, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel."
+        "Axial positions", "mm", default=None, low=-5000, high=5000, symbol="z", help="One per cylinder, + towards the flywheel."
     )
     bank_of_cylinder: tuple[int, ...] | None = integers(
-        "Bank of each cylinder", optional=True, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
+        "Bank of each cylinder", default=None, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
     )
     piston_mass: float = quantity(
         "Piston mass", "g", above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
@@ -100,8 +106,8 @@ class EngineInputs:
         "Rod mass", "g", low=0, high=1e5, symbol="M_B", usual=(200, 2000), source=THUMB,
         help="Mass of one rod with bush and screws, without big-end shells.",
     )  # fmt: skip
-    rod_cg_to_big_end: float = quantity(
-        "Rod CG to big end", "mm", optional=True, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.2.2",
+    rod_cg_to_big_end: float | None = quantity(
+        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.2.2",
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
     )  # fmt: skip
     crankpin_bearing_mass: float = quantity(
@@ -112,25 +118,25 @@ class EngineInputs:
         "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
     )
     flywheel_inertia: float | None = quantity(
-        "Inertia of the flywheel", "kg·m²", optional=True, above=0, high=1e5, symbol="J",
+        "Inertia of the flywheel", "kg·m²", default=None, above=0, high=1e5, symbol="J",
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",
     )  # fmt: skip
-    bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, optional=True, help="Oil in the main gallery over speed.")
+    bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.")
 
-    gas: GasInputs | None = table("Gas", GasInputs, optional=True, help="Pressure in the cylinders: torque over the cycle.")
-    throw: ThrowInputs | None = table("Crank throw", ThrowInputs, optional=True, help="Pin, journal and web: stresses of the crank.")
+    gas: GasInputs | None = table("Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle.")
+    throw: ThrowInputs | None = table("Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.")
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
         if self.strokes == 3:
-            yield "strokes", "must be 2 or 4"
+            yield "strokes", Text("must be 2 or 4")
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
-            yield "rod_length_mm", "must be longer than crank radius plus cylinder offset: the crank could not turn"
+            yield "rod_length_mm", Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
-            yield "rod_cg_to_big_end_mm", "must not exceed the rod length"
+            yield "rod_cg_to_big_end_mm", Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
             return
         for key, given in (
@@ -138,30 +144,32 @@ class EngineInputs:
             ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),
         ):  # fmt: skip
             if given is not None and len(given) != n:
-                yield key, f"has {len(given)} entries; needs one per cylinder, {n}"
+                yield key, Text("has {count} entries; needs one per cylinder, {n}", count=len(given), n=n)
         if self.firing_order is not None and len(self.firing_order) == n and sorted(self.firing_order) != list(range(1, n + 1)):
-            yield "firing_order", f"must name each cylinder from 1 to {n} once"
+            yield "firing_order", Text("must name each cylinder from 1 to {n} once", n=n)
         elif reason := self._not_fired():
             yield "firing_order", reason
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
-            yield "crank_angles_deg", "needed here: give the crank angles, or the firing order of an evenly firing engine"
+            yield "crank_angles_deg", Text("needed here: give the crank angles, or the firing order of an evenly firing engine")
         if self.layout != "vee" and self.bank_angle:
-            yield "bank_angle_deg", "belongs to a vee engine; leave it out"
+            yield "bank_angle_deg", Text("belongs to a vee engine; leave it out")
         if self.layout == "vee" and self.bank_angle is None:
-            yield "bank_angle_deg", "needed for a vee engine"
+            yield "bank_angle_deg", Text("needed for a vee engine")
         if self.layout == "inline" and self.bank_of_cylinder is not None and any(self.bank_of_cylinder):
-            yield "bank_of_cylinder", "an inline engine has bank 0 only"
+            yield "bank_of_cylinder", Text("an inline engine has bank 0 only")
         if self.layout == "inline" and n > 12:
-            yield "cylinders", "an inline engine has at most 12"
+            yield "cylinders", Text("an inline engine has at most 12")
 
-    def _not_fired(self) -> str:
+    def _not_fired(self) -> Text:
         """Why a crank of given angles can not fire in the given order; empty where it can."""
         if self.firing_order is None or self.crank_angles is None or not len(self.crank_angles) == len(self.firing_order) == self.cylinders:
-            return ""
+            return EMPTY
         from .crank import crank, firing
 
         first = self.firing_order.index(1)
         if firing(self, throws := crank(self, 0.0)).order == self.firing_order[first:] + self.firing_order[:first]:
-            return ""
+            return EMPTY
         best = "-".join(map(str, firing(replace(self, firing_order=None), throws).order))
-        return f"these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out"
+        return Text(
+            "these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out", best=best
+        )

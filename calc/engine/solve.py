@@ -4,7 +4,7 @@
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -12,16 +12,22 @@ from ..catalogue import Material
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi
+from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated, group, result, value
-from ..sheet.step import Curve, Outcome, Series, Table
+from ..sheet.step import Curve, Outcome, Series, Table, axis_label
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from . import torque
 from .crank import Crank, column, crank, firing, pin_of_cylinder
 from .cycle import WIDE, widest_gap
 from .firing import DUST, TURN, Firing
-from .inputs import EngineInputs
+from .inputs import CRANK_RATIO, EngineInputs
+
+if TYPE_CHECKING:
+    from .throw import ThrowResult
 
 ORDERS = range(1, 9)
 IRREGULAR = 0.05
@@ -49,8 +55,8 @@ class EngineResult:
     firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
     firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
     harmonic: dict[str, Stated] | None = group(default=None)
-    torque: Any = group(spread=True, default=None)  # TorqueResult
-    throw: Any = group(default=None)  # ThrowResult
+    torque: "torque.TorqueResult | None" = group(spread=True, default=None)
+    throw: "ThrowResult | None" = group(default=None)
     crank: Crank
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
     two_term: tuple[complex, ...]
@@ -63,7 +69,7 @@ def harmonics(a: Number) -> Number:
     spectrum: Any = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
     spectrum.real[np.abs(spectrum.real) < 1e-12] = 0.0
     spectrum.imag[np.abs(spectrum.imag) < 1e-12] = 0.0
-    return spectrum
+    return cast(Number, spectrum)
 
 
 def points(lam: Any, delta: Any) -> int:
@@ -103,12 +109,12 @@ def _peak(y: Any) -> tuple[Any, Any]:
 
 @formula("max", "largest value over the turn", shows="the largest of the points, refined on their Fourier series")
 def turn_highest(y: Number) -> Number:
-    return _peak(y)[0]
+    return cast(Number, _peak(y)[0])
 
 
 @formula("min", "smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
 def turn_lowest(y: Number) -> Number:
-    return -_peak(-y)[0]
+    return cast(Number, -_peak(-y)[0])
 
 
 def values(engine: EngineInputs) -> EngineResult:
@@ -133,18 +139,18 @@ def values(engine: EngineInputs) -> EngineResult:
     fastest = f.piston_speed(v_rel=turn_highest(y=speed), omega=omega, r=engine.crank_radius)
     a_max = f.acceleration(a_rel=turn_highest(y=exact), omega=omega, r=engine.crank_radius)
     a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
-    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=_peak(-exact)[1])
+    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(-exact)[1], exact))
     spectrum: Any = harmonics(exact)
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest, acceleration_max=a_max,
         acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=crank(engine, phi_0),
-        harmonics=tuple(complex(c) for c in spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
-        two_term=(1 - 1j * delta, lam + 0j, *([0j] * (len(ORDERS) - 2))),
+        harmonics=elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
+        two_term=(based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2))),
     )  # fmt: skip
 
 
-def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome:
+def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome[EngineResult]:
     """One engine: what `values` gives, when it fires, and the torque about its crank."""
     with trace() as lines:
         e = values(engine)
@@ -153,9 +159,9 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         gaps: Any = fires.intervals
         phi: Any = e.crank.phi
         shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
-        with about("torque"):
+        with about(Text("torque")):
             turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
-        with about("harmonics of the piston's acceleration"):
+        with about(Text("harmonics of the piston's acceleration")):
             named = _harmonics(e)
         stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
@@ -163,13 +169,15 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         harmonic=named,
     )  # fmt: skip
     return Outcome(
-        "engine", result=e, checks=(*_checks(engine, e), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves),
+        "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves),
         tables=(_crank_table(engine, e, fires), *tables),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip
 
 
-def _throw(engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque.TorqueResult, materials: Mapping[str, Material]) -> Any:
+def _throw(
+    engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque.TorqueResult, materials: Mapping[str, Material]
+) -> "tuple[ThrowResult | None, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]":
     """Stresses of a crank throw, where one is described."""
     if engine.throw is None:
         return None, (), (), ()
@@ -186,7 +194,7 @@ def harmonic_amplitude(c_n: PhasorNumber) -> Number:
 def _harmonics(e: EngineResult) -> dict[str, Stated]:
     """The orders of the piston's acceleration over ω²·r, those that there are."""
     return {
-        f"order_{n}": Stated(Described(f"Piston acceleration over ω²·r, order {n}", "", f"c_{n}"), harmonic_amplitude(c_n=c))
+        f"order_{n}": Stated(Described(Text("Piston acceleration over ω²·r, order {n}", n=n), "", f"c_{n}"), harmonic_amplitude(c_n=c))
         for n, c in zip(ORDERS, e.harmonics) if c
     }  # fmt: skip
 
@@ -200,51 +208,59 @@ def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
         for k in range(engine.cylinders)
     )
     return Table(
-        "crank", "The crank and its cylinders",
-        (("cylinder", ""), ("bank", "°"), ("throw", "°"), ("pin", ""), ("z", "mm"), ("fires at", "°")), rows,
-        "Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel.",
+        "crank", Text("The crank and its cylinders"),
+        ((Text("cylinder"), ""), (Text("bank"), "°"), (Text("throw"), "°"), (Text("pin"), ""), (Text("z"), "mm"), (Text("fires at"), "°")),
+        rows,
+        Text("Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel."),
     )  # fmt: skip
 
 
-def _checks(engine: EngineInputs, e: EngineResult) -> tuple[Check, ...]:
+def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult) -> tuple[Check, ...]:
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
-    uneven = uneven if uneven > DUST * TURN else 0.0
-    usual = "usual range of vehicle engines (Finotti 2013, 2.1)"
-    longer = "A longer rod lowers λ and with it every second-order force and couple."
-    rule = "rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)"
-    advice = "This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even."
+    uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
+    usual = Text("usual range of vehicle engines (Finotti 2013, 2.1)")
+    longer = Text("A longer rod lowers λ and with it every second-order force and couple.")
+    rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
+    advice = Text("This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.")
     gas: list[Check] = []
-    if e.torque.indicated_work is not None:
+    if turning.indicated_work is not None:
         gas.append(
             check(
-                "engine.gas.work", "Indicated work of a cycle", e.torque.indicated_work, ">", 0.0, "J", "an engine gives work",
-                "The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure.",
-                kind="advice",
+                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J", Text("an engine gives work"),
+                Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
             )
         )  # fmt: skip
-    if engine.gas is not None and engine.gas.pressure:
-        _, gap = widest_gap(e.torque.cycle.corners, e.torque.cycle.length)
+    if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
+        _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
+        gap = based_on(gap, turning.cycle.corners)
         gas.append(
             check(
-                "engine.gas.gap", "Largest gap in the table of indicated pressure", gap, "<=", WIDE, "°",
-                "rule of this program: a straight line is taken across a gap", "Give points at least every 60° of the whole cycle.",
-                kind="advice",
+                "engine.gas.gap", Text("Largest gap in the table of indicated pressure"), gap, "<=", WIDE, "°",
+                Text("rule of this program: a straight line is taken across a gap"),
+                Text("Give points at least every 60° of the whole cycle."),
             )
         )  # fmt: skip
-    if e.torque.speed_irregularity is not None:
+    if turning.speed_irregularity is not None:
         gas.append(
             check(
-                "engine.speed_irregularity", "Speed irregularity", e.torque.speed_irregularity, "<=", IRREGULAR, "",
-                "ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20 (machine handbooks)",
-                "A larger engine.flywheel_inertia_kgm2 lowers it in proportion.", kind="advice",
+                "engine.speed_irregularity", Text("Speed irregularity"), turning.speed_irregularity, "<=", IRREGULAR, "",
+                Text("ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20 (machine handbooks)"),
+                Text("A larger inertia of the flywheel lowers it in proportion."),
             )
         )  # fmt: skip
     return (
         *gas,
-        check("engine.crank.lambda_usual", "Crank ratio λ", e.lambda_, "in", (0.20, 0.33), "", usual, longer, kind="advice"),
+        check("engine.crank.lambda_usual", Text("Crank ratio λ"), e.lambda_, "in", CRANK_RATIO, "", usual, longer),
         check(
-            "engine.firing.even", "Deviation of a firing interval from the even one", uneven, "<=", EVEN, "°", rule, advice, kind="advice"
+            "engine.firing.even",
+            Text("Deviation of a firing interval from the even one"),
+            uneven,
+            "<=",
+            EVEN,
+            "°",
+            rule,
+            advice,
         ),
     )
 
@@ -256,22 +272,26 @@ def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:
         two_term: Any = f.relative_acceleration_two_term(alpha=alpha, lam=e.lambda_, delta=e.delta)
     scale, degrees = e.angular_speed**2 * engine.crank_radius, np.degrees(alpha)
     return Curve(
-        "acceleration", "Piston acceleration over one turn", "crank angle α, °", "a, m/s²",
-        (Series("exact", degrees, exact * scale), Series("two terms", degrees, two_term * scale)),
+        "acceleration", Text("Piston acceleration over one turn"), axis_label("crank angle α", "°"), axis_label("a", "m/s²"),
+        (Series(Text("exact"), degrees, exact * scale), Series(Text("two terms"), degrees, two_term * scale)),
     )  # fmt: skip
 
 
-def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[str, ...]:
+def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, ...]:
     notes = list(e.crank.chosen)
     if engine.cylinders > 1:
         degrees = [round(math.degrees(gap), 3) for gap in fires.intervals]
         even = max(degrees) - min(degrees) < 1e-3
         notes += [fires.chosen] if fires.chosen else []
         notes.append(
-            f"Fires {'-'.join(map(str, fires.order))}, "
-            + (f"every {degrees[0]:g}°." if even else f"after {'-'.join(f'{d:g}' for d in degrees)}°: unevenly.")
+            Text("Fires {map}, ", map="-".join(map(str, fires.order)))
+            + (
+                Text("every {degrees}°.", degrees=Amount(degrees[0], form="g"))
+                if even
+                else Text("after {what}°: unevenly.", what="-".join(f"{d:g}" for d in degrees))
+            )
         )
-    notes.append("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected.")
+    notes.append(Text("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected."))
     if engine.rod_cg_to_big_end is None:
-        notes.append("The rod's centre of gravity is not given: one third of it is taken as reciprocating.")
+        notes.append(Text("The rod's centre of gravity is not given: one third of it is taken as reciprocating."))
     return tuple(notes)

@@ -15,10 +15,13 @@ import numpy as np
 from ..catalogue import Material
 from ..sheet.arrays import Array, BoolArray
 from ..sheet.check import Check, check
+from ..sheet.linked_array import item
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Table
+from ..sheet.text import Name, Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
+from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f
 from . import throw_formulas as t
@@ -31,7 +34,8 @@ if TYPE_CHECKING:
     from .inputs import EngineInputs
     from .solve import EngineResult
 
-POSITIONS = {"largest_tangential": "largest tangential force", "top_dead_centre": "top dead centre"}
+POSITIONS = {"largest_tangential": Text("largest tangential force"), "top_dead_centre": Text("top dead centre")}
+PLACES = {"pin": Text("pin"), "journal": Text("journal")}
 SPAN = (0.8, 1.1)
 FIT = (0.01, 0.3)  # of the notch factors, ρ/d
 SAME_STRESS = 1e-9
@@ -88,11 +92,22 @@ class _Throw:
     def __init__(self, engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle | None, throw: ThrowInputs) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
         self.length = cycle.length if cycle else TURN
+        self.load = (
+            fires,
+            e.lambda_,
+            e.delta,
+            e.reciprocating_mass,
+            e.rotating_mass,
+            e.angular_speed,
+            engine.crank_radius,
+            engine.bore,
+            cycle,
+        )
         self.span = t.span(l_j=throw.journal_length, t_w=throw.web_thickness, l_p=throw.pin_length)
         self.notch: dict[str, tuple[float, float, float]] = {}
         if throw.fillet_radius is not None:
             for place, d in (("pin", throw.pin_diameter), ("journal", throw.journal_diameter)):
-                with about(f"fillet of the {place}"):
+                with about(Text("fillet of the {place}", place=PLACES[place])):
                     ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
                     self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
 
@@ -155,14 +170,14 @@ def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArra
 def solve(
     engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, throw: ThrowInputs, materials: Mapping[str, Material],
     cycle: Cycle | None = None,
-) -> tuple[ThrowResult, tuple[Check, ...], tuple[str, ...], tuple[Table, ...]]:  # fmt: skip
+) -> tuple[ThrowResult, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:  # fmt: skip
     """The governing throw of one engine at rated speed.
 
     `firing` as for the torque.  `cycle`: the gas as the torque prepared it, so that one chain of lines leads to both.
     """
-    fires: Any = np.asarray(firing, dtype=float)
+    fires: Any = firing
     if cycle is None and gas is not None:
-        with about("gas cycle"):
+        with about(Text("gas cycle")):
             cycle = c.prepare(engine, e, gas)
     crank = _Throw(engine, e, fires, cycle, throw)
     shared, in_front = pins(engine, e)
@@ -172,12 +187,13 @@ def solve(
     stress: Any = np.nanmax(worst[..., :2], (0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
     found: dict[str, Any] = {}
-    for (key, words), epsilon in zip(POSITIONS.items(), angles[:, k]):
-        found[key] = _position(crank, k, float(epsilon), shared[k], in_front[k], words)
+    largest = based_on(float(angles[0, k]), *crank.load)
+    for (key, words), epsilon in zip(POSITIONS.items(), (largest, item(fires[k]))):
+        found[key] = _position(crank, k, epsilon, shared[k], in_front[k], words)
     factors: dict[str, Any] = {
         f"notch_{kind}_{place}": crank.notch[place][i] for place in crank.notch for i, kind in ((1, "bending"), (2, "torsion"))
     }
-    result = ThrowResult(cylinder=k + 1, span=crank.span, **factors, **found)
+    result = ThrowResult(cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span, **factors, **found)
     material = materials.get(throw.material)
     return result, _checks(crank, worst, material), _notes(crank, result, shared[k], material), _tables(result, worst)
 
@@ -211,17 +227,17 @@ def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front
     """Cylinder k at one crank angle, recorded."""
     with untraced():
         others: Any = crank.rod(crank.fires, epsilon)["tangential_force"]
-    with about(f"throw of cylinder {k + 1}, {words}"):
-        T_v = t.torque_in_front(F_t=others[in_front], r=crank.engine.crank_radius)
-        own = crank.rod(float(crank.fires[k]), epsilon)
+    with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
+        T_v = t.torque_in_front(F_t=based_on(others[in_front], epsilon, *crank.load), r=crank.engine.crank_radius)
+        own = crank.rod(item(crank.fires[k]), epsilon)
     for j in np.flatnonzero(shared):
         if j == k:
             continue
-        with about(f"cylinder {j + 1} on the same pin, {words}"):
-            other = crank.rod(float(crank.fires[j]), epsilon)
+        with about(Text("cylinder {j} on the same pin, {words}", j=j + 1, words=words)):
+            other = crank.rod(item(crank.fires[j]), epsilon)
             for part in ("tangential_force", "radial_force"):
                 own[part] = t.both_rods(F=own[part], F_other=other[part])
-    with about(f"throw of cylinder {k + 1}, {words}"):
+    with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
         return Position(**own, **crank.sections(own["tangential_force"], own["radial_force"], T_v))
 
 
@@ -234,60 +250,74 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
     if crank.engine.cylinders > 1:
         found.append(
             check(
-                "engine.throw.span", "Distance of the main journals over the cylinder pitch", crank.span / pitch, "in", SPAN, "",
-                "rule of this program: a main journal between any two throws",
-                "Journal length, both webs and pin length make the span; the stresses are proportional to it.", kind="advice",
+                "engine.throw.span", Text("Distance of the main journals over the cylinder pitch"), crank.span / pitch, "in", SPAN, "",
+                Text("rule of this program: a main journal between any two throws"),
+                Text("Journal length, both webs and pin length make the span; the stresses are proportional to it."),
             )
         )  # fmt: skip
     limit = material.proof_stress if material else None
-    proof = f"proof stress of {throw.material}"
-    for i, (place, key) in enumerate((("pin", "engine.throw.pin_diameter_mm"), ("journal", "engine.throw.journal_diameter_mm"))):
-        nominal, notch = float(largest[i]), float(largest[i + 2])
+    proof = Text("proof stress of {material}", material=throw.material)
+    for i, (place, part) in enumerate(PLACES.items()):
+        nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
         if limit is not None:
             found.append(
                 check(
-                    f"engine.throw.stress_{place}", f"Von Mises stress of the {place}, nominal", nominal, "<=", limit, "MPa",
-                    f"{proof}; fatigue is not judged", f"A larger {key}: the stress falls with its cube.",
+                    f"engine.throw.stress_{place}", Text("Von Mises stress of the {part}, nominal", part=part), nominal, "<=", limit,
+                    "MPa",
+                    Text("{proof}; fatigue is not judged", proof=proof), Text("A larger diameter: the stress falls with its cube."),
                 )
             )  # fmt: skip
         if limit is not None and place in crank.notch:
             found.append(
                 check(
-                    f"engine.throw.notch_stress_{place}", f"Von Mises stress at the fillet of the {place}", notch, "<=", limit, "MPa",
-                    f"{proof}: above it the fillet yields locally", f"A larger engine.throw.fillet_radius_mm or {key}.", kind="advice",
+                    f"engine.throw.notch_stress_{place}", Text("Von Mises stress at the fillet of the {part}", part=part), notch, "<=",
+                    limit, "MPa",
+                    Text("{proof}: above it the fillet yields locally", proof=proof),
+                    Text("A larger fillet, or a larger diameter."),
                 )
             )  # fmt: skip
         if place in crank.notch:
             found.append(
                 check(
-                    f"engine.throw.fillet_{place}", f"Fillet radius over diameter of the {place}", crank.notch[place][0], "in", FIT, "",
-                    f"range of the notch factors ({t.NOTCH})", "Outside it the notch stress is an extrapolation.", kind="advice",
+                    f"engine.throw.fillet_{place}", Text("Fillet radius over diameter of the {part}", part=part), crank.notch[place][0],
+                    "in", FIT, "",
+                    Text("range of the notch factors ({notch})", notch=t.NOTCH), Text("Outside it the notch stress is an extrapolation."),
                 )
             )  # fmt: skip
     return tuple(found)
 
 
-def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[str, ...]:
+def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Material | None) -> tuple[Text, ...]:
     k = int(result.cylinder)
-    notes = [] if crank.engine.cylinders == 1 else [f"Throw: that of cylinder {k} governs; each was looked at in both positions."]
+    notes = [] if crank.engine.cylinders == 1 else [Text("Throw: that of cylinder {k} governs; each was looked at in both positions.", k=k)]
     partners = [int(j) + 1 for j in np.flatnonzero(shared) if j + 1 != k]
     if partners:
-        notes.append(f"Throw: cylinder {', '.join(map(str, partners))} runs on the same pin; both rods are taken to act at its middle.")
+        notes.append(
+            Text("Throw: cylinder {map} runs on the same pin; both rods are taken to act at its middle.", map=", ".join(map(str, partners)))
+        )
     if crank.cycle is None:
-        notes.append("Throw: no gas is given; it is loaded by inertia alone.")
+        notes.append(Text("Throw: no gas is given; it is loaded by inertia alone."))
     else:
-        notes.append("Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre.")
+        notes.append(Text("Throw: judged at rated speed; at low speed no inertia force relieves the gas force at top dead centre."))
     if material is None or material.proof_stress is None:
-        notes.append(f"Throw: the proof stress of {crank.throw.material} is not known, so its stresses are not judged.")
+        notes.append(
+            Text("Throw: the proof stress of {material} is not known, so its stresses are not judged.", material=crank.throw.material)
+        )
     notes += [
-        "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals beyond that is left out.",
-        "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' stiffness are left out.",
-        "Throw: fatigue is not judged.",
+        Text(
+            "Throw: pin and web masses are taken as counterweighted; what the counterweights take off the journals beyond that is left out."
+        ),
+        Text(
+            "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' stiffness are left out."
+        ),
+        Text("Throw: fatigue is not judged."),
     ]
     if crank.notch:
         notes.append(
-            "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a web is not; "
-            "below ρ/d 0.03 published fits of them lie 10 % and more apart."
+            Text(
+                "Throw: the notch factors are those of a round shaft with a shoulder of twice its diameter, which a web is not; "
+                "below ρ/d 0.03 published fits of them lie 10 % and more apart."
+            )
         )
     return tuple(notes)
 
@@ -305,33 +335,36 @@ def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:
     )  # fmt: skip
     stresses = tuple(
         (
-            f"{place}, {words}", s.bending_moment, s.torsion, s.bending_stress / mega, s.torsion_stress / mega, s.von_mises / mega,
+            Text("{place}, {position}", place=PLACES[place], position=words), s.bending_moment, s.torsion,
+            s.bending_stress / mega, s.torsion_stress / mega, s.von_mises / mega,
             None if s.notch_stress is None else s.notch_stress / mega,
         )
         for words, p in positions for place, s in (("pin", p.pin), ("journal", p.journal))
     )  # fmt: skip
     found = [
         Table(
-            "throw_forces", f"Forces on the throw of cylinder {cylinder}",
-            (("position", ""), ("ε_k", "°"), *((name, "N") for name in names), ("T_v", "N·m")), forces,
-            "Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, "
-            "torque from the throws in front.",
+            "throw_forces", Text("Forces on the throw of cylinder {cylinder}", cylinder=cylinder),
+            ((Text("position"), ""), (Text("ε_k"), "°"), *((Name(name), "N") for name in names), (Name("T_v"), "N·m")), forces,
+            Text("Gas, inertia, piston, rod, side thrust, tangential and radial force (towards the crank axis), reactions of the journals, "
+            "torque from the throws in front."),
             covers=("engine.throw.largest_tangential.",),
         ),
         Table(
-            "throw_stresses", f"Stresses of the throw of cylinder {cylinder}",
-            (("section", ""), ("M", "N·m"), ("T", "N·m"), ("σ", "MPa"), ("τ", "MPa"), ("σ_v", "MPa"), ("σ_vk", "MPa")), stresses,
-            "σ_v nominal; σ_vk at the fillet, where its radius is given.",
+            "throw_stresses", Text("Stresses of the throw of cylinder {cylinder}", cylinder=cylinder),
+            ((Text("section"), ""), (Text("M"), "N·m"), (Text("T"), "N·m"), (Text("σ"), "MPa"), (Text("τ"), "MPa"), (Text("σ_v"), "MPa"),
+                (Text("σ_vk"), "MPa")), stresses,
+            Text("σ_v nominal; σ_vk at the fillet, where its radius is given."),
             covers=("engine.throw.top_dead_centre.",),
         ),
     ]  # fmt: skip
     if worst.shape[1] > 1:
         found.append(
             Table(
-                "throws", "Nominal von Mises stress of every throw",
-                (("throw", ""), ("pin, F_t", "MPa"), ("journal, F_t", "MPa"), ("pin, TDC", "MPa"), ("journal, TDC", "MPa")),
-                tuple((f"cylinder {k + 1}", *(float(s) / mega for s in worst[:, k, :2].ravel())) for k in range(worst.shape[1])),
-                "At its largest tangential force (F_t) and at its firing (TDC).",
+                "throws", Text("Nominal von Mises stress of every throw"),
+                ((Text("throw"), ""), (Text("pin, F_t"), "MPa"), (Text("journal, F_t"), "MPa"), (Text("pin, TDC"), "MPa"),
+                    (Text("journal, TDC"), "MPa")),
+                tuple((Text("cylinder {k}", k=k + 1), *(float(s) / mega for s in worst[:, k, :2].ravel())) for k in range(worst.shape[1])),
+                Text("At its largest tangential force (F_t) and at its firing (TDC)."),
             )
         )  # fmt: skip
     return tuple(found)

@@ -6,36 +6,37 @@ middles of its two journals, which the textbooks take as simple supports.
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import cos, pi, sqrt, tan, total
+from ..sheet.functions import cos, pi, power, sqrt, tan, total
+from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
 
-ROD = "statics of the slider-crank (mechanics textbook, ch. 48)"
-BEAM = "simply supported throw, pin loaded at its middle (mechanics textbook, ch. 48: sizing of the crank)"
-NOTCH = "Norton, Machine Design, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2"
+ROD = Text("statics of the slider-crank (mechanics textbook, ch. 48)")
+BEAM = Text("simply supported throw, pin loaded at its middle (mechanics textbook, ch. 48: sizing of the crank)")
+NOTCH = Text("Norton, Machine Design, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2")
 
 
 # --- forces -----------------------------------------------------------------------------------------------------------------
-@formula("F", f"{ROD}: force on the piston")
+@formula("F", Text("{rod}: force on the piston", rod=ROD))
 def piston_force(F_G: Newton, F_I: Newton) -> Newton:
     return F_G + F_I
 
 
-@formula("S", f"{ROD}: force in the rod, positive in compression")
+@formula("S", Text("{rod}: force in the rod, positive in compression", rod=ROD))
 def rod_force(F: Newton, beta: Radian) -> Newton:
     return F / cos(beta)
 
 
-@formula("N", f"{ROD}: side thrust on the liner")
+@formula("N", Text("{rod}: side thrust on the liner", rod=ROD))
 def side_thrust(F: Newton, beta: Radian) -> Newton:
     return F * tan(beta)
 
 
-@formula("F_t", f"{ROD}: tangential force at the pin, torque over crank radius")
+@formula("F_t", Text("{rod}: tangential force at the pin, torque over crank radius", rod=ROD))
 def tangential_force(F: Newton, v_rel: Number) -> Newton:
     return F * v_rel
 
 
-@formula("F_r", f"{ROD}: radial part of the rod's force, less the centrifugal force of its rotating mass")
+@formula("F_r", Text("{rod}: radial part of the rod's force, less the centrifugal force of its rotating mass", rod=ROD))
 def radial_force(S: Newton, alpha: Radian, beta: Radian, M_rot: Kilogram, r: Metre, omega: RadPerSecond) -> Newton:
     return S * cos(alpha + beta) - M_rot * r * omega**2
 
@@ -45,7 +46,7 @@ def both_rods(F: Newton, F_other: Newton) -> Newton:
     return F + F_other
 
 
-@formula("R", f"{BEAM}: reaction of a main journal, half the pin's force")
+@formula("R", Text("{beam}: reaction of a main journal, half the pin's force", beam=BEAM))
 def reaction(F_t: Newton, F_r: Newton) -> Newton:
     return sqrt(F_t**2 + F_r**2) / 2
 
@@ -56,27 +57,27 @@ def torque_in_front(F_t: Newton, r: Metre) -> NewtonMetre:
 
 
 # --- moments ----------------------------------------------------------------------------------------------------------------
-@formula("L", f"{BEAM}: distance of the journals' middles", unit="mm")
+@formula("L", Text("{beam}: distance of the journals' middles", beam=BEAM), unit="mm")
 def span(l_j: Metre, t_w: Metre, l_p: Metre) -> Metre:
     return l_j + 2 * t_w + l_p
 
 
-@formula("M_p", f"{BEAM}: bending moment at the pin's middle, both planes")
+@formula("M_p", Text("{beam}: bending moment at the pin's middle, both planes", beam=BEAM))
 def pin_bending(R: Newton, L: Metre) -> NewtonMetre:
     return R * L / 2
 
 
-@formula("M_pf", f"{BEAM}: bending moment at the pin's fillet")
+@formula("M_pf", Text("{beam}: bending moment at the pin's fillet", beam=BEAM))
 def pin_fillet_bending(R: Newton, l_j: Metre, t_w: Metre) -> NewtonMetre:
     return R * (l_j / 2 + t_w)
 
 
-@formula("M_j", f"{BEAM}: bending moment at the journal's edge to the web")
+@formula("M_j", Text("{beam}: bending moment at the journal's edge to the web", beam=BEAM))
 def journal_bending(R: Newton, l_j: Metre) -> NewtonMetre:
     return R * l_j / 2
 
 
-@formula("T_p", f"{BEAM}: torsion of the pin, by the front journal's reaction and the torque from the throws in front")
+@formula("T_p", Text("{beam}: torsion of the pin, by the front journal's reaction and the torque from the throws in front", beam=BEAM))
 def pin_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
     return F_t * r / 2 + T_v
 
@@ -107,14 +108,14 @@ def relative_fillet(rho: Metre, d: Metre) -> Number:
     return rho / d
 
 
-@formula("K_b", f"{NOTCH}, bending")
+@formula("K_b", Text("{notch}, bending", notch=NOTCH))
 def notch_bending(rho_d: Number) -> Number:
-    return 0.90879 * rho_d**-0.28598
+    return 0.90879 * power(rho_d, -0.28598)
 
 
-@formula("K_t", f"{NOTCH}, torsion")
+@formula("K_t", Text("{notch}, torsion", notch=NOTCH))
 def notch_torsion(rho_d: Number) -> Number:
-    return 0.86331 * rho_d**-0.23865
+    return 0.86331 * power(rho_d, -0.23865)
 
 
 @formula("σ_vk", "equivalent stress after von Mises at the fillet, elastic", unit="MPa")

@@ -22,7 +22,7 @@ class ThrowInputs:
         "Web thickness", "mm", above=0, high=1000, symbol="t_w", help="Thickness of a web along the crank axis."
     )
     fillet_radius: float | None = quantity(
-        "Fillet radius", "mm", optional=True, above=0, high=500, symbol="rho",
+        "Fillet radius", "mm", default=None, above=0, high=500, symbol="rho",
         help="Radius from pin and journal to the web. Left out: no notch stress.",
     )  # fmt: skip
     material: str = text("Material", help="A name from the table of materials or from [[material]]; its proof stress is the limit.")

@@ -7,15 +7,17 @@ Cylinder k then stands ε − f_k after its own firing, which is the same as α_
 """
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, many
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
+from ..sheet.linked_array import elements, item
 from ..sheet.quantity import Described, Stated, group, result, value
-from ..sheet.step import Curve, Series
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import (
     CubicMetre,
@@ -30,6 +32,7 @@ from ..sheet.units import (
     RadPerSecond,
     Watt,
 )
+from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f
 from .cycle import TURN, Cycle
@@ -43,7 +46,7 @@ ORDERS = 8
 POINTS = 720  # over a turn, for the inertia torque
 SMALL = 1e-9  # of the largest: an order so small is dust
 DRAWN = math.radians(1.0)
-WORK = "indicated work of the cycle: virtual work of the gas force"
+WORK = Text("indicated work of the cycle: virtual work of the gas force")
 
 
 @result
@@ -126,7 +129,7 @@ def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     sums: Any = resultant(cis(-orders))
     found = found * sums
     found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
-    return found
+    return cast(PhasorNewtonMetre, found)
 
 
 @formula("T_n", "amplitude of one order of the inertia torque")
@@ -134,7 +137,7 @@ def harmonic_amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(t_n)
 
 
-@formula("W_i", f"{WORK}, one cylinder", shows="∮ F_G·r·v_rel dε over the cycle")
+@formula("W_i", Text("{work}, one cylinder", work=WORK), shows="∮ F_G·r·v_rel dε over the cycle")
 def indicated_work(T_k: NewtonMetre, epsilon: Radian) -> NewtonMetre:
     """From the gas torque of one cylinder at the points of the cycle."""
     return float(c.running(epsilon, T_k)[-1])
@@ -145,7 +148,7 @@ def mean_pressure(W_i: NewtonMetre, N: Number, V_h: CubicMetre) -> Pascal:
     return W_i * N / V_h
 
 
-@formula("T_m", f"{WORK}, per radian of the cycle; inertia adds nothing")
+@formula("T_m", Text("{work}, per radian of the cycle; inertia adds nothing", work=WORK))
 def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
     return N * W_i / (pi * strokes)
 
@@ -189,22 +192,26 @@ def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any,
 
 def solve(
     engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
-) -> tuple[TorqueResult, tuple[Curve, ...], tuple[str, ...]]:
+) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
-    fires: Any = np.asarray(firing, dtype=float)
+    fires: Any = firing
     found, curve = _inertia(engine, e, fires)
-    notes = ["The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean."]
+    notes = [Text("The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean.")]
     if engine.cylinder_offset:
-        notes.append("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the torque reaction.")
+        notes.append(
+            Text("With the offset the inertia force, on the cylinder's axis, adds its moment about the crank's to the torque reaction.")
+        )
     if gas is None:
-        notes.append("No gas is given: the torque is that of the inertia forces alone.")
+        notes.append(Text("No gas is given: the torque is that of the inertia forces alone."))
         return TorqueResult(**found, cycle=None), (curve,), tuple(notes)
-    with about("gas cycle"):
+    with about(Text("gas cycle")):
         cycle = c.prepare(engine, e, gas)
     notes += cycle.notes
-    notes.append("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off.")
+    notes.append(Text("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off."))
     if flywheel_inertia is not None:
-        notes.append("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
+        notes.append(
+            Text("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
+        )
     result = TorqueResult(**found, **_gas(engine, e, fires, cycle, flywheel_inertia), cycle=cycle)
     return result, _curves(engine, e, fires, cycle, result), tuple(notes)
 
@@ -213,7 +220,7 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
     epsilon: Any = np.arange(POINTS + 1) * (TURN / POINTS)
     d = engine.cylinder_offset
-    with about("inertia torque of one cylinder"):
+    with about(Text("inertia torque of one cylinder")):
         _, one, F_I = at(engine, e, None, 0.0, epsilon[:-1])
         on_block: Any = reaction(T=one, d=d, F_I=F_I)
     turned: Any = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires).sum(1)
@@ -223,38 +230,41 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         return np.append(whole, whole[0])
 
     whole, block = together(one), together(on_block)
-    with about("largest inertia torque"):
-        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, c.first_highest(epsilon, c.amounts(whole)))[1]))
-    with about("largest torque reaction of the inertia forces"):
-        _, T_I, F_I = at(engine, e, None, fires, c.first_highest(epsilon, c.amounts(block)))
+    with about(Text("largest inertia torque")):
+        peak = amount(T=inertia_torque(T_k=at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(whole)), one))[1]))
+    with about(Text("largest torque reaction of the inertia forces")):
+        _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
-    with about("inertia torque"):
+    with about(Text("inertia torque")):
         t: Any = torque_harmonics(T_k=one, fires=fires)
-        orders = _amplitudes(t, "Inertia torque", "T_")
-    with about("torque reaction of the inertia forces"):
+        orders = _amplitudes(t, Text("Inertia torque"), "T_")
+    with about(Text("torque reaction of the inertia forces")):
         t_block: Any = torque_harmonics(T_k=on_block, fires=fires)
-        block_orders = _amplitudes(t_block, "Torque reaction of the inertia forces", "T_RI,")
+        block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
-        "torque", "Inertia torque about the crank over one turn", "crank angle after TDC of cylinder 1, °", "T, N·m",
-        (Series("on the crank", np.degrees(epsilon[::2]), whole[::2]), Series("on the block", np.degrees(epsilon[::2]), block[::2])),
+        "torque", Text("Inertia torque about the crank over one turn"), axis_label("crank angle after TDC of cylinder 1", "°"),
+        axis_label("T", "N·m"),
+        (Series(Text("on the crank"), np.degrees(epsilon[::2]), whole[::2]),
+            Series(Text("on the block"), np.degrees(epsilon[::2]), block[::2])),
     )  # fmt: skip
     return {
-        "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": tuple(complex(t_n) for t_n in t),
+        "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": elements(t),
         "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders,
     }, curve  # fmt: skip
 
 
 def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:
     return {
-        f"order_{n}": Stated(Described(f"{words}, order {n}", "N·m", f"{symbol}{n}"), harmonic_amplitude(t_n=complex(t_n)))
-        for n, t_n in enumerate(t, 1) if abs(t_n) > SMALL * abs(t).max()
+        f"order_{n}": Stated(Described(Text("{words}, order {n}", words=words, n=n), "N·m", f"{symbol}{n}"),
+            harmonic_amplitude(t_n=t_n))
+        for n, t_n in enumerate(elements(t), 1) if abs(t_n) > SMALL * abs(t).max()
     }  # fmt: skip
 
 
 def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, flywheel_inertia: float | None) -> dict[str, Any]:
     """What the gas gives: work, peaks, mean and fluctuation."""
     epsilon = c.points(cycle, fires)
-    with about("all cylinders over the cycle"):
+    with about(Text("all cylinders over the cycle")):
         of_gas, of_inertia, force = at(engine, e, cycle, fires, epsilon[:, None])
         gas_only: Any = gas_torque(T_k=of_gas)
         whole: Any = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
@@ -262,22 +272,23 @@ def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, fl
         best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
         on_block: Any = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
         best_block = c.first_highest(epsilon, c.amounts(on_block))
-    with about("cylinder 1 over its cycle"):
-        one, _, _ = at(engine, e, cycle, float(fires[0]), epsilon)  # its corners are among the points
+    best, best_block = based_on(best, gas_only), based_on(best_block, whole, force)
+    with about(Text("cylinder 1 over its cycle")):
+        one, _, _ = at(engine, e, cycle, item(fires[0]), epsilon)  # its corners are among the points
     W_i = indicated_work(T_k=one, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
-    with about("largest gas torque"):
+    with about(Text("largest gas torque")):
         T_G_k = at(engine, e, cycle, fires, best)[0]
         peak_gas = amount(T=gas_torque(T_k=T_G_k))
-    best = _angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True)
-    with about("largest torque"):
+    best = based_on(_angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True), whole)
+    with about(Text("largest torque")):
         T_G_k, T_I_k, _ = at(engine, e, cycle, fires, best)
         peak = amount(T=whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k)))
-    with about("largest torque reaction"):
+    with about(Text("largest torque reaction")):
         T_G_k, T_I_k, F_k = at(engine, e, cycle, fires, best_block)
         both = whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k))
         peak_block = amount(T=reaction(T=both, d=engine.cylinder_offset, F_I=inertia_sum(F_k=F_k)))
-    with about("all cylinders over the cycle"):
+    with about(Text("all cylinders over the cycle")):
         T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
     uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
@@ -309,21 +320,26 @@ def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle,
     degrees = np.degrees(epsilon)
     with untraced():
         T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
-        on_block = reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I)
+        on_block = many(reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I))
         alpha: Any = e.tdc_angle + epsilon
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
         p = cycle.pressure(epsilon, x)
     assert result.mean_torque is not None
     torque = Curve(
-        "torque", "Torque about the crank over the cycle", "crank angle after the firing of cylinder 1, °", "T, N·m",
+        "torque", Text("Torque about the crank over the cycle"), axis_label("crank angle after the firing of cylinder 1", "°"),
+        axis_label("T", "N·m"),
         (
-            Series("gas", degrees, T_G), Series("inertia", degrees, T_I), Series("total", degrees, T_G + T_I),
-            Series("on the block", degrees, on_block),
+            Series(Text("gas"), degrees, T_G), Series(Text("inertia"), degrees, T_I), Series(Text("total"), degrees, T_G + T_I),
+            Series(Text("on the block"), degrees, on_block),
         ),
-        limits=(("mean", result.mean_torque),),
+        limits=((Text("mean"), result.mean_torque),),
     )  # fmt: skip
     pressure = Curve(
-        "pressure", "Pressure in a cylinder over its cycle", "crank angle after its firing, °", "p, bar", (Series("p", degrees, p / 1e5),)
+        "pressure",
+        Text("Pressure in a cylinder over its cycle"),
+        axis_label("crank angle after its firing", "°"),
+        axis_label("p", "bar"),
+        (Series(Text("p"), degrees, p / 1e5),),
     )
     return torque, pressure

@@ -1,2 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Friction of the meshes and the power balance of the whole drive."""
+
+from typing import TYPE_CHECKING
+
+from ..lazy import lazy
+
+__all__ = ["schlenk", "solve_loss"]
+
+if TYPE_CHECKING:
+    from .public import schlenk, solve_loss
+else:
+    __getattr__ = lazy(__name__, __all__)

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.text import Text
 
 # Types of rolling bearings whose factors are known (`losses/rolling_bearings.py`).
 BEARING_TYPES = (
@@ -13,7 +14,7 @@ BEARING_TYPES = (
 )  # fmt: skip
 
 
-CARRIED = "Left out: the wheel that the name begins with (crank-seal), else the last of the train."
+CARRIED = Text("Left out: the wheel that the name begins with (crank-seal), else the last of the train.")
 # Series of rolling bearings for which SKF's constants could be read.
 SKF_SERIES = {
     "deep-groove-ball": ("2", "3", "42", "43", "60", "630", "62", "622", "63", "623", "64", "160", "161", "618", "619"),
@@ -26,7 +27,7 @@ class OtherLoss:
     """A loss that the train carries besides those computed."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     power: float = quantity("Power", "W", low=0, high=1e6, symbol="P", help="Power that is lost there, known from elsewhere.")
 
 
@@ -35,7 +36,7 @@ class Seal:
     """A radial shaft seal on the shaft of a wheel."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity("Shaft diameter", "mm", above=0, high=1000, symbol="d_sh", help="Diameter of the shaft under the lip.")
     count: int = integer("Seals of this size", default=1, low=1, high=20, help="How many such seals the wheel's shaft has.")
     method: str = choice(
@@ -48,19 +49,19 @@ class RollingBearing:
     """Rolling bearings that carry a wheel."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     kind: str = choice("Type", *BEARING_TYPES, default="deep-groove-ball")
     bore: float = quantity("Bore", "mm", above=0, high=1000, symbol="d", help="Inner diameter of the bearing.")
     outside_diameter: float = quantity(
         "Outside diameter", "mm", above=0, high=2000, symbol="D", help="Outer diameter of the bearing; with the bore it gives the mean one."
     )
     load: float | None = quantity(
-        "Radial load of all of them together", "N", optional=True, low=0, high=1e6, symbol="F",
+        "Radial load of all of them together", "N", default=None, low=0, high=1e6, symbol="F",
         help="What they carry together. Left out: by the teeth of its wheel.",
     )  # fmt: skip
     count: int = integer("Bearings that share the load", default=2, low=1, high=8, help="How many bearings share the radial load evenly.")
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
-    series: str | None = text("Series", optional=True, help='For SKF\'s model: "60", "62", "63" …')
+    series: str | None = text("Series", default=None, help='For SKF\'s model: "60", "62", "63" …')
     lubrication: str = choice(
         "Lubrication",
         "bath",
@@ -70,22 +71,26 @@ class RollingBearing:
         help="By Palmgren: mist half of a bath, a jet twice. By SKF: mist starves more.",
     )
     f_0: float | None = quantity(
-        "Factor f_0", optional=True, low=0, high=50, symbol="f_0", usual=(0.5, 24),
+        "Factor f_0", default=None, low=0, high=50, symbol="f_0", usual=(0.5, 24),
         source="Palmgren 1957, from memory, by type and lubrication",
         help="For the loss without load. Left out: by type and lubrication.",
     )  # fmt: skip
     f_1: float | None = quantity(
-        "Factor f_1", optional=True, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, from memory, by type",
+        "Factor f_1", default=None, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, from memory, by type",
         help="For the loss by the load. Left out: by the type.",
     )  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.outside_diameter <= self.bore:
-            yield "outside_diameter_mm", "must be larger than the bore"
+            yield "outside_diameter_mm", Text("must be larger than the bore")
         if self.method == "skf" and self.series not in (known := SKF_SERIES.get(self.kind, ())):
             rows = ", ".join(f'"{series}"' for series in known)
-            told = f"give one of {rows}" if known else f"SKF's constants could be read for {' and '.join(SKF_SERIES)} only"
-            yield "series", f'method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"'
+            told = (
+                Text("give one of {rows}", rows=rows)
+                if known
+                else Text("SKF's constants could be read for {skf_series} only", skf_series=Text(" and ").join(SKF_SERIES))
+            )
+            yield "series", Text('method = "skf" needs the series of the bearing: {told}; or take method = "palmgren"', told=told)
 
 
 @inputs
@@ -93,14 +98,14 @@ class PlainBearing:
     """The bush of an idler on its fixed pin."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     diameter: float = quantity("Diameter", "mm", above=0, high=1000, symbol="d", help="Diameter of the pin in the bush.")
     length: float = quantity("Length", "mm", above=0, high=1000, symbol="l", help="Length of the bush along its pin.")
     clearance: float = quantity(
         "Diametral clearance when running", "µm", above=0, high=5000, symbol="g", help="Bore of the bush minus pin, both warm."
     )
     load: float | None = quantity(
-        "Load", "N", optional=True, low=0, high=1e6, symbol="F", help="Force of the wheel on its pin. Left out: by the teeth of its wheel."
+        "Load", "N", default=None, low=0, high=1e6, symbol="F", help="Force of the wheel on its pin. Left out: by the teeth of its wheel."
     )
 
 
@@ -109,7 +114,7 @@ class Dip:
     """A wheel that dips into oil."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     depth: float = quantity(
         "Depth of its lowest tooth below the oil at rest", "mm", above=0, high=2000, symbol="h", source="Changenet et al. 2011",
         help="How deep the wheel dips while the oil is at rest.",
@@ -125,7 +130,7 @@ class Jet:
     """Oil thrown onto a wheel, which carries it along."""
 
     name: str = text("Name")
-    wheel: str | None = text("Wheel that carries it", optional=True, help=CARRIED)
+    wheel: str | None = text("Wheel that carries it", default=None, help=CARRIED)
     flow: float = quantity(
         "Flow", "L/min", above=0, high=1000, symbol="Q", source="Butsch 1989, ISO/TR 14179-2",
         help="Oil that strikes the wheel and is carried along.",
@@ -140,18 +145,18 @@ class Scenario:
     """The same design with another oil, temperature, load sharing, roughness or power."""
 
     name: str = text("Name")
-    oil: str | None = text("Oil", optional=True)
+    oil: str | None = text("Oil", default=None)
     oil_temperature: float | None = quantity(
-        "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
+        "Oil temperature", "°C", default=None, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
         help="Of the teeth; replaces a measured bulk temperature.",
     )  # fmt: skip
-    load_sharing: str | None = choice("Load sharing", "linear", "smooth", optional=True)
+    load_sharing: str | None = choice("Load sharing", "linear", "smooth", default=None)
     flank_roughness: tuple[float, ...] | None = series(
-        "Flank roughness Ra", "µm", count=(1, 2), optional=True, above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
+        "Flank roughness Ra", "µm", count=(1, 2), default=None, above=0, high=20, symbol="Ra", usual=(0.1, 2), source=THUMB,
         help="Mean roughness, one for both or [driver, driven].",
     )  # fmt: skip
     power: float | None = quantity(
-        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P",
+        "Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
         help="What goes into the first driver of a design without counter-shaft.",
     )  # fmt: skip
 
@@ -161,14 +166,14 @@ class FrictionInputs:
     """Oil, flanks and load sharing of the meshes."""
 
     oil: str | None = text(
-        "Oil", optional=True, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
+        "Oil", default=None, help="Of teeth and wheels. Left out: that of the bearings, which alone sets the journals' friction."
     )
     oil_temperature: float | None = quantity(
-        "Oil temperature", "°C", optional=True, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
+        "Oil temperature", "°C", default=None, low=-40, high=200, symbol="T_oil", step=5, usual=(40, 130), source=THUMB,
         help="Of teeth and wheels. Left out: the bearings' supply temperature.",
     )  # fmt: skip
     bulk_temperature: float | None = quantity(
-        "Bulk temperature", "°C", optional=True, low=-40, high=300, symbol="T_b", usual=(40, 150), source=THUMB,
+        "Bulk temperature", "°C", default=None, low=-40, high=300, symbol="T_b", usual=(40, 150), source=THUMB,
         help="Of the teeth, measured. Left out: by the next key.",
     )  # fmt: skip
     bulk: str = choice(
@@ -180,7 +185,7 @@ class FrictionInputs:
         help="How much tip relief shares the load more evenly; 1: no tip relief.",
     )  # fmt: skip
     body_resistance: tuple[float, ...] | None = series(
-        "Thermal resistance of the wheels' bodies", "K/W", count=(1, 2), optional=True, low=0, high=1000, symbol="M",
+        "Thermal resistance of the wheels' bodies", "K/W", count=(1, 2), default=None, low=0, high=1000, symbol="M",
         source="Olver 1991, Olver and Spikes 1998",
         help="From flank to where the bulk temperature is known. One for both, or [driver, driven]. Left out: not counted.",
     )  # fmt: skip
@@ -209,7 +214,7 @@ class FrictionInputs:
         help="Governs the windage; air alone has 1.2.",
     )  # fmt: skip
     specific_fuel_consumption: float | None = quantity(
-        "Specific fuel consumption", "g/kWh", optional=True, above=0, high=2000, symbol="b_e", usual=(190, 350), source=THUMB,
+        "Specific fuel consumption", "g/kWh", default=None, above=0, high=2000, symbol="b_e", usual=(190, 350), source=THUMB,
         help="What the engine burns for its power.",
     )  # fmt: skip
     co2_per_fuel: float = quantity(
@@ -218,32 +223,28 @@ class FrictionInputs:
         help="Of complete combustion; diesel, petrol 3.17.",
     )  # fmt: skip
     map_temperatures: tuple[float, ...] | None = series(
-        "Oil temperatures of the map", "°C", count=(1, 8), optional=True, low=-40, high=200,
+        "Oil temperatures of the map", "°C", count=(1, 8), default=None, low=-40, high=200,
         help="Of losses over speed. Left out: four from 40 K below the oil's to 10 K above.",
     )  # fmt: skip
     map_speeds: tuple[float, ...] | None = series(
-        "Speeds of the map", "rpm", count=(2, 2), optional=True, above=0, high=1e5, help="Lowest and highest, of the first driver."
+        "Speeds of the map", "rpm", count=(2, 2), default=None, above=0, high=1e5, help="Lowest and highest, of the first driver."
     )
-    seals: tuple[Seal, ...] = tables(
-        "Shaft seals", Seal, optional=True, help="The wheel that the name begins with carries it, else the last."
-    )
-    rolling_bearings: tuple[RollingBearing, ...] = tables("Rolling bearings of wheels", RollingBearing, optional=True)
-    plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, optional=True)
-    dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, optional=True)
-    jets: tuple[Jet, ...] = tables("Oil thrown onto wheels", Jet, optional=True)
+    seals: tuple[Seal, ...] = tables("Shaft seals", Seal, default=(), help="The wheel that the name begins with carries it, else the last.")
+    rolling_bearings: tuple[RollingBearing, ...] = tables("Rolling bearings of wheels", RollingBearing, default=())
+    plain_bearings: tuple[PlainBearing, ...] = tables("Plain bearings of idlers", PlainBearing, default=())
+    dips: tuple[Dip, ...] = tables("Wheels that dip into oil", Dip, default=())
+    jets: tuple[Jet, ...] = tables("Oil thrown onto wheels", Jet, default=())
     other_losses: tuple[OtherLoss, ...] = tables(
         "Other losses",
         OtherLoss,
-        optional=True,
+        default=(),
         help='What is known otherwise; the wheel that the name begins with carries it ("idler-pump"), else the last.',
     )
-    scenarios: tuple[Scenario, ...] = tables(
-        "Scenarios", Scenario, optional=True, help="The same train under other conditions, side by side."
-    )
+    scenarios: tuple[Scenario, ...] = tables("Scenarios", Scenario, default=(), help="The same train under other conditions, side by side.")
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.bulk == "estimated" and self.bulk_temperature is not None:
-            yield "bulk_temperature_C", 'leave it out where bulk = "estimated": it is measured or estimated, not both'
+            yield "bulk_temperature_C", Text('leave it out where bulk = "estimated": it is measured or estimated, not both')
 
 
 def carrier(entry: Any, wheels: Iterable[str], last: str) -> str:

@@ -10,14 +10,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from ..bearings.inputs import IN_TITLES, IN_WORDS
 from ..bearings.result import BearingsResult
+from ..bearings.rotating_load import SECOND_ORDER, Response, answered, response
 from ..bearings.sweep import TURNING
-from ..bearings.turn import SECOND_ORDER, Response, answered, response
 from ..countershaft.inputs import CountershaftInputs
-from ..countershaft.standing import Drive as GearDrive
-from ..countershaft.standing import Gear, Standing, standing_of
+from ..countershaft.result import CountershaftResult, Standing
+from ..countershaft.stationary_load import Drive as GearDrive
+from ..countershaft.stationary_load import Gear, standing_of
 from ..lubricant import Lubricant
 from ..sheet.formula import formula
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
 from .result import JournalResult
@@ -27,7 +30,7 @@ class OnShaft(NamedTuple):
     """What the friction step is told of the counter-shaft; without `shaft`, of bearings whose loads are given."""
 
     bearings: BearingsResult
-    shaft: Any  # its result
+    shaft: CountershaftResult | None
     inputs: CountershaftInputs | None
     gear: Gear | None
 
@@ -59,10 +62,10 @@ class Journals:
 
     def standing(self, P: Watt | None) -> Standing | None:
         """What stands still where the shaft's gear takes in the power P."""
-        if not self.on.turns or self.on.inputs is None:
+        if not self.on.turns or self.on.inputs is None or self.on.shaft is None:
             return None
         drive = None if P is None else GearDrive(P, self.speed)
-        with about("standing part of the load, in the balance"):
+        with about(Text("standing part of the load, in the balance")):
             return standing_of(self.on.shaft, self.on.inputs, self.on.gear, drive)
 
     def sum(self, journals: dict[str, JournalResult]) -> Watt:
@@ -77,24 +80,36 @@ class Journals:
                 R_0 = stands.stationary_front if place == "front" else stands.stationary_rear
             P_f = answer.friction_power
             if R_0 is not None and np.any(np.isfinite(answer.slope + answer.curvature)):
-                with about(f"{place} bearing, over a turn"):
+                with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
                     P_f = answer.power(R_0)
                 if self.unsteady[place]:
                     P_f = np.where(np.isfinite(P_f), P_f, answer.friction_power)  # type: ignore[assignment]
             found[place] = JournalResult(standing_load=R_0, friction_power=P_f)
         return found
 
-    def notes(self, found: dict[str, JournalResult]) -> list[str]:
+    def notes(self, found: dict[str, JournalResult]) -> list[Text]:
         said = []
         for place, one in found.items():
             F = self.responses[place].load
             if one.standing_load is not None and self.unsteady[place]:
                 said.append(
-                    f"{place.capitalize()} journal: no film is found 5 % beside its load; its friction is that of the turning load."
+                    Text(
+                        "{place} journal: no film is found 5 % beside its load; its friction is that of the turning load.",
+                        place=IN_TITLES[place],
+                    )
                 )
             elif one.standing_load is not None and one.standing_load > SECOND_ORDER * F:
-                share = f"the standing load is {one.standing_load / F * 100:.0f} % of the turning one"
-                said.append(f"{place.capitalize()} journal: {share}; the mean over a turn, of second order in it, is rough.")
+                share = Text(
+                    "the standing load is {standing_load} % of the turning one",
+                    standing_load=Amount(one.standing_load / F * 100, form=".0f"),
+                )
+                said.append(
+                    Text(
+                        "{place} journal: {share}; the mean over a turn, of second order in it, is rough.",
+                        place=IN_TITLES[place],
+                        share=share,
+                    )
+                )
         return said
 
 
@@ -104,7 +119,7 @@ def journals_of(on: OnShaft) -> Journals:
     for place, one in on.bearings.bearings.items():
         speed = one.duty.speed
         if on.turns:
-            with about(f"{place} bearing, over a turn"):
+            with about(Text("{place} bearing, over a turn", place=IN_WORDS[place])):
                 responses[place] = answered(one.beside, one.duty, one.friction_power)
         else:
             responses[place] = Response(load=one.load, friction_power=one.friction_power, slope=0.0, curvature=0.0)

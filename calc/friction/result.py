@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the friction step publishes, and the sums that close its balance."""
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from ..sheet.formula import formula
 from ..sheet.functions import pi
 from ..sheet.quantity import group, result, value
-from ..sheet.units import Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
+from ..sheet.text import EMPTY, Text
+from ..sheet.units import Celsius, Kelvin, Newton, NewtonMetre, Number, PascalSecond, RevPerSecond, Watt
 from .losses.wheels import WheelResult
 from .mesh.loss import Case, MeshLoss
 from .models.compared import MODELS
@@ -68,13 +69,38 @@ class JournalResult:
 
 
 @result
+class ScenarioMesh:
+    """One mesh under the conditions of a scenario: judged, and by the source's model."""
+
+    judged: MeshLoss = group(spread=True)
+    source: MeshLoss = group()
+
+
+@result
+class ScenarioResult:
+    """One scenario."""
+
+    meshes: dict[str, ScenarioMesh] = group(spread=True)
+    oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
+    mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")
+    bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
+    total_loss: Watt = value("Sum of the losses", "W", "P")
+    share: Number | None = value("Losses over the power at the first driver", "%")
+    crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
+    delivered_power: Watt | None = value("Power that the last wheel delivers", "W")
+    about: Text = EMPTY  # oil, temperature, load sharing in words
+    oil: str = ""
+    temperature: Celsius
+
+
+@result
 class FrictionResult:
     """All meshes, all wheels and the closed balance."""
 
     meshes: dict[str, MeshResult] = group(spread=True)
     wheels: dict[str, WheelResult] = group(spread=True)
     journals: dict[str, JournalResult] = group()
-    scenarios: dict[str, Any] = group(default=None)  # of `beyond.scenarios`
+    scenarios: dict[str, ScenarioResult] | None = group(default=None)
     oil_viscosity: PascalSecond = value("Viscosity of the oil between the teeth", "mPa·s", "η_0")
     bearing_loss: Watt | None = value("Bearings of the counter-shaft", "W", "P_B")
     mesh_loss: Watt = value("All meshes", "W", "ΣP_VZ")

@@ -5,6 +5,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -14,18 +15,19 @@ from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..lubricant import Lubricant
 from ..sheet.errors import NoSolution
-from ..sheet.number import short
 from ..sheet.quantity import published
 from ..sheet.step import Further, Outcome
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace, untraced
-from ..sheet.units import Celsius, Newton, RevPerSecond, Watt
-from . import judgement, pictures
+from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
+from ..sheet.value import based_on
+from . import checks, curves
 from .balance.closure import Drive, Forces, balance, drive
-from .beyond import maps, scenarios, sensitivity
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.geometry import MeshGeometry, WheelGeometry
 from .result import FrictionResult, torque
+from .studies import maps, scenarios, sensitivity
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
 
@@ -34,13 +36,17 @@ def meshes_of(train: TrainResult, materials: Mapping[str, Material]) -> dict[str
     """The meshes of a train along the flow of power, with what friction needs of them."""
     wheels = {
         name: WheelGeometry(
-            name=name, teeth=w.teeth, reference_radius=w.pitch_diameter / 2, base_radius=w.base_diameter / 2, tip_radius=w.tip_diameter / 2,
-            face_width=w.face_width, E=materials[w.material].E, poisson=materials[w.material].poisson,
+            name=name, teeth=w.teeth, reference_radius=_half(w.pitch_diameter), base_radius=_half(w.base_diameter),
+            tip_radius=_half(w.tip_diameter), face_width=w.face_width, E=materials[w.material].E, poisson=materials[w.material].poisson,
         )
         for name, w in train.wheels.items()
     }  # fmt: skip
     beta_b = train.system.base_helix_angle
     return {key: MeshGeometry(wheels[m.driver], wheels[m.driven], m.centre_distance, beta_b) for key, m in train.meshes.items()}
+
+
+def _half(diameter: Metre) -> Metre:
+    return based_on(diameter / 2, diameter)
 
 
 def forces_of(gears: GearsInputs, train: TrainResult) -> Forces:
@@ -53,23 +59,31 @@ def forces_of(gears: GearsInputs, train: TrainResult) -> Forces:
     return forces
 
 
+class MeshOil(NamedTuple):
+    """The oil on the teeth, the law of its viscosity over temperature, and how hot it is there."""
+
+    oil: Oil
+    viscosity_law: str
+    temperature: Celsius
+
+
 def solve(
-    friction: FrictionInputs, gears: GearsInputs, train: TrainResult, on: OnShaft | None, first_speed: RevPerSecond,
-    oil: Oil, viscosity_law: str, oil_temperature: Celsius, materials: Mapping[str, Material], oils: Mapping[str, Oil],
-) -> Outcome:  # fmt: skip
+    friction: FrictionInputs, gears: GearsInputs, train: TrainResult, on: OnShaft | None, first_speed: RevPerSecond, oil: MeshOil,
+    materials: Mapping[str, Material], oils: Mapping[str, Oil],
+) -> Outcome[FrictionResult]:  # fmt: skip
     """Losses of all meshes and the closed power balance.  `on` None: a train alone, whose first driver's power is given."""
     meshes = meshes_of(train, materials)
     with QUIET(), trace() as lines:
-        with about("oil"):
-            lubricant = Lubricant(oil, viscosity_law)
+        with about(Text("oil")):
+            lubricant = Lubricant(oil.oil, oil.viscosity_law)
         journals = journals_of(on) if on is not None else None
-        d = drive(friction, meshes, lubricant, oil_temperature, first_speed, journals, forces_of(gears, train), gears.lubrication)
+        d = drive(friction, meshes, lubricant, oil.temperature, first_speed, journals, forces_of(gears, train), gears.lubrication)
     power = gears.power if on is None else None
     outcome = closed(d, power)
-    result = outcome.result
+    result = outcome.solution
     if friction.scenarios:
         with QUIET():
-            result = replace(result, scenarios=scenarios.solved(d, friction, oils, viscosity_law, power, on))
+            result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))
         finite(result)
     more = journals.notes(result.journals) if journals is not None else []
     return replace(
@@ -78,7 +92,7 @@ def solve(
     )  # fmt: skip
 
 
-def closed(d: Drive, power: Watt | None = None) -> Outcome:
+def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
     """The closed balance of a train, and what is to be said about it.
 
     `power`: what the first driver puts into its mesh, where no counter-shaft says what is needed.
@@ -87,7 +101,7 @@ def closed(d: Drive, power: Watt | None = None) -> Outcome:
         result = balance(d, power)
     finite(result)
     with QUIET(), untraced():
-        return Outcome("friction", result=result, lines=tuple(lines), **judgement.said(d, result))
+        return Outcome("friction", result=result, lines=tuple(lines), **checks.said(d, result))
 
 
 def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
@@ -96,7 +110,7 @@ def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | 
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
         found = result.scenarios or {}
-        ways = {key: pictures.way(mesh) for key, mesh in result.meshes.items()}
+        ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
             curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(result)), notes=missing
         )  # fmt: skip
@@ -106,15 +120,17 @@ def finite(result: FrictionResult) -> None:
     """No value that is no number, or infinite, is handed out."""
     for value in published(result, "friction"):
         if not math.isfinite(value.shown):
-            found = f"{value.id} is {short(value.shown)}"
-            advice = "power, speed, face width or flank roughness are far outside what the formulas are for: give usual ones"
+            found = Text("{id} is {shown}", id=value.id, shown=Amount(value.shown))
+            advice = Text("power, speed, face width or flank roughness are far outside what the formulas are for: give usual ones")
             raise NoSolution(value.label, found, advice)
 
 
-def _notes(gears: GearsInputs, closed: bool) -> tuple[str, ...]:
+def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:
     """What the given power means."""
     if not closed:
-        return ("The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage and other losses.",)
+        return (
+            Text("The power at the first driver is gears.power_kW, which its first mesh takes in, plus its own windage and other losses."),
+        )
     if gears.power is not None:
-        return ("gears.power_kW rates the teeth only; the losses are those of the closed balance.",)
+        return (Text("gears.power_kW rates the teeth only; the losses are those of the closed balance."),)
     return ()

@@ -3,8 +3,9 @@
 
 import numpy as np
 
-from ..sheet.arrays import Array
-from ..sheet.step import Curve, Series
+from ..sheet.arrays import Array, each, many
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, Radian
 from . import formulas as f
 from .profile.outline import Outline, Regions, regions, repeated, whole_tooth
@@ -51,16 +52,11 @@ def _in_mesh(train: TrainResult, key: str, flanks: dict[str, Regions]) -> Curve:
     mesh = train.meshes[key]
     driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
     below, above = pitch_point_view(mesh, (driver, flanks[driver.name]), (driven, flanks[driven.name]))
-    return Curve(
-        f"profile_{key}", f"Tooth profiles in mesh, {mesh.driver}–{mesh.driven}", "x, mm", "y, mm",
-        (
-            _line(mesh.driver, below), _line(mesh.driven, above),
-            _line(f"tip circle of {mesh.driver}", _tips(driver, -1j * mesh.working_diameter_driver / 2)),
-            _line(f"tip circle of {mesh.driven}", _tips(driven, 1j * mesh.working_diameter_driven / 2)),
-            _line("path of contact", _path(mesh, driver, driven)),
-        ),
-        equal=True,
-    )  # fmt: skip
+    return Curve(f"profile_{key}", Text("Tooth profiles in mesh, {pair}", pair=mesh.title), axis_label("x", "mm"), axis_label("y", "mm"),
+        (_line(Name(mesh.driver), below), _line(Name(mesh.driven), above),
+            _line(Text("tip circle of {driver}", driver=mesh.driver), _tips(driver, -1j * mesh.working_diameter_driver / 2)),
+            _line(Text("tip circle of {driven}", driven=mesh.driven), _tips(driven, 1j * mesh.working_diameter_driven / 2)),
+            _line(Text("path of contact"), _path(mesh, driver, driven))), equal=True)  # fmt: skip
 
 
 def _tips(wheel: WheelResult, centre: complex) -> Outline:
@@ -83,38 +79,34 @@ def _pitch_point(mesh: MeshResult, driver: WheelResult, driven: WheelResult) -> 
     return mesh.line_of_action * driver.teeth / (driver.teeth + driven.teeth)
 
 
-def _line(label: str, points: Outline) -> Series:
+def _line(label: Text, points: Outline) -> Series:
     return Series(label, points.real * MM, points.imag * MM)
 
 
 def _tooth(name: str, flank: Regions) -> Curve:
     """One whole tooth, upright: the regions of its right flank, and its left flank as one line."""
-    parts = (("root", flank.root), ("fillet", flank.fillet), ("involute", flank.involute), ("tip", flank.tip))
+    parts = ((Text("root"), flank.root), (Text("fillet"), flank.fillet), (Text("involute"), flank.involute), (Text("tip"), flank.tip))
     right = [1j * radius * np.exp(-1j * angle) for _, (radius, angle) in parts]
     series = [_line(label, points) for (label, _), points in zip(parts, right)]
-    series.append(_line("other flank", -np.concatenate(right).conj()))
-    return Curve(f"tooth_{name}", f"One tooth of {name}", "x, mm", "y, mm", tuple(series), equal=True)
+    series.append(_line(Text("other flank"), -np.concatenate(right).conj()))
+    return Curve(
+        f"tooth_{name}", Text("One tooth of {name}", name=name), axis_label("x", "mm"), axis_label("y", "mm"), tuple(series), equal=True
+    )
 
 
 def _sliding(train: TrainResult, keys: list[str]) -> Curve:
-    """ζ of both wheels along the path of contact, over its way from the pitch point; each mesh by itself."""
+    """ζ of both wheels along the path of contact, over its way from the pitch point; each mesh is a variant, if there are several."""
+    titles = [Name(train.meshes[key].title) for key in keys]
+    variants = tuple(titles) if len(keys) > 1 else ()
     series = []
-    for key in keys:
-        mesh = train.meshes[key]
+    for mesh, variant in zip((train.meshes[key] for key in keys), variants or (EMPTY,)):
         driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
         z_1, z_2, T = driver.teeth, driven.teeth, mesh.line_of_action
         rho: Array = np.linspace(mesh.sap_curvature_driver, T - mesh.sap_curvature_driven, ALONG)
         way = (rho - _pitch_point(mesh, driver, driven)) * MM
-        zeta_1 = f.specific_sliding(T, rho, z_1, z_2)  # type: ignore[arg-type]
-        zeta_2 = f.specific_sliding(T, T - rho, z_2, z_1)  # type: ignore[arg-type]
-        name = _said(train, key) if len(keys) > 1 else ""
-        series += [Series(mesh.driver, way, zeta_1, name), Series(mesh.driven, way, zeta_2, name)]
-    return Curve(
-        "sliding", "Specific sliding" if len(keys) > 1 else f"Specific sliding, {_said(train, keys[0])}",
-        "way on the line of action from the pitch point, mm", "ζ", tuple(series), limits=(("rolling", 0.0),),
-        variants=tuple(_said(train, key) for key in keys) if len(keys) > 1 else (),
-    )  # fmt: skip
-
-
-def _said(train: TrainResult, key: str) -> str:
-    return f"{train.meshes[key].driver}–{train.meshes[key].driven}"
+        zeta_1 = many(f.specific_sliding(T, each(rho), z_1, z_2))
+        zeta_2 = many(f.specific_sliding(T, each(T - rho), z_2, z_1))
+        series += [Series(Name(mesh.driver), way, zeta_1, variant), Series(Name(mesh.driven), way, zeta_2, variant)]
+    title = Text("Specific sliding") if variants else Text("Specific sliding, {said}", said=titles[0])
+    along = axis_label("way on the line of action from the pitch point", "mm")
+    return Curve("sliding", title, along, Text("ζ"), tuple(series), limits=((Text("rolling"), 0.0),), variants=variants)

@@ -13,38 +13,51 @@ import numpy as np
 
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, largest, pi, sin, sqrt, tan
+from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 
-ISO = "ISO 21771:2007, as generally published"
+ISO = Text("ISO 21771:2007, as generally published")
 
 
 # --- the tooth system, common to all wheels of a train ------------------------------------------------------------------
-@formula("m_t", f"{ISO}: transverse module", unit="mm")
+@formula("m_t", Text("{iso}: transverse module", iso=ISO), unit="mm")
 def transverse_module(m_n: Metre, beta: Radian) -> Metre:
+    """>>> transverse_module(m_n=0.002, beta=0.3825)
+    0.002155789...
+    """
     return m_n / cos(beta)
 
 
-@formula("α_t", f"{ISO}: transverse pressure angle")
+@formula("α_t", Text("{iso}: transverse pressure angle", iso=ISO))
 def transverse_pressure_angle(alpha_n: Radian, beta: Radian) -> Radian:
+    """>>> transverse_pressure_angle(alpha_n=0.3491, beta=0.3825)
+    0.3739056...
+    """
     return atan(tan(alpha_n) / cos(beta))
 
 
-@formula("β_b", f"{ISO}: helix angle at the base circle")
+@formula("β_b", Text("{iso}: helix angle at the base circle", iso=ISO))
 def base_helix_angle(beta: Radian, alpha_n: Radian) -> Radian:
+    """>>> base_helix_angle(beta=0.3825, alpha_n=0.3491)
+    0.3583477...
+    """
     return asin(sin(beta) * cos(alpha_n))
 
 
-@formula("p_bt", f"{ISO}: transverse base pitch", unit="mm")
+@formula("p_bt", Text("{iso}: transverse base pitch", iso=ISO), unit="mm")
 def base_pitch(m_t: Metre, alpha_t: Radian) -> Metre:
     return pi * m_t * cos(alpha_t)
 
 
-@formula("h_fP", f"{ISO}: dedendum of the finished teeth; a tool that leaves stock on the flanks is held back from the root by q/sin α_n")
+@formula(
+    "h_fP",
+    Text("{iso}: dedendum of the finished teeth; a tool that leaves stock on the flanks is held back from the root by q/sin α_n", iso=ISO),
+)
 def finished_dedendum(h_aP0: Number, q: Metre, m_n: Metre, alpha_n: Radian) -> Number:
     return h_aP0 - q / (m_n * sin(alpha_n))
 
 
-@formula("s_pr", f"{ISO}: undercut that the protuberance leaves under the finished flank", unit="mm")
+@formula("s_pr", Text("{iso}: undercut that the protuberance leaves under the finished flank", iso=ISO), unit="mm")
 def residual_undercut(pr_P0: Metre, q: Metre) -> Metre:
     return pr_P0 - q
 
@@ -57,57 +70,72 @@ def tool_corner_position(
 
 
 # --- one wheel -------------------------------------------------------------------------------------------------------------
-@formula("d", f"{ISO}: reference diameter", unit="mm")
+@formula("d", Text("{iso}: reference diameter", iso=ISO), unit="mm")
 def reference_diameter(z: Number, m_t: Metre) -> Metre:
+    """>>> reference_diameter(z=25, m_t=0.00215579)
+    0.05389475
+    """
     return z * m_t
 
 
-@formula("d_b", f"{ISO}: base diameter", unit="mm")
+@formula("d_b", Text("{iso}: base diameter", iso=ISO), unit="mm")
 def base_diameter(d: Metre, alpha_t: Radian) -> Metre:
+    """>>> base_diameter(d=0.05389, alpha_t=0.3739)
+    0.05016673...
+    """
     return d * cos(alpha_t)
 
 
-@formula("d_a", f"{ISO}: tip diameter; k is the tip cut, radial", unit="mm")
+@formula("d_a", Text("{iso}: tip diameter; k is the tip cut, radial", iso=ISO), unit="mm")
 def tip_diameter(d: Metre, m_n: Metre, x: Number, k: Metre) -> Metre:
+    """>>> tip_diameter(d=0.05389, m_n=0.002, x=0.01423, k=0)
+    0.05794692
+    """
     return d + 2 * m_n * (1 + x) - 2 * k
 
 
-@formula("d_f", f"{ISO}: root diameter made by the tool", unit="mm")
+@formula("d_f", Text("{iso}: root diameter made by the tool", iso=ISO), unit="mm")
 def root_diameter(d: Metre, m_n: Metre, x: Number, h_fP: Number) -> Metre:
+    """>>> root_diameter(d=0.05389, m_n=0.002, x=0.01423, h_fP=1.41)
+    0.04830692
+    """
     return d + 2 * m_n * (x - h_fP)
 
 
-@formula("x_min", f"{ISO}: smallest shift without undercut, tool with tip radius")
+@formula("x_min", Text("{iso}: smallest shift without undercut, tool with tip radius", iso=ISO))
 def undercut_limit(h_fP: Number, rho_aP0: Number, alpha_n: Radian, z: Number, alpha_t: Radian, beta: Radian) -> Number:
+    """>>> undercut_limit(h_fP=1.41, rho_aP0=0.2, alpha_n=0.3491, z=25, alpha_t=0.3739, beta=0.3825)
+    -0.5190684...
+    """
     return h_fP - rho_aP0 * (1 - sin(alpha_n)) - z * sin(alpha_t) ** 2 / (2 * cos(beta))
 
 
-@formula("h_F", f"{ISO}: depth of the end of the tool's straight flank below the reference circle", unit="mm")
+@formula("h_F", Text("{iso}: depth of the end of the tool's straight flank below the reference circle", iso=ISO), unit="mm")
 def straight_flank_depth(m_n: Metre, h_fP: Number, rho_aP0: Number, alpha_n: Radian, x: Number) -> Metre:
     return m_n * (h_fP - rho_aP0 * (1 - sin(alpha_n)) - x)
 
 
-@formula("d_Ff", f"{ISO}: form diameter, where the fillet begins; holds for x ≥ x_min", unit="mm")
+@formula("d_Ff", Text("{iso}: form diameter, where the fillet begins; holds for x ≥ x_min", iso=ISO), unit="mm")
 def form_diameter(d: Metre, alpha_t: Radian, h_F: Metre, d_b: Metre) -> Metre:
     return sqrt((d * sin(alpha_t) - 2 * h_F / sin(alpha_t)) ** 2 + d_b**2)
 
 
-@formula("s_t", f"{ISO}: transverse tooth thickness at the reference circle", unit="mm")
+@formula("s_t", Text("{iso}: transverse tooth thickness at the reference circle", iso=ISO), unit="mm")
 def reference_thickness(m_n: Metre, x: Number, alpha_n: Radian, beta: Radian) -> Metre:
     return m_n * (pi / 2 + 2 * x * tan(alpha_n)) / cos(beta)
 
 
-@formula("h", f"{ISO}: tooth depth", unit="mm")
+@formula("h", Text("{iso}: tooth depth", iso=ISO), unit="mm")
 def tooth_depth(d_a: Metre, d_f: Metre) -> Metre:
     return (d_a - d_f) / 2
 
 
-@formula("inv α_p", f"{ISO}: pressure angle where the flanks of a tooth meet")
+@formula("inv α_p", Text("{iso}: pressure angle where the flanks of a tooth meet", iso=ISO))
 def pointed_involute(s_t: Metre, d: Metre, alpha_t: Radian) -> Number:
     return s_t / d + inv(alpha_t)
 
 
-@formula("d_p", f"{ISO}: circle on which the tooth is pointed", unit="mm")
+@formula("d_p", Text("{iso}: circle on which the tooth is pointed", iso=ISO), unit="mm")
 def pointed_diameter(d_b: Metre, alpha_p: Radian) -> Metre:
     return d_b / cos(alpha_p)
 
@@ -117,27 +145,27 @@ def with_tolerance(d: Metre, T: Metre) -> Metre:
     return d + T
 
 
-@formula("α_yt", f"{ISO}: transverse pressure angle at a circle")
+@formula("α_yt", Text("{iso}: transverse pressure angle at a circle", iso=ISO))
 def pressure_angle_at(d_b: Metre, d_y: Metre) -> Radian:
     return acos(d_b / d_y)
 
 
-@formula("s_yt", f"{ISO}: transverse tooth thickness at a circle", unit="mm")
+@formula("s_yt", Text("{iso}: transverse tooth thickness at a circle", iso=ISO), unit="mm")
 def thickness_at(d_y: Metre, s_t: Metre, d: Metre, alpha_t: Radian, alpha_yt: Radian) -> Metre:
     return d_y * (s_t / d + inv(alpha_t) - inv(alpha_yt))
 
 
-@formula("s_yn", f"{ISO}: normal tooth thickness at a circle, tan β_y = tan β·d_y/d", unit="mm")
+@formula("s_yn", Text("{iso}: normal tooth thickness at a circle, tan β_y = tan β·d_y/d", iso=ISO), unit="mm")
 def normal_thickness_at(s_yt: Metre, beta: Radian, d_y: Metre, d: Metre) -> Metre:
     return s_yt * cos(atan(tan(beta) * d_y / d))
 
 
-@formula("ρ_y", f"{ISO}: radius of curvature of the flank at a circle, transverse", unit="mm")
+@formula("ρ_y", Text("{iso}: radius of curvature of the flank at a circle, transverse", iso=ISO), unit="mm")
 def curvature_at(d_y: Metre, d_b: Metre) -> Metre:
     return sqrt(d_y**2 - d_b**2) / 2
 
 
-@formula("d_y", f"{ISO}: circle on which the flank has a radius of curvature", unit="mm")
+@formula("d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm")
 def diameter_at(d_b: Metre, rho: Metre) -> Metre:
     return sqrt(d_b**2 + 4 * rho**2)
 
@@ -153,52 +181,58 @@ def speed_ratio(n_last: RevPerSecond, n_1: RevPerSecond) -> Number:
 
 
 # --- a pair: centre distance and shifts ------------------------------------------------------------------------------------
-@formula("α_wt", f"{ISO}: working transverse pressure angle")
+@formula("α_wt", Text("{iso}: working transverse pressure angle", iso=ISO))
 def working_pressure_angle(d_b1: Metre, d_b2: Metre, a_w: Metre) -> Radian:
+    """>>> working_pressure_angle(d_b1=0.07225, d_b2=0.07827, a_w=0.08056)
+    0.3647568...
+    """
     return acos((d_b1 + d_b2) / (2 * a_w))
 
 
-@formula("β_w", f"{ISO}: helix angle at the working circle")
+@formula("β_w", Text("{iso}: helix angle at the working circle", iso=ISO))
 def working_helix_angle(beta_b: Radian, alpha_wt: Radian) -> Radian:
     return atan(tan(beta_b) / cos(alpha_wt))
 
 
-@formula("d_w", f"{ISO}: working diameter; z is the wheel's, z_m its mate's", unit="mm")
+@formula("d_w", Text("{iso}: working diameter; z is the wheel's, z_m its mate's", iso=ISO), unit="mm")
 def working_diameter(a_w: Metre, z: Number, z_m: Number) -> Metre:
     return 2 * a_w * z / (z + z_m)
 
 
-@formula("m_wt", f"{ISO}: transverse module at the working circles", unit="mm")
+@formula("m_wt", Text("{iso}: transverse module at the working circles", iso=ISO), unit="mm")
 def working_module(a_w: Metre, z_1: Number, z_2: Number) -> Metre:
     return 2 * a_w / (z_1 + z_2)
 
 
-@formula("y", f"{ISO}: centre distance modification, in normal modules")
+@formula("y", Text("{iso}: centre distance modification, in normal modules", iso=ISO))
 def centre_modification(a_w: Metre, d_1: Metre, d_2: Metre, m_n: Metre) -> Number:
     return (a_w - (d_1 + d_2) / 2) / m_n
 
 
-@formula("Σx", f"{ISO}: sum of the shifts of both wheels")
+@formula("Σx", Text("{iso}: sum of the shifts of both wheels", iso=ISO))
 def sum_of_shifts(x_1: Number, x_2: Number) -> Number:
     return x_1 + x_2
 
 
 @formula("x", "rule of this program: the first wheel whose shift nothing gives has none", shows="0")
 def no_shift() -> Number:
-    return float("0")
+    return 0.0
 
 
-@formula("Σx", f"{ISO}: sum of the shifts without backlash")
+@formula("Σx", Text("{iso}: sum of the shifts without backlash", iso=ISO))
 def shift_sum(z_1: Number, z_2: Number, alpha_wt: Radian, alpha_t: Radian, alpha_n: Radian) -> Number:
     return (z_1 + z_2) * (inv(alpha_wt) - inv(alpha_t)) / (2 * tan(alpha_n))
 
 
-@formula("x", f"{ISO}: shift of the mate", names={"x_sum": "Σx"})
+@formula("x", Text("{iso}: shift of the mate", iso=ISO), names={"x_sum": "Σx"})
 def mate_shift(x_sum: Number, x_m: Number) -> Number:
+    """>>> mate_shift(x_sum=-0.142, x_m=0.014)
+    -0.156
+    """
     return x_sum - x_m
 
 
-@formula("inv α_wt", f"{ISO}: working pressure angle without backlash")
+@formula("inv α_wt", Text("{iso}: working pressure angle without backlash", iso=ISO))
 def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number, z_1: Number, z_2: Number) -> Number:
     return inv(alpha_t) + 2 * tan(alpha_n) * (x_1 + x_2) / (z_1 + z_2)
 
@@ -237,64 +271,83 @@ def _angles_of_involutes(involute: Any) -> Any:
     return np.arctan(t)
 
 
-@formula("a_w", f"{ISO}: centre distance without backlash", unit="mm")
+@formula("a_w", Text("{iso}: centre distance without backlash", iso=ISO), unit="mm")
 def centre_distance(z_1: Number, z_2: Number, m_t: Metre, alpha_t: Radian, alpha_wt: Radian) -> Metre:
+    """>>> centre_distance(z_1=25, z_2=36, m_t=0.002156, alpha_t=0.3739, alpha_wt=0.376)
+    0.06581237...
+    """
     return (z_1 + z_2) * m_t * cos(alpha_t) / (2 * cos(alpha_wt))
 
 
-@formula("k*·m_n", f"{ISO}: tip shortening that would keep the standard clearance", unit="mm")
+@formula("k*·m_n", Text("{iso}: tip shortening that would keep the standard clearance", iso=ISO), unit="mm")
 def standard_tip_shortening(x_1: Number, x_2: Number, m_n: Metre, a_w: Metre, d_1: Metre, d_2: Metre) -> Metre:
     return (x_1 + x_2) * m_n - (a_w - (d_1 + d_2) / 2)
 
 
 # --- a pair: contact -------------------------------------------------------------------------------------------------------
-@formula("c", f"{ISO}: tip clearance at the root of the wheel", unit="mm")
+@formula("c", Text("{iso}: tip clearance at the root of the wheel", iso=ISO), unit="mm")
 def tip_clearance(a_w: Metre, d_f: Metre, d_am: Metre) -> Metre:
+    """>>> tip_clearance(a_w=0.065813, d_f=0.048307, d_am=0.081657)
+    0.0008309999...
+    """
     return a_w - d_f / 2 - d_am / 2
 
 
-@formula("T_1T_2", f"{ISO}: length of the line of action between the base circles", unit="mm")
+@formula("T_1T_2", Text("{iso}: length of the line of action between the base circles", iso=ISO), unit="mm")
 def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
+    """>>> line_of_action(a_w=0.06581, alpha_wt=0.376)
+    0.02416561...
+    """
     return a_w * sin(alpha_wt)
 
 
-@formula("ρ_A", f"{ISO}: start of the active profile, where the mate's tip arrives or the fillet ends", unit="mm", names={"T": "T_1T_2"})
+@formula("ρ_A", Text("{iso}: start of the active profile, where the mate's tip arrives or the fillet ends", iso=ISO), unit="mm",
+    names={"T": "T_1T_2"})  # fmt: skip
 def start_of_active_profile(T: Metre, rho_am: Metre, rho_F: Metre) -> Metre:
     return largest(T - rho_am, rho_F)
 
 
-@formula("g_α", f"{ISO}: path of contact", unit="mm", names={"T": "T_1T_2"})
+@formula("g_α", Text("{iso}: path of contact", iso=ISO), unit="mm", names={"T": "T_1T_2"})
 def path_of_contact(T: Metre, rho_A1: Metre, rho_A2: Metre) -> Metre:
     return T - rho_A1 - rho_A2
 
 
-@formula("ε_α", f"{ISO}: transverse contact ratio")
+@formula("ε_α", Text("{iso}: transverse contact ratio", iso=ISO))
 def transverse_contact_ratio(g_alpha: Metre, p_bt: Metre) -> Number:
+    """>>> transverse_contact_ratio(g_alpha=0.00937, p_bt=0.006305)
+    1.486122...
+    """
     return g_alpha / p_bt
 
 
-@formula("ε_β", f"{ISO}: overlap ratio; b is the common width")
+@formula("ε_β", Text("{iso}: overlap ratio; b is the common width", iso=ISO))
 def overlap_ratio(b: Metre, beta: Radian, m_n: Metre) -> Number:
+    """>>> overlap_ratio(b=0.015, beta=0.3825, m_n=0.002)
+    0.8910471...
+    """
     return b * sin(beta) / (pi * m_n)
 
 
-@formula("ε_γ", f"{ISO}: total contact ratio")
+@formula("ε_γ", Text("{iso}: total contact ratio", iso=ISO))
 def total_contact_ratio(eps_alpha: Number, eps_beta: Number) -> Number:
     return eps_alpha + eps_beta
 
 
-@formula("ρ_B", f"{ISO}: lowest point of single contact; exists where 1 ≤ ε_α < 2", unit="mm", names={"T": "T_1T_2"})
+@formula("ρ_B", Text("{iso}: lowest point of single contact; exists where 1 ≤ ε_α < 2", iso=ISO), unit="mm", names={"T": "T_1T_2"})
 def lowest_single_contact(T: Metre, rho_Am: Metre, p_bt: Metre) -> Metre:
     """One base pitch before the end of contact, which is where the mate's begins."""
     return T - rho_Am - p_bt
 
 
-@formula("ρ_D", f"{ISO}: highest point of single contact; exists where 1 ≤ ε_α < 2", unit="mm")
+@formula("ρ_D", Text("{iso}: highest point of single contact; exists where 1 ≤ ε_α < 2", iso=ISO), unit="mm")
 def highest_single_contact(rho_A: Metre, p_bt: Metre) -> Metre:
     """One base pitch after its own start of contact."""
     return rho_A + p_bt
 
 
-@formula("ζ", f"{ISO}: specific sliding, negative below the working circle", names={"T": "T_1T_2"})
+@formula("ζ", Text("{iso}: specific sliding, negative below the working circle", iso=ISO), names={"T": "T_1T_2"})
 def specific_sliding(T: Metre, rho: Metre, z: Number, z_m: Number) -> Number:
+    """>>> specific_sliding(T=0.02417, rho=0.005132, z=25, z_m=36)
+    -1.576156...
+    """
     return 1 - (T - rho) * z / (rho * z_m)

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.text import Text
 from .mesh_inputs import Contributor, Mesh
 from .wheel_inputs import Wheel
 
@@ -31,171 +32,115 @@ class Wall:
     from_: tuple[float, ...] = series("From", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
     to: tuple[float, ...] = series("To", "mm", count=(2, 2), low=-5000, high=5000, help="[up, side] from the crank's axis.")
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.from_ == self.to:
-            yield "to_mm", "is the same point as from_mm: a wall needs a length"
+            yield "to_mm", Text("is the same point as from_mm: a wall needs a length")
 
 
 @inputs
 class GearsInputs:
     """The tool, the wheels and the meshes along the flow of power."""
 
-    normal_module: float = quantity(
-        "Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5), source=THUMB,
-        help="Pitch over π, normal to the teeth.",
+    normal_module: float = quantity("Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5), source=THUMB,
+        help="Pitch over π, normal to the teeth.")  # fmt: skip
+    pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20),
+        usual=(14.5, 25), source=THUMB, help="Of the tool, normal to the teeth; 20° is common.")  # fmt: skip
+    helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
+        help="At the reference circle; 0: spur wheels.")  # fmt: skip
+    face_width: float = quantity("Face width", "mm", above=0, high=2000, symbol="b", source=THUMB,
+        help="Of all wheels that give none of their own; often 6 to 12 modules.")  # fmt: skip
+    tool_addendum: float = quantity("Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, usual=(1.2, 1.5),
+        source=THUMB, help="In modules; makes the root.")  # fmt: skip
+    tool_tip_radius: float = quantity("Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, usual=(0.2, 0.4),
+        source=THUMB, help="In modules; makes the fillet.")  # fmt: skip
+    protuberance: float = quantity("Protuberance of the tool", "mm", default=0.0, low=0, high=10, symbol="pr_P0", usual=(0, 0.4),
+        source=THUMB, help="How far its tip stands out of its flank.")  # fmt: skip
+    stock: float = quantity("Stock left on the flanks", "mm", default=0.0, low=0, high=10, symbol="q", usual=(0, 0.3), source=THUMB,
+        help="Left normal to the flank, to be shaved or ground.")  # fmt: skip
+    ball_diameter: float | None = quantity("Measuring ball", "mm", default=None, above=0, high=200, symbol="D_M",
+        source="DIN 3977, as generally published, from memory",
+        help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank."
     )  # fmt: skip
-    pressure_angle: float = quantity(
-        "Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20), usual=(14.5, 25), source=THUMB,
-        help="Of the tool, normal to the teeth; 20° is common.",
-    )  # fmt: skip
-    helix_angle: float = quantity(
-        "Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
-        help="At the reference circle; 0: spur wheels.",
-    )  # fmt: skip
-    face_width: float = quantity(
-        "Face width", "mm", above=0, high=2000, symbol="b", source=THUMB,
-        help="Of all wheels that give none of their own; often 6 to 12 modules.",
-    )  # fmt: skip
-    tool_addendum: float = quantity(
-        "Tool addendum", default=1.25, low=0.5, high=3, symbol="h_aP0", step=0.05, usual=(1.2, 1.5), source=THUMB,
-        help="In modules; makes the root.",
-    )  # fmt: skip
-    tool_tip_radius: float = quantity(
-        "Tool tip radius", default=0.38, low=0, high=1, symbol="rho_aP0", step=0.02, usual=(0.2, 0.4), source=THUMB,
-        help="In modules; makes the fillet.",
-    )  # fmt: skip
-    protuberance: float = quantity(
-        "Protuberance of the tool", "mm", default=0.0, low=0, high=10, symbol="pr_P0", usual=(0, 0.4), source=THUMB,
-        help="How far its tip stands out of its flank.",
-    )  # fmt: skip
-    stock: float = quantity(
-        "Stock left on the flanks", "mm", default=0.0, low=0, high=10, symbol="q", usual=(0, 0.3), source=THUMB,
-        help="Left normal to the flank, to be shaved or ground.",
-    )  # fmt: skip
-    ball_diameter: float = quantity(
-        "Measuring ball", "mm", optional=True, above=0, high=200, symbol="D_M", source="DIN 3977, as generally published, from memory",
-        help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank.",
-    )  # fmt: skip
-    iso_6336_edition: int = integer(
-        "ISO 6336 edition", default=2006, low=2006, high=2019, source="ISO 6336",
-        help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.",
-    )  # fmt: skip
-    application_factor: float = quantity(
-        "Application factor", optional=True, low=1, high=5, symbol="K_A", step=0.05, usual=(1, 2.25), source="ISO 6336-6, from memory",
-        help="For shocks. Left out: 1.25, or 1 with known irregularity.",
-    )  # fmt: skip
-    accuracy_grade: int = integer(
-        "Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="A", usual=(5, 9), source="ISO 1328-1, and rule of thumb",
-        help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.",
-    )  # fmt: skip
-    life: float = quantity(
-        "Life", "h", optional=True, above=0, high=1e6, symbol="L_h", usual=(500, 30000), source=THUMB,
-        help="Hours at this load. Left out: without end.",
-    )  # fmt: skip
-    tip_relief: float = quantity(
-        "Tip relief", "µm", optional=True, low=0, high=500, symbol="C_a", usual=(0, 50), source=THUMB,
-        help="Ground off the tips. Left out: what running in makes.",
-    )  # fmt: skip
-    flank_rz: float = quantity(
-        "Flank roughness Rz", "µm", optional=True, above=0, high=100, symbol="Rz_H", usual=(1, 16), source=THUMB,
-        help="Peak to valley. Left out: six times Ra of step 6, else 4.",
-    )  # fmt: skip
-    root_rz: float = quantity(
-        "Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", usual=(1, 40), source="ISO 6336-3, range of Y_RrelT",
-        help="Of the fillets, for the strength of the root.",
-    )  # fmt: skip
-    scuffing_load_stage: float = quantity(
-        "FZG load stage of the oil", optional=True, low=1, high=14, symbol="S_FZG", usual=(8, 14), source=THUMB,
-        help="By test A/8.3/90. Left out: stage 10 is assumed.",
-    )  # fmt: skip
-    permissible_film: float = quantity(
-        "Permissible specific film", optional=True, above=0, high=10, symbol="lambda_GFP", usual=(0.06, 0.6),
-        source="ISO/TR 15144-1, Annex A, by public code",
-        help="λ_GFP by a test of the oil. Left out: 0.3.",
-    )  # fmt: skip
+    iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, source="ISO 6336",
+        help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.")  # fmt: skip
+    application_factor: float | None = quantity("Application factor", default=None, low=1, high=5, symbol="K_A", step=0.05,
+        usual=(1, 2.25), source="ISO 6336-6, from memory", help="For shocks. Left out: 1.25, or 1 with known irregularity.")  # fmt: skip
+    accuracy_grade: int = integer("Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="A", usual=(5, 9),
+        source="ISO 1328-1, and rule of thumb", help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.")  # fmt: skip
+    life: float | None = quantity("Life", "h", default=None, above=0, high=1e6, symbol="L_h", usual=(500, 30000), source=THUMB,
+        help="Hours at this load. Left out: without end.")  # fmt: skip
+    tip_relief: float | None = quantity("Tip relief", "µm", default=None, low=0, high=500, symbol="C_a", usual=(0, 50), source=THUMB,
+        help="Ground off the tips. Left out: what running in makes.")  # fmt: skip
+    flank_rz: float | None = quantity("Flank roughness Rz", "µm", default=None, above=0, high=100, symbol="Rz_H", usual=(1, 16),
+        source=THUMB, help="Peak to valley. Left out: six times Ra of step 6, else 4.")  # fmt: skip
+    root_rz: float = quantity("Root roughness Rz", "µm", default=16e-6, above=0, high=200, symbol="Rz_F", usual=(1, 40),
+        source="ISO 6336-3, range of Y_RrelT", help="Of the fillets, for the strength of the root.")  # fmt: skip
+    scuffing_load_stage: float | None = quantity("FZG load stage of the oil", default=None, low=1, high=14, symbol="S_FZG", usual=(8, 14),
+        source=THUMB, help="By test A/8.3/90. Left out: stage 10 is assumed.")  # fmt: skip
+    permissible_film: float | None = quantity("Permissible specific film", default=None, above=0, high=10, symbol="lambda_GFP",
+        usual=(0.06, 0.6), source="ISO/TR 15144-1, Annex A, by public code", help="λ_GFP by a test of the oil. Left out: 0.3.")  # fmt: skip
     lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
-    housing_material: str | None = text(
-        "Housing material", optional=True, help="Between the centres. Left out: that of the bearings, else as the wheels."
-    )
-    support_material: str | None = text("Support material", optional=True, help="Of the part of a centre distance that a support spans.")
-    lowest_temperature: float = quantity(
-        "Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", usual=(-40, 0), source=THUMB,
-        help="Of all parts in a cold start.",
-    )  # fmt: skip
-    running_temperature: float = quantity(
-        "Running temperature of the housing", "°C", default=100.0, low=0, high=200, symbol="T_H", usual=(60, 120), source=THUMB,
-        help="At which the warm backlash is taken.",
-    )  # fmt: skip
-    wheels_warmer: float = quantity(
-        "Wheels warmer than the housing", "K", default=20.0, low=0, high=150, symbol="Delta_T", usual=(0, 40), source=THUMB,
-        help="They then take backlash away.",
-    )  # fmt: skip
-    speed: float = quantity(
-        "Speed of the first driver", "rpm", optional=True, above=0, high=100000, symbol="n",
-        help="How fast the first driver turns. Left out: the crank's rated speed.",
-    )  # fmt: skip
-    power: float = quantity(
-        "Power of the first driver", "kW", optional=True, above=0, high=1e5, symbol="P",
-        help="What the train takes in at the first driver. Left out: from the closed power balance.",
-    )  # fmt: skip
-    speed_irregularity: float = quantity(
-        "Irregularity of the first driver's speed", optional=True, low=0, high=1, symbol="delta_s", step=0.005, usual=(0, 0.05),
-        source="machine handbooks",
-        help="Swing over mean. Left out: the engine's.",
-    )  # fmt: skip
-    irregularity_order: float = quantity(
-        "Order of the irregularity", optional=True, above=0, high=50, symbol="i",
-        help="How often a turn of the first driver it swings. Left out: the engine's firing order.",
-    )  # fmt: skip
-    tooth_angle: float = quantity(
-        "Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
-        help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.",
-    )  # fmt: skip
-    source_sheet: str = choice(
-        "Sheet to compare with", "none", "finotti", default="none",
-        help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.",
-    )  # fmt: skip
+    housing_material: str | None = text("Housing material", default=None,
+        help="Between the centres. Left out: that of the bearings, else as the wheels.")  # fmt: skip
+    support_material: str | None = text("Support material", default=None, help="Of the part of a centre distance that a support spans.")
+    lowest_temperature: float = quantity("Lowest temperature", "°C", default=-30.0, low=-60, high=60, symbol="T_min", usual=(-40, 0),
+        source=THUMB, help="Of all parts in a cold start.")  # fmt: skip
+    running_temperature: float = quantity("Running temperature of the housing", "°C", default=100.0, low=0, high=200, symbol="T_H",
+        usual=(60, 120), source=THUMB, help="At which the warm backlash is taken.")  # fmt: skip
+    wheels_warmer: float = quantity("Wheels warmer than the housing", "K", default=20.0, low=0, high=150, symbol="Delta_T", usual=(0, 40),
+        source=THUMB, help="They then take backlash away.")  # fmt: skip
+    speed: float | None = quantity("Speed of the first driver", "rpm", default=None, above=0, high=100000, symbol="n",
+        help="How fast the first driver turns. Left out: the crank's rated speed.")  # fmt: skip
+    power: float | None = quantity("Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
+        help="What the train takes in at the first driver. Left out: from the closed power balance.")  # fmt: skip
+    speed_irregularity: float | None = quantity("Irregularity of the first driver's speed", default=None, low=0, high=1, symbol="delta_s",
+        step=0.005, usual=(0, 0.05), source="machine handbooks", help="Swing over mean. Left out: the engine's.")  # fmt: skip
+    irregularity_order: float | None = quantity("Order of the irregularity", default=None, above=0, high=50, symbol="i",
+        help="How often a turn of the first driver it swings. Left out: the engine's firing order.")  # fmt: skip
+    tooth_angle: float = quantity("Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",
+        help="Direction of the middle of one of its teeth, cylinder 1 at TDC, from up in the sense of crank rotation.")  # fmt: skip
+    source_sheet: str = choice("Sheet to compare with", "none", "finotti", default="none",
+        help="finotti: what the calculation sheet of Finotti 2013 gives, with what is wrong in it.")  # fmt: skip
     wheels: tuple[Wheel, ...] = tables("Wheels", Wheel)
     meshes: tuple[Mesh, ...] = tables("Meshes", Mesh)
-    neighbours: tuple[Neighbour, ...] = tables(
-        "Neighbours", Neighbour, optional=True, help="Screws, oil galleries: the wheels must clear them."
-    )
-    walls: tuple[Wall, ...] = tables("Walls", Wall, optional=True, help="Covers, ribs: the wheels must clear them.")
+    neighbours: tuple[Neighbour, ...] = tables("Neighbours", Neighbour, default=(),
+        help="Screws, oil galleries: the wheels must clear them.")  # fmt: skip
+    walls: tuple[Wall, ...] = tables("Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.")
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.iso_6336_edition not in (2006, 2019):
-            yield "iso_6336_edition", "must be 2006 or 2019"
+            yield "iso_6336_edition", Text("must be 2006 or 2019")
         if not self.meshes:
-            yield "meshes", "needs at least one [[gears.meshes]]"
+            yield "meshes", Text("needs at least one [[gears.meshes]]")
         for i, wheel in enumerate(self.wheels):
             for key, size in (("measured_over_balls_mm", wheel.measured_over_balls), ("measured_over_pins_mm", wheel.measured_over_pins)):
                 if size is not None and self.ball_diameter is None:
-                    yield f"wheels.{i}.{key}", "needs gears.ball_diameter_mm, the ball or pin that was used"
+                    yield f"wheels.{i}.{key}", Text("needs gears.ball_diameter_mm, the ball or pin that was used")
             if wheel.measured_span is not None and wheel.span_teeth is None:
-                yield f"wheels.{i}.measured_span_mm", "needs span_teeth, over which it was measured"
+                yield f"wheels.{i}.measured_span_mm", Text("needs span_teeth, over which it was measured")
         yield from self._flow()
         yield from self._hands()
         if self.support_material is None:
             for i, mesh in enumerate(self.meshes):
                 if mesh.support_share:
-                    yield f"meshes.{i}.support_share", "needs gears.support_material"
+                    yield f"meshes.{i}.support_share", Text("needs gears.support_material")
 
-    def _flow(self) -> Iterable[tuple[str, str]]:
+    def _flow(self) -> Iterable[tuple[str, Text]]:
         """Every wheel is driven once, and the meshes stand along the flow of power."""
         names = [w.name for w in self.wheels]
         driven: set[str] = set()
         for i, mesh in enumerate(self.meshes):
             for key, name in (("driver", mesh.driver), ("driven", mesh.driven)):
                 if name not in names:
-                    yield f"meshes.{i}.{key}", f'there is no wheel "{name}"; the wheels are {", ".join(names)}'
+                    yield f"meshes.{i}.{key}", Text('there is no wheel "{name}"; the wheels are {names}', name=name, names=", ".join(names))
             if i and mesh.driver not in driven | {self.meshes[0].driver}:
-                yield f"meshes.{i}.driver", "must be driven by an earlier mesh: meshes are listed along the flow of power"
+                yield f"meshes.{i}.driver", Text("must be driven by an earlier mesh: meshes are listed along the flow of power")
             if mesh.driven in driven | {self.meshes[0].driver}:
-                yield f"meshes.{i}.driven", "is driven already: each wheel has one driver"
+                yield f"meshes.{i}.driven", Text("is driven already: each wheel has one driver")
             driven.add(mesh.driven)
         for i, name in enumerate(names):
             if self.meshes and name not in driven | {self.meshes[0].driver}:
-                yield f"wheels.{i}.name", f'no mesh uses the wheel "{name}"'
+                yield f"wheels.{i}.name", Text('no mesh uses the wheel "{name}"', name=name)
 
     def hands(self) -> dict[str, str]:
         """The hand of every helical wheel: they alternate from the first that is given, else the first driver is right-handed."""
@@ -209,9 +154,9 @@ class GearsInputs:
         base = 1 if first is None else (sides.index(str(first.hand)) + turned[first.name]) % 2
         return {name: sides[(base + n) % 2] for name, n in turned.items()}
 
-    def _hands(self) -> Iterable[tuple[str, str]]:
+    def _hands(self) -> Iterable[tuple[str, Text]]:
         """External helical wheels in mesh have opposite hands."""
         hands = self.hands()
         for i, wheel in enumerate(self.wheels):
             if wheel.hand is not None and wheel.hand != hands.get(wheel.name, wheel.hand):
-                yield f"wheels.{i}.hand", f"must be {hands[wheel.name]}: the hands of a train alternate"
+                yield f"wheels.{i}.hand", Text("must be {hands}: the hands of a train alternate", hands=hands[wheel.name])

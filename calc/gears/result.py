@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.units import Metre, NewtonMetre, Number, Radian, RevPerSecond
+from .backlash.result import PlayResult, TrainPlay
 from .layout.result import ForcesResult, LayoutResult
-from .measures.measures import MeasuresResult
-from .measures.seat import Seat
-from .play.result import PlayResult, TrainPlay
+from .measures.result import MeasuresResult, Seat
 from .rating.result import MeshRating
 
 
@@ -46,7 +45,7 @@ class WheelResult:
 
     profile_shift: Number = value("Profile shift coefficient", "", "x")
     undercut_limit: Number = value("Smallest shift without undercut", "", "x_min")
-    pitch_diameter: Metre = value("Reference diameter", "mm", "d")
+    reference_diameter: Metre = value("Reference diameter", "mm", "d", former="pitch_diameter")
     base_diameter: Metre = value("Base diameter", "mm", "d_b")
     tip_diameter: Metre = value("Tip diameter", "mm", "d_a")
     tip_diameter_min: Metre | None = value("Tip diameter, smallest by its tolerance", "mm", "d_a", default=None)
@@ -83,9 +82,15 @@ class WheelResult:
     span_length: Metre  # W_K
     virtual_teeth: Number  # z_v
     seat: Seat | None  # of the measuring ball; None: it does not fit
+    ball_given: bool  # whether the design gives the ball; else it is chosen
     ends: dict[str, End] | None = None  # "max", "min": at the ends of the allowance
     tip_curvature: Metre  # ρ_a
     form_curvature: Metre  # ρ_F
+
+    @property
+    def pitch_diameter(self) -> Metre:
+        """The old name of the reference diameter."""
+        return self.reference_diameter
 
 
 @result
@@ -142,6 +147,11 @@ class MeshResult:
     sap_curvature_driven: Metre
     centre_tolerance: Metre  # ±
     play_angle: Radian  # free turn of the driven wheel at the largest backlash
+
+    @property
+    def title(self) -> str:
+        """What it is called in sentences."""
+        return f"{self.driver}–{self.driven}"
 
 
 def working_circles(meshes: Mapping[str, MeshResult], wheel: str) -> list[tuple[str, Metre, MeshResult]]:

@@ -5,15 +5,16 @@ One wheel has one shift, whatever it meshes with: a centre distance and one shif
 without backlash.  Nothing is rounded on the way.
 """
 
-from dataclasses import dataclass, field
-
 from ..sheet.errors import NoSolution
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, RevPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from .inputs import GearsInputs, Mesh, Wheel
 from .profile.cut import tool_problem
 from .result import ToothSystem
+from .words import mm
 
 MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
 CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by this, in modules
@@ -21,7 +22,7 @@ CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by 
 
 def tooth_system(gears: GearsInputs) -> ToothSystem:
     m_n, alpha_n, beta = gears.normal_module, gears.pressure_angle, gears.helix_angle
-    with about("tooth system"):
+    with about(Text("tooth system")):
         m_t = f.transverse_module(m_n, beta)
         alpha_t = f.transverse_pressure_angle(alpha_n, beta)
         h_fP = f.finished_dedendum(gears.tool_addendum, gears.stock, m_n, alpha_n)
@@ -36,17 +37,15 @@ def tooth_system(gears: GearsInputs) -> ToothSystem:
         return system
 
 
-@dataclass(slots=True)
 class Train:
     """Circles and shifts by wheel, centre distances by mesh, and what was chosen on the way."""
 
-    system: ToothSystem
-    wheels: dict[str, Wheel]
-    shifts: dict[str, Number]
-    d: dict[str, Metre] = field(default_factory=dict)
-    d_b: dict[str, Metre] = field(default_factory=dict)
-    distances: dict[str, Metre] = field(default_factory=dict)
-    notes: list[str] = field(default_factory=list)
+    def __init__(self, system: ToothSystem, wheels: dict[str, Wheel], shifts: dict[str, Number]) -> None:
+        self.system, self.wheels, self.shifts = system, wheels, shifts
+        self.d: dict[str, Metre] = {}
+        self.d_b: dict[str, Metre] = {}
+        self.distances: dict[str, Metre] = {}
+        self.notes: list[Text] = []
 
 
 def settle(gears: GearsInputs, system: ToothSystem) -> Train:
@@ -58,7 +57,7 @@ def settle(gears: GearsInputs, system: ToothSystem) -> Train:
     wheels = {w.name: w for w in gears.wheels}
     train = Train(system, wheels, {w.name: w.profile_shift for w in gears.wheels if w.profile_shift is not None})
     for wheel in gears.wheels:
-        with about(f"wheel {wheel.name}"):
+        with about(Text("wheel {name}", name=wheel.name)):
             train.d[wheel.name] = f.reference_diameter(wheel.teeth, system.transverse_module)
             train.d_b[wheel.name] = f.base_diameter(train.d[wheel.name], system.transverse_pressure_angle)
     compared: set[int] = set()
@@ -69,33 +68,34 @@ def settle(gears: GearsInputs, system: ToothSystem) -> Train:
             break
         _choose(train, still_open)
     for i, mesh in enumerate(gears.meshes):
-        with about(f"mesh {mesh.driver}–{mesh.driven}"):
+        with about(Text("mesh {pair}", pair=mesh.title)):
             train.distances[mesh.key] = mesh.centre_distance if mesh.centre_distance is not None else _distance(train, mesh, i)
     return train
 
 
 def _derive(gears: GearsInputs, train: Train, compared: set[int]) -> None:
     """Shifts from centre distances, until no mesh gives another one; two known shifts are compared with the distance once."""
-    found = True
-    while found:
-        found = False
+    progress = True
+    while progress:
+        progress = False
         for i, mesh in enumerate(gears.meshes):
             known = [name for name in (mesh.driver, mesh.driven) if name in train.shifts]
-            if mesh.centre_distance is None or not known or i in compared:
+            a = mesh.centre_distance
+            if a is None or not known or i in compared:
                 continue
             compared.add(i)
-            found = True
+            progress = True
             mate = mesh.driver if known == [mesh.driven] else mesh.driven
-            with about(f"mesh {mesh.driver}–{mesh.driven}"):
-                x = f.mate_shift(_shift_sum(train, mesh, i), train.shifts[known[0]])
+            with about(Text("mesh {pair}", pair=mesh.title)):
+                x = f.mate_shift(_shift_sum(train, mesh, i, a), train.shifts[known[0]])
             if len(known) == 2:
-                _compare(train, mesh, i, x)
+                _compare(train, mesh, i, a, x)
             elif abs(x) > MOST_SHIFT:
-                raise _too_much(train, mesh, i, known[0], mate, x)
+                raise _too_much(train, mesh, i, a, known[0], mate, x)
             train.shifts[mate] = x
 
 
-def _too_much(train: Train, mesh: Mesh, i: int, known: str, mate: str, x: Number) -> NoSolution:
+def _too_much(train: Train, mesh: Mesh, i: int, a: Metre, known: str, mate: str, x: Number) -> NoSolution:
     """A centre distance that asks for a shift which no key would allow."""
     s, z = train.system, (train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth)
     ends = []
@@ -104,27 +104,30 @@ def _too_much(train: Train, mesh: Mesh, i: int, known: str, mate: str, x: Number
             involute = f.working_involute(s.transverse_pressure_angle, s.alpha_n, train.shifts[known], end, *z)
             ends.append(f.centre_distance(*z, s.transverse_module, s.transverse_pressure_angle, f.angle_of_involute(involute)))
     return NoSolution(
-        f"gears.meshes.{i}.centre_distance_mm = {mesh.centre_distance * 1e3:g}: with the shift {train.shifts[known]:.6g} of {known} it "
-        f"needs {x:.4g} of {mate}; −{MOST_SHIFT} to {MOST_SHIFT} is the most that is tried",
-        advice=f"a distance from {ends[0] * 1e3:.3f} to {ends[1] * 1e3:.3f} mm, other numbers of teeth, or another shift of {known}",
-    )
+        Text("gears.meshes.{i}.centre_distance_mm = {centre_distance}: with the shift {shifts} of {known} it needs {x} of {mate}; "
+            "−{most_shift} to {most_shift} is the most that is tried", i=i, centre_distance=mm(a, "g"),
+            shifts=Amount(train.shifts[known], form=".6g"), known=known, x=Amount(x, form=".4g"), mate=mate, most_shift=MOST_SHIFT),
+        advice=Text("a distance from {ends} to {ends2} mm, other numbers of teeth, or another shift of {known}",
+            ends=mm(ends[0], ".3f"), ends2=mm(ends[1], ".3f"), known=known),
+    )  # fmt: skip
 
 
-def _compare(train: Train, mesh: Mesh, i: int, x: Number) -> None:
+def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> None:
     """Both shifts are known: the driver's holds, and the driven wheel's must agree with the centre distance."""
     given = train.shifts[mesh.driven]
     if abs(x - given) <= CONTRADICTION:
         if x != given:
-            train.notes.append(
-                f"Profile shift of {mesh.driven}: {given:g} is given; {x:.6g} follows from the distance to {mesh.driver} and is used."
-            )
+            train.notes.append(Text("Profile shift of {driven}: {given} is given; {x} follows from the distance to {driver} and is used.",
+                driven=mesh.driven, given=Amount(given, form="g"), x=Amount(x, form=".6g"), driver=mesh.driver))  # fmt: skip
         return
     raise NoSolution(
-        f"gears.meshes.{i}.centre_distance_mm = {mesh.centre_distance * 1e3:g}: contradicts the profile shifts {mesh.driver} "
-        f"{train.shifts[mesh.driver]:.6g} and {mesh.driven} {given:.6g}; without backlash it needs {mesh.driven} {x:.6g}",
-        tried=f"shifts that agree within {CONTRADICTION:g}",
-        advice=f"leave out gears.wheels.{mesh.driven}.profile_shift, or the centre distance: it then follows",
-    )
+        Text("gears.meshes.{i}.centre_distance_mm = {centre_distance}: contradicts the profile shifts {driver} {shifts} and {driven} "
+            "{given}; without backlash it needs {driven} {x}", i=i, centre_distance=mm(a, "g"), driver=mesh.driver,
+            shifts=Amount(train.shifts[mesh.driver], form=".6g"), driven=mesh.driven, given=Amount(given, form=".6g"),
+            x=Amount(x, form=".6g")),
+        tried=Text("shifts that agree within {contradiction}", contradiction=Amount(CONTRADICTION, form="g")),
+        advice=Text("leave out gears.wheels.{driven}.profile_shift, or the centre distance: it then follows", driven=mesh.driven),
+    )  # fmt: skip
 
 
 def _choose(train: Train, still_open: list[Wheel]) -> None:
@@ -132,25 +135,28 @@ def _choose(train: Train, still_open: list[Wheel]) -> None:
     for wheel in still_open:
         for name, x in train.shifts.items():
             if train.wheels[name].teeth == wheel.teeth:
-                train.shifts[wheel.name] = x
-                train.notes.append(f"Profile shift of {wheel.name}: not given; chosen: {x:.6g}, that of {name}, which has as many teeth.")
+                train.shifts[wheel.name] = based_on(x, x, wheel.teeth, train.wheels[name].teeth)
+                train.notes.append(Text("Profile shift of {name}: not given; chosen: {x}, that of {name2}, which has as many teeth.",
+                    name=wheel.name, x=Amount(x, form=".6g"), name2=name))  # fmt: skip
                 return
-    with about(f"wheel {still_open[0].name}"):
+    with about(Text("wheel {name}", name=still_open[0].name)):
         train.shifts[still_open[0].name] = f.no_shift()
-    train.notes.append(f"Profile shift of {still_open[0].name}: not given; chosen: 0.")
+    train.notes.append(Text("Profile shift of {name}: not given; chosen: 0.", name=still_open[0].name))
 
 
-def _shift_sum(train: Train, mesh: Mesh, i: int) -> Number:
+def _shift_sum(train: Train, mesh: Mesh, i: int, a: Metre) -> Number:
     system, z_1, z_2 = train.system, train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
     d_b1, d_b2 = train.d_b[mesh.driver], train.d_b[mesh.driven]
-    if mesh.centre_distance <= (d_b1 + d_b2) / 2:
+    if a <= (d_b1 + d_b2) / 2:
         unshifted = (train.d[mesh.driver] + train.d[mesh.driven]) / 2
         raise NoSolution(
-            f"gears.meshes.{i}.centre_distance_mm = {mesh.centre_distance * 1e3:g}: {mesh.driver} ({z_1} teeth) and {mesh.driven} ({z_2}) "
-            "can not mesh so close: their base circles overlap",
-            advice=f"it must exceed {(d_b1 + d_b2) / 2 * 1e3:.4f} mm; without profile shift it is {unshifted * 1e3:.4f} mm",
-        )
-    alpha_wt = f.working_pressure_angle(d_b1, d_b2, mesh.centre_distance)
+            Text("gears.meshes.{i}.centre_distance_mm = {centre_distance}: {driver} ({z_1} teeth) and {driven} ({z_2}) can not mesh so "
+                "close: their base circles overlap", i=i, centre_distance=mm(a, "g"), driver=mesh.driver, z_1=z_1,
+                driven=mesh.driven, z_2=z_2),
+            advice=Text("it must exceed {d_b1} mm; without profile shift it is {unshifted} mm",
+                d_b1=mm((d_b1 + d_b2) / 2, ".4f"), unshifted=mm(unshifted, ".4f")),
+        )  # fmt: skip
+    alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
     return f.shift_sum(z_1, z_2, alpha_wt, system.transverse_pressure_angle, system.alpha_n)
 
 
@@ -161,21 +167,23 @@ def _distance(train: Train, mesh: Mesh, i: int) -> Metre:
     involute = f.working_involute(system.transverse_pressure_angle, system.alpha_n, x_1, x_2, z_1, z_2)
     if involute <= 0:
         raise NoSolution(
-            f"gears.meshes.{i}: with the profile shifts {mesh.driver} {x_1:.6g} and {mesh.driven} {x_2:.6g} no centre distance is free of "
-            "backlash: the base circles would overlap",
-            advice="give larger (less negative) profile shifts",
-        )
+            Text("gears.meshes.{i}: with the profile shifts {driver} {x_1} and {driven} {x_2} no centre distance is free of backlash: the "
+                "base circles would overlap", i=i, driver=mesh.driver, x_1=Amount(x_1, form=".6g"), driven=mesh.driven,
+                x_2=Amount(x_2, form=".6g")),
+            advice=Text("give larger (less negative) profile shifts"),
+        )  # fmt: skip
     a_w = f.centre_distance(z_1, z_2, system.transverse_module, system.transverse_pressure_angle, f.angle_of_involute(involute))
-    name = f"{mesh.driver}–{mesh.driven}"
-    train.notes.append(f"Centre distance {name}: not given; chosen: {a_w * 1e3:.4f} mm, without backlash before allowances.")
+    chosen = Text("Centre distance {name}: not given; chosen: {a_w} mm, without backlash before allowances.", name=mesh.title,
+        a_w=mm(a_w, ".4f"))  # fmt: skip
+    train.notes.append(chosen)
     return a_w
 
 
 def speeds(gears: GearsInputs, first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
     """Speed of every wheel, + in the sense of the first driver."""
     wheels = {w.name: w for w in gears.wheels}
-    found = {gears.meshes[0].driver: first_speed}
+    n = {gears.meshes[0].driver: first_speed}
     for mesh in gears.meshes:
-        with about(f"wheel {mesh.driven}"):
-            found[mesh.driven] = f.driven_speed(found[mesh.driver], wheels[mesh.driver].teeth, wheels[mesh.driven].teeth)
-    return found
+        with about(Text("wheel {driven}", driven=mesh.driven)):
+            n[mesh.driven] = f.driven_speed(n[mesh.driver], wheels[mesh.driver].teeth, wheels[mesh.driven].teeth)
+    return n

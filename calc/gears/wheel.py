@@ -7,15 +7,18 @@ from typing import Any
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import Described, Stated
 from ..sheet.record import record
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
 from .inputs import GearsInputs, Wheel
 from .measures import formulas as m
-from .measures.preferred import preferred_ball
-from .measures.seat import Seat, seat
-from .profile.outline import Cut, form_diameter_of_undercut
+from .measures.balls import preferred_ball, seat
+from .measures.result import Seat
+from .profile.cut import Cut, form_diameter_of_undercut
 from .result import End, ToothSystem, WheelResult
+from .words import mm
 
 
 @record
@@ -33,7 +36,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
     """All values of one wheel.  A tooth that can not be is no solution; one that is only poor is for the checks to judge."""
     bare = _Bare(system, wheel, x, d, d_b)
     alpha_t, alpha_n = system.transverse_pressure_angle, system.alpha_n
-    with about(f"wheel {wheel.name}"):
+    with about(Text("wheel {name}", name=wheel.name)):
         d_a = f.tip_diameter(d, system.m_n, x, wheel.tip_shortening)
         d_f = f.root_diameter(d, system.m_n, x, system.h_fP)
         x_min = f.undercut_limit(system.h_fP, system.rho_aP0, alpha_n, wheel.teeth, alpha_t, system.beta)
@@ -55,15 +58,15 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
             place = None
         pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
         return WheelResult(
-            tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed,
-            profile_shift=x, undercut_limit=x_min, pitch_diameter=d, base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f,
-            form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K),
-            ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball, over_balls=_over_balls(wheel.teeth, place, ball),
+            tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
+            base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f, form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an,
+            speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball,
+            ball_given=gears.ball_diameter is not None, over_balls=_over_balls(wheel.teeth, place, ball),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
-            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K,
-            tip_curvature=f.curvature_at(d_a, d_b), form_curvature=f.curvature_at(d_Ff, d_b),
-            virtual_teeth=chord, seat=place, **_limits(bare, ball if place is not None else None, x_min, d_a), **_tips(wheel, d_a),
+            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K, tip_curvature=f.curvature_at(d_a, d_b),
+            form_curvature=f.curvature_at(d_Ff, d_b), virtual_teeth=chord, seat=place,
+            **_limits(bare, ball if place is not None else None, x_min, d_a), **_tips(wheel, d_a),
         )  # fmt: skip
 
 
@@ -72,34 +75,37 @@ def _form_diameter(bare: _Bare, x: Number, x_min: Number) -> Metre:
     if x < x_min or s.s_pr > 0:
         return form_diameter_of_undercut(Cut(s, bare.wheel.teeth, x))
     depth = f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x)
-    return f.form_diameter(bare.d, s.transverse_pressure_angle, depth, bare.d_b)
+    d_Ff = f.form_diameter(bare.d, s.transverse_pressure_angle, depth, bare.d_b)
+    return based_on(d_Ff, d_Ff, s.s_pr)  # above 0 the tool undercuts
 
 
 def _must_be_a_tooth(wheel: Wheel, x: Number, d_a: Metre, d_f: Metre, d_Ff: Metre) -> None:
-    origin = "" if wheel.profile_shift is not None else " (it follows from the train)"
-    place = f"gears.wheels.{wheel.name}.profile_shift = {x:.6g}{origin}"
+    follows, k = wheel.profile_shift is None, wheel.tip_shortening
+    origin = Text(" (it follows from the train)") if follows else ""
+    place = Text("gears.wheels.{name}.profile_shift = {x}{origin}", name=wheel.name, x=Amount(x, form=".6g"), origin=origin)
     if d_f <= 0:
         raise NoSolution(
-            f"{place}: the tool would cut through the centre of the wheel (root diameter {d_f * 1e3:.4g} mm)",
-            advice="give more teeth, a larger shift, or a smaller gears.tool_addendum",
-        )
+            Text("{place}: the tool would cut through the centre of the wheel (root diameter {d_f} mm)", place=place, d_f=mm(d_f, ".4g")),
+            advice=Text("give more teeth, a larger shift, or a smaller gears.tool_addendum"),
+        )  # fmt: skip
     if d_a <= d_Ff:
-        cut = f" and the tip cut {wheel.tip_shortening * 1e3:g} mm" if wheel.tip_shortening else ""
-        smaller = x > 0
-        better = f"{'less' if smaller else 'more'} profile shift"
-        if wheel.profile_shift is None:
-            better += f": it follows, so {'bring the centres closer' if smaller else 'set the centres further apart'} or shift its mate"
+        cut = Text(" and the tip cut {tip_shortening} mm", tip_shortening=mm(k, "g")) if k else ""
+        better = Text("{text} profile shift", text=Text("less") if x > 0 else Text("more"))
+        if follows:
+            centres = Text("bring the centres closer") if x > 0 else Text("set the centres further apart")
+            better += Text(": it follows, so {text} or shift its mate", text=centres)
+        advice = Text("give {better}; or ", better=better) + (Text("a smaller tip_shortening_mm") if k else Text("more teeth"))
         raise NoSolution(
-            f"{place}{cut}: the tip circle ({d_a * 1e3:.4f} mm) lies inside the form circle ({d_Ff * 1e3:.4f} mm), "
-            "no involute flank is left",
-            advice=f"give {better}; or " + ("a smaller tip_shortening_mm" if wheel.tip_shortening else "more teeth"),
-        )
+            Text("{place}{cut}: the tip circle ({d_a} mm) lies inside the form circle ({d_ff} mm), no involute flank is left", place=place,
+                cut=cut, d_a=mm(d_a, ".4f"), d_ff=mm(d_Ff, ".4f")),
+            advice=advice,
+        )  # fmt: skip
 
 
 def _mid_flank(bare: _Bare, d_a: Metre, d_Ff: Metre) -> Radian:
     """Pressure angle where spans and balls are meant to touch: at d + 2·x·m_n, or halfway up the flank where that is not on it."""
-    d_V = bare.d + 2 * bare.x * bare.system.m_n
-    return f.pressure_angle_at(bare.d_b, d_V if d_Ff < d_V < d_a else (d_Ff + d_a) / 2)
+    d_V = based_on(bare.d + 2 * bare.x * bare.system.m_n, bare.d, bare.x, bare.system.m_n)
+    return f.pressure_angle_at(bare.d_b, d_V if d_Ff < d_V < d_a else based_on((d_Ff + d_a) / 2, d_Ff, d_a))
 
 
 def _allowance(wheel: Wheel) -> tuple[Metre, Metre] | None:
@@ -110,9 +116,12 @@ def _span(wheel: Wheel, K: int, W_K: Metre) -> dict[str, Stated]:
     upper, lower = _allowance(wheel) or (None, None)
     sizes = {"": ("", W_K)}
     if lower is not None and upper is not None:
-        sizes["_min"] = (", smallest", m.span_with_allowance(W_K, lower))
-        sizes["_max"] = (", largest", m.span_with_allowance(W_K, upper))
-    return {f"span_{K}{end}": Stated(Described(f"Span over {K} teeth{said}", "mm", f"W_{K}"), size) for end, (said, size) in sizes.items()}
+        sizes["_min"] = (Text(", smallest"), m.span_with_allowance(W_K, lower))
+        sizes["_max"] = (Text(", largest"), m.span_with_allowance(W_K, upper))
+    return {
+        f"span_{K}{end}": Stated(Described(Text("Span over {k} teeth{said}", k=K, said=end_of_it), "mm", f"W_{K}"), size)
+        for end, (end_of_it, size) in sizes.items()
+    }
 
 
 def _over_balls(z: int, place: Seat | None, ball: Metre) -> Metre | None:
@@ -121,7 +130,7 @@ def _over_balls(z: int, place: Seat | None, ball: Metre) -> Metre | None:
     return m.over_balls_odd(place.d_K, z, ball) if z % 2 else m.over_balls_even(place.d_K, ball)
 
 
-def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:
+def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:  # of fields of different types
     """The tip diameter at both ends of its tolerance."""
     if wheel.tip_diameter_tolerance is None:
         return {}
@@ -129,48 +138,53 @@ def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:
     return {"tip_diameter_min": f.with_tolerance(d=d_a, T=lower), "tip_diameter_max": f.with_tolerance(d=d_a, T=upper)}
 
 
-def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[str, Any]:
+def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[str, Any]:  # as above
     """The sizes at both ends of the allowance; `ball` None: no ball fits."""
-    roots = bare.wheel.root_diameter_tolerance
+    s, z, d, roots = bare.system, bare.wheel.teeth, bare.d, bare.wheel.root_diameter_tolerance
     if (allowance := _allowance(bare.wheel)) is None:
         if roots is None:
             return {}
-        d_f = f.root_diameter(bare.d, bare.system.m_n, bare.x, bare.system.h_fP)
+        d_f = f.root_diameter(d, s.m_n, bare.x, s.h_fP)
         return {f"root_diameter_{end}": f.with_tolerance(d=d_f, T=T) for end, T in zip(("max", "min"), roots)}
-    s, place = bare.system, f"gears.wheels.{bare.wheel.name}.span_allowance_um"
     ends: dict[str, End] = {}
-    found: dict[str, Any] = {"ends": ends}
+    sizes: dict[str, Any] = {"ends": ends}
     for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
-        with about(f"wheel {bare.wheel.name}, {'thickest' if end == 'max' else 'thinnest'} tooth"):
+        with about(Text("wheel {name}, {text} tooth", name=bare.wheel.name, text=Text("thickest") if end == "max" else Text("thinnest"))):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
             s_t = f.reference_thickness(s.m_n, x_E, s.alpha_n, s.beta)
-            d_f = f.root_diameter(bare.d, s.m_n, x_E, s.h_fP)
+            d_f = f.root_diameter(d, s.m_n, x_E, s.h_fP)
             d_Ff = _form_diameter(bare, x_E, x_min)
-            _must_stay_a_tooth(f"{place} = {E_W * 1e6:g}", bare, s_t, d_f, d_Ff, d_a)
-            s_at = f.thickness_at(d_a, s_t, bare.d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_a))
+            _must_stay_a_tooth(bare, E_W, s_t, d_f, d_Ff, d_a)
+            s_at = f.thickness_at(d_a, s_t, d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_a))
             if end == "min":
-                found["tip_thickness_normal_min"] = f.normal_thickness_at(s_at, s.beta, d_a, bare.d)
-            found[f"root_diameter_{end}"] = d_f if T is None else f.with_tolerance(d=d_f, T=T)
-            found[f"form_diameter_{end}"] = d_Ff
-            there = None if ball is None else seat(s, bare.wheel.teeth, s_t, bare.d, bare.d_b, ball)
-            found[f"over_balls_{end}"] = None if ball is None else _over_balls(bare.wheel.teeth, there, ball)
-            ends[end] = End(x_E, s_t, there)
-    return found
+                sizes["tip_thickness_normal_min"] = f.normal_thickness_at(s_at, s.beta, d_a, d)
+            sizes[f"root_diameter_{end}"] = d_f if T is None else f.with_tolerance(d=d_f, T=T)
+            sizes[f"form_diameter_{end}"] = d_Ff
+            place = None if ball is None else seat(s, z, s_t, d, bare.d_b, ball)
+            sizes[f"over_balls_{end}"] = None if ball is None else _over_balls(z, place, ball)
+            ends[end] = End(x_E, s_t, place)
+    return sizes
 
 
-def _must_stay_a_tooth(place: str, bare: _Bare, s_t: Metre, d_f: Metre, d_Ff: Metre, d_a: Metre) -> None:
+def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Metre, d_a: Metre) -> None:
     """A tooth that its allowance takes away, or that fills its space where the flank begins, is none."""
-    s, advice = bare.system, "−20 to −50 µm is usual"
-    nominal = s.m_n * (math.pi / 2 + 2 * bare.x * math.tan(s.alpha_n))  # s_n without allowance
+    s, advice = bare.system, Text("−20 to −50 µm is usual")
+    allowance = Amount(E_W * 1e6, form="g")
+    place = Text("gears.wheels.{name}.span_allowance_um = {size}", name=bare.wheel.name, size=allowance)
     if s_t <= 0 or d_f <= 0:
-        least = -nominal * math.cos(s.alpha_n)
-        raise NoSolution(f"{place}: takes away the whole tooth", advice=f"it must stay above {least * 1e6:.0f} µm; {advice}")
-    if d_Ff >= d_a:
+        nominal = s.m_n * (math.pi / 2 + 2 * bare.x * math.tan(s.alpha_n))  # s_n without allowance
+        least = Amount(-nominal * math.cos(s.alpha_n) * 1e6, form=".0f")
         raise NoSolution(
-            f"{place}: the form circle ({d_Ff * 1e3:.4f} mm) of such teeth lies outside the tip circle ({d_a * 1e3:.4f} mm)",
-            advice=advice,
+            Text("{place}: takes away the whole tooth", place=place),
+            advice=Text("it must stay above {least} µm; {advice}", least=least, advice=advice),
         )
+    form = mm(d_Ff, ".4f")
+    if d_Ff >= d_a:
+        outside = Text("{place}: the form circle ({d_ff} mm) of such teeth lies outside the tip circle ({d_a} mm)", place=place, d_ff=form,
+            d_a=mm(d_a, ".4f"))  # fmt: skip
+        raise NoSolution(outside, advice=advice)
     with untraced():
         at_form = f.thickness_at(d_Ff, s_t, bare.d, s.transverse_pressure_angle, f.pressure_angle_at(bare.d_b, d_Ff))
     if at_form >= math.pi * d_Ff / bare.wheel.teeth:
-        raise NoSolution(f"{place}: the teeth fill their spaces at the form circle ({d_Ff * 1e3:.4f} mm)", advice=advice)
+        filled = Text("{place}: the teeth fill their spaces at the form circle ({d_ff} mm)", place=place, d_ff=form)
+        raise NoSolution(filled, advice=advice)

@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, text
+from ..sheet.text import Text
 
 
 @inputs
@@ -11,92 +12,54 @@ class Wheel:
     """One wheel of the train."""
 
     name: str = text("Name")
-    teeth: int = integer(
-        "Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB, help="Number of teeth; few of them are undercut."
-    )
-    profile_shift: float = quantity(
-        "Profile shift coefficient", optional=True, low=-3, high=3, symbol="x", step=0.01, usual=(-0.5, 1), source=THUMB,
-        help="In modules. Left out: by centre distance, like wheel, or 0.",
-    )  # fmt: skip
-    tip_shortening: float = quantity(
-        "Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, ch. 4",
-        help="Off the tip radius; eases the mate's dedendum.",
-    )  # fmt: skip
-    face_width: float = quantity(
-        "Face width", "mm", optional=True, above=0, high=2000, symbol="b", help="Width of this wheel. Left out: that of the train."
-    )
-    hand: str | None = choice(
-        "Hand of the helix",
-        "left",
-        "right",
-        optional=True,
-        help="Hands alternate. Left out: the first driver is right-handed.",
-    )
+    teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB,
+        help="Number of teeth; few of them are undercut.")  # fmt: skip
+    profile_shift: float | None = quantity("Profile shift coefficient", default=None, low=-3, high=3, symbol="x", step=0.01,
+        usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip
+    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, ch. 4",
+        help="Off the tip radius; eases the mate's dedendum.")  # fmt: skip
+    face_width: float | None = quantity("Face width", "mm", default=None, above=0, high=2000, symbol="b",
+        help="Width of this wheel. Left out: that of the train.")  # fmt: skip
+    hand: str | None = choice("Hand of the helix", "left", "right", default=None,
+        help="Hands alternate. Left out: the first driver is right-handed.")  # fmt: skip
     material: str = text("Material", default="steel", help="By which it yields and expands.")
-    span_teeth: int = integer(
-        "Teeth spanned", optional=True, low=1, high=200, symbol="K", source="ISO 21771",
-        help="Teeth over which the span is measured. Left out: the best number.",
+    span_teeth: int | None = integer("Teeth spanned", default=None, low=1, high=200, symbol="K", source="ISO 21771",
+        help="Teeth over which the span is measured. Left out: the best number.")  # fmt: skip
+    span_allowance: tuple[float, ...] | None = series("Allowance of the span", "µm", default=None, count=(2, 2), low=-5000, high=5000,
+        symbol="E_W", usual=(-50, -20), source="Finotti 2013, ch. 4", help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed."
     )  # fmt: skip
-    span_allowance: tuple[float, ...] | None = series(
-        "Allowance of the span", "µm", optional=True, count=(2, 2), low=-5000, high=5000, symbol="E_W", usual=(-50, -20),
-        source="Finotti 2013, ch. 4",
-        help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed.",
+    tip_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the tip diameter", "µm", default=None, count=(2, 2), low=-5000,
+        high=5000, usual=(-100, 0), source="Finotti 2013, ch. 4", help="[upper, lower] of the tip diameter.")  # fmt: skip
+    root_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the root diameter", "µm", default=None, count=(2, 2),
+        low=-5000, high=5000, usual=(-300, 0), source="Finotti 2013, ch. 4", help="[upper, lower], beside the span's allowance."
     )  # fmt: skip
-    tip_diameter_tolerance: tuple[float, ...] | None = series(
-        "Tolerance of the tip diameter", "µm", optional=True, count=(2, 2), low=-5000, high=5000, usual=(-100, 0),
-        source="Finotti 2013, ch. 4",
-        help="[upper, lower] of the tip diameter.",
+    runout: float | None = quantity("Runout of the teeth", "µm", default=None, low=0, high=2000, symbol="F_r", usual=(5, 80), source=THUMB,
+        help="Over a turn; half of it to each side of the centre.")  # fmt: skip
+    measured_span: float | None = quantity("Measured span", "mm", default=None, above=0, high=5000, symbol="W", source="ISO 21771",
+        help="Over the teeth spanned; gives the tooth that was made.")  # fmt: skip
+    measured_over_balls: float | None = quantity("Measured size over balls", "mm", default=None, above=0, high=10000, symbol="M_dK",
+        source="ISO 21771", help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.")  # fmt: skip
+    measured_over_pins: float | None = quantity("Measured size over pins", "mm", default=None, above=0, high=10000, symbol="M_dR",
+        source="ISO 21771", help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.")  # fmt: skip
+    measured_chordal_thickness: float | None = quantity("Measured chordal thickness", "mm", default=None, above=0, high=500, symbol="s_c",
+        source="ISO 21771", help="Normal, at the height above the chord.")  # fmt: skip
+    position: tuple[float, ...] | None = series("Position of its axis", "mm", default=None, count=(2, 2), low=-5000, high=5000,
+        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be."
     )  # fmt: skip
-    root_diameter_tolerance: tuple[float, ...] | None = series(
-        "Tolerance of the root diameter", "µm", optional=True, count=(2, 2), low=-5000, high=5000, usual=(-300, 0),
-        source="Finotti 2013, ch. 4",
-        help="[upper, lower], beside the span's allowance.",
-    )  # fmt: skip
-    runout: float = quantity(
-        "Runout of the teeth", "µm", optional=True, low=0, high=2000, symbol="F_r", usual=(5, 80), source=THUMB,
-        help="Over a turn; half of it to each side of the centre.",
-    )  # fmt: skip
-    measured_span: float = quantity(
-        "Measured span", "mm", optional=True, above=0, high=5000, symbol="W", source="ISO 21771",
-        help="Over the teeth spanned; gives the tooth that was made.",
-    )  # fmt: skip
-    measured_over_balls: float = quantity(
-        "Measured size over balls", "mm", optional=True, above=0, high=10000, symbol="M_dK", source="ISO 21771",
-        help="Over two balls of gears.ball_diameter_mm; gives the tooth that was made.",
-    )  # fmt: skip
-    measured_over_pins: float = quantity(
-        "Measured size over pins", "mm", optional=True, above=0, high=10000, symbol="M_dR", source="ISO 21771",
-        help="Between faces parallel to the axis: two opposite pins, of an odd helical wheel three.",
-    )  # fmt: skip
-    measured_chordal_thickness: float = quantity(
-        "Measured chordal thickness", "mm", optional=True, above=0, high=500, symbol="s_c", source="ISO 21771",
-        help="Normal, at the height above the chord.",
-    )  # fmt: skip
-    position: tuple[float, ...] | None = series(
-        "Position of its axis", "mm", optional=True, count=(2, 2), low=-5000, high=5000,
-        help="[up, side] from the crank's axis, side: 90° on in the sense of crank rotation. Left out: from two neighbours, if it can be.",
-    )  # fmt: skip
-    bore_diameter: float = quantity(
-        "Bore", "mm", optional=True, above=0, high=2000, symbol="d_i",
-        help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.",
-    )  # fmt: skip
-    rim_thickness: float = quantity(
-        "Rim thickness", "mm", optional=True, above=0, high=500, symbol="s_R", source="ISO 6336-3",
-        help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.",
-    )  # fmt: skip
-    gear_material: str | None = text(
-        "Strength class", optional=True, help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so."
-    )
+    bore_diameter: float | None = quantity("Bore", "mm", default=None, above=0, high=2000, symbol="d_i",
+        help="Diameter of the bore of the body, for its inertia. Left out: a solid disc.")  # fmt: skip
+    rim_thickness: float | None = quantity("Rim thickness", "mm", default=None, above=0, high=500, symbol="s_R", source="ISO 6336-3",
+        help="Below the root circle; from 1.2 tooth depths on it costs no strength. Left out: a solid body.")  # fmt: skip
+    gear_material: str | None = text("Strength class", default=None,
+        help="A row of the table of ISO 6336-5; left out: case-hardened steel, and said so.")  # fmt: skip
     quality: str = choice("Material quality", "ML", "MQ", "ME", default="MQ", help="Of ISO 6336-5.")
-    hardness: float = quantity(
-        "Surface hardness", "HV", optional=True, above=0, high=1200, symbol="HV", usual=(115, 900), source="ISO 6336-5:2016, Table 1",
-        help="For classes whose strength depends on it.",
-    )  # fmt: skip
+    hardness: float | None = quantity("Surface hardness", "HV", default=None, above=0, high=1200, symbol="HV", usual=(115, 900),
+        source="ISO 6336-5:2016, Table 1", help="For classes whose strength depends on it.")  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         for key, limits in (
             ("span_allowance_um", self.span_allowance), ("tip_diameter_tolerance_um", self.tip_diameter_tolerance),
             ("root_diameter_tolerance_um", self.root_diameter_tolerance),
         ):  # fmt: skip
             if limits is not None and len(limits) == 2 and limits[0] < limits[1]:
-                yield key, "is [upper, lower]: the first must not be below the second"
+                yield key, Text("is [upper, lower]: the first must not be below the second")

@@ -12,10 +12,11 @@ import numpy as np
 from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, distinct
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Table
+from ..sheet.text import SPACE, Name, Text, plural
 from ..sheet.trace import untraced
 from ..sheet.units import Newton, NewtonMetre
 from .inputs import ImbalanceInputs
@@ -55,7 +56,7 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     keys = np.zeros(len(orders), dtype=np.int64)
     for k in range(n):
         keys = keys * n + place[:, k] % throws
-    _, first, which = np.unique(keys, return_index=True, return_inverse=True)
+    _, first, which = distinct(keys)
     found, angles = _left(imbalance, engine, e, place[first].astype(float))
     best = (
         found
@@ -83,11 +84,11 @@ def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
     found = [] if n > SOME else list(_symmetric(n, engine.strokes)) if engine.layout == "inline" else list(_paired(engine))
     if not found:
         raise NoSolution(
-            f"firing orders of {n} cylinders in this layout are not listed",
-            f"every order is tried for up to {ALL} cylinders; up to {SOME} those of symmetrical inline cranks, and of two banks on common "
-            "(boxer: opposed) pins, where these fire evenly",
-            "give the crank angles or one firing order; `check` shows what it leaves",
-        )
+            Text("firing orders of {n} cylinders in this layout are not listed", n=n),
+            Text("every order is tried for up to {all} cylinders; up to {some} those of symmetrical inline cranks, and of two banks on "
+                 "common (boxer: opposed) pins, where these fire evenly", all=ALL, some=SOME),
+            Text("give the crank angles or one firing order; `check` shows what it leaves"),
+        )  # fmt: skip
     return found
 
 
@@ -155,25 +156,26 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
 
 
 COLUMNS = (
-    ("order", ""), ("crank angles", "°"), ("pins", ""), ("F order 1", "N"), ("C₁⁺", "N·m"), ("C₁⁻", "N·m"), ("F order 2", "N"),
-    ("C order 2", "N·m"),
+    (Text("order"), ""), (Text("crank angles"), "°"), (Text("pins"), ""), (Text("F order 1"), "N"), (Name("C₁⁺"), "N·m"),
+    (Name("C₁⁻"), "N·m"), (Text("F order 2"), "N"), (Text("C order 2"), "N·m"),
 )  # fmt: skip
-TITLE = "Evenly firing orders, the one that leaves least first"
-RANKED = "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank."
+TITLE = Text("Evenly firing orders, the one that leaves least first")
+RANKED = Text("Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank.")
 
 
 def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
     """The best orders, each with its number in the ranking, under the design as it is."""
     rows = (("", *_row(design, engine)), *((float(n), *_row(one, engine)) for n, one in enumerate(found[:most], 1)))
-    shown = f"{len(rows) - 1} of {len(found)} {'orders' if len(found) > 1 else 'order'}, under the design as it is."
-    return Table("firing_orders", TITLE, (("no.", ""), *COLUMNS), rows, f"{shown} {RANKED}")
+    shown = plural("{shown} of {n} order, under the design as it is.", "{shown} of {n} orders, under the design as it is.",
+                   n=len(found), shown=len(rows) - 1)  # fmt: skip
+    return Table("firing_orders", TITLE, ((Text("no."), ""), *COLUMNS), rows, SPACE.join((shown, RANKED)))
 
 
 def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
     """The best cranks, each with the first by number of the orders that it can fire in."""
     cranks = [one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)]
-    note = f"{len(found)} orders on {len(cranks)} different cranks; of each crank the first order by number. {RANKED}"
-    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), note)
+    note = Text("{n} orders on {cranks} different cranks; of each crank the first order by number.", n=len(found), cranks=len(cranks))
+    return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), SPACE.join((note, RANKED)))
 
 
 def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> FiringOrder:

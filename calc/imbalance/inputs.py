@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 
 from ..sheet.quantity import choice, inputs, integer, quantity, tables, text
+from ..sheet.text import Text
 
 
 @inputs
@@ -33,7 +34,7 @@ class CrankBody:
     )
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help="From mid-engine, + towards the flywheel.")
     pin: int | None = integer(
-        "Crankpin", optional=True, low=1, high=16, help="The number of the pin that this body is: a bob is added to it."
+        "Crankpin", default=None, low=1, high=16, help="The number of the pin that this body is: a bob is added to it."
     )
 
 
@@ -52,12 +53,12 @@ class ImbalanceInputs:
         default="exact",
         help="exact: harmonics of the true slider-crank. two_term: cos α + λ cos 2α, as in the textbooks.",
     )
-    counterweight_span: float = quantity(
-        "Counterweights apart", "mm", optional=True, above=0, high=10000, symbol="l", source="Finotti 2013, 2.4",
+    counterweight_span: float | None = quantity(
+        "Counterweights apart", "mm", default=None, above=0, high=10000, symbol="l", source="Finotti 2013, 2.4",
         help="Axial distance of two counterweights about mid-engine.",
     )  # fmt: skip
-    counterweight_radius: float = quantity(
-        "Radius of the counterweights", "mm", optional=True, above=0, high=1000, symbol="r_cw", source="Finotti 2013, 2.4",
+    counterweight_radius: float | None = quantity(
+        "Radius of the counterweights", "mm", default=None, above=0, high=1000, symbol="r_cw", source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
     )  # fmt: skip
     crank_bodies_throw_at_tdc: int = integer(
@@ -72,29 +73,32 @@ class ImbalanceInputs:
         help="equal: one mass that takes the couple across the throw that stands up. per_pin: the smallest change from it that takes "
         "the whole couple. least_squares: least static unbalance and couple over pitch.",
     )  # fmt: skip
-    bob_mass: float = quantity(
-        "Bob mass as stated", "kg", optional=True, low=0, high=100, symbol="m_b", source="Finotti 2013, 2.6",
+    bob_mass: float | None = quantity(
+        "Bob mass as stated", "kg", default=None, low=0, high=100, symbol="m_b", source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
     )  # fmt: skip
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",
         Unbalance,
-        optional=True,
+        default=(),
         help="Of pulley and flywheel: they answer the question what the crank itself lacks.",
     )
     crank_bodies: tuple[CrankBody, ...] = tables(
-        "Bodies of the crank", CrankBody, optional=True, help="Webs and pins: what bobs does the crank need on the balancing machine?"
+        "Bodies of the crank", CrankBody, default=(), help="Webs and pins: what bobs does the crank need on the balancing machine?"
     )
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         for key, given, other in (
             ("counterweight_radius_mm", self.counterweight_radius, self.counterweight_span),
             ("counterweight_span_mm", self.counterweight_span, self.counterweight_radius),
         ):
             if given is None and other is not None:
-                yield key, "needed with the other of the two: span and radius give the masses of the counterweights"
+                yield key, Text("needed with the other of the two: span and radius give the masses of the counterweights")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
-            yield "crank_bodies", "at least one body must say which crankpin it is (pin = 1): the bobs are put there"
+            yield "crank_bodies", Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there")
         if sorted(pins) != list(range(1, len(pins) + 1)):
-            yield "crank_bodies", f"the pins must be numbered from 1 without gaps, each once; they are {', '.join(map(str, pins))}"
+            yield (
+                "crank_bodies",
+                Text("the pins must be numbered from 1 without gaps, each once; they are {map}", map=", ".join(map(str, pins))),
+            )

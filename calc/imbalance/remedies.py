@@ -13,6 +13,7 @@ import numpy as np
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
+from ..sheet.text import Amount, Text
 from ..sheet.trace import about
 from ..sheet.units import (
     Kilogram,
@@ -30,8 +31,9 @@ from ..sheet.units import (
     Radian,
     RadPerSecond,
 )  # fmt: skip
+from ..sheet.value import based_on
 
-SHAFTS = "rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3; Lanchester)"
+SHAFTS = Text("rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3; Lanchester)")
 SIGNIFICANT = 1e-6  # of one cylinder's m·r·ω²: below this there is nothing to balance
 
 
@@ -87,7 +89,7 @@ def roll_torque(p: PhasorMetre, F: PhasorNewton) -> NewtonMetre:
     return modulus(p) * modulus(F)
 
 
-M_EQ = "Finotti 2013, 2.3.3: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one"
+M_EQ = Text("Finotti 2013, 2.3.3: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one")
 
 
 @formula("M_eq", M_EQ, unit="g")
@@ -175,7 +177,7 @@ def remedies(
         parts: dict[str, Any] = {}
         F_S: Any = 0j
         C_S: Any = 0j
-        with about(f"shaft at {i:+d} times crank speed".replace("-", "−")):
+        with about(Text("shaft at {i} times crank speed", i=Amount(i, form="+d"))):
             if np.any(np.abs(F) > SIGNIFICANT * one_force):
                 U, gamma = shaft_unbalance(F_n=F, i=float(i), omega=omega), unbalance_direction(F_n=F)
                 F_S = supplied_force(i=float(i), omega=omega, U=U, gamma=gamma)
@@ -194,8 +196,9 @@ def remedies(
     at_one: Vectors = (forward_F, backward_F, forward_C, backward_C)
     at_two: Vectors = (plus_F, minus_F, plus_C, minus_C)
 
-    def remedy(title: str, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> Remedy:
+    def remedy(title: Text, share: Number, one: Vectors, two: Vectors, **shafts: BalanceShaft | None) -> Remedy:
         left_f, left_c = joined(F_f, share * whole[0]), joined(C_f, share * whole[1])  # the crank acts on what turns forward only
+        left_f, left_c = based_on(left_f, F_f, share, whole[0]), based_on(left_c, C_f, share, whole[1])
         with about(title):
             single = one[1] if shafts.get("backward") and not shafts.get("forward") and np.any(one[1]) else None
             return Remedy(
@@ -210,23 +213,32 @@ def remedies(
                 roll_torque_at_100_mm=roll_torque(p=0.1 + 0j, F=single) if single is not None else None,
             )
 
-    found = {"crank": remedy("counterweights for half of the reciprocating mass", 0.5, NONE, NONE)}
+    found = {"crank": remedy(Text("counterweights for half of the reciprocating mass"), 0.5, NONE, NONE)}
     if backward:
         one_shaft = (0j, backward_F, 0j, backward_C)
-        found["backward_shaft"] = remedy("the same, and one shaft at −1", 0.5, one_shaft, NONE, backward=backward)
+        found["backward_shaft"] = remedy(Text("the same, and one shaft at −1"), 0.5, one_shaft, NONE, backward=backward)
     if forward and backward:
-        found["first_order_pair"] = remedy("two shafts at ±1", 0.0, at_one, NONE, forward=forward, backward=backward)
+        found["first_order_pair"] = remedy(Text("two shafts at ±1"), 0.0, at_one, NONE, forward=forward, backward=backward)
     if plus or minus:
-        how = "two shafts at ±2" if plus and minus else f"one shaft at {'+' if plus else '−'}2"
-        found["second_order_shafts"] = remedy(f"crank as designed, {how}", kappa, NONE, at_two, forward_2=plus, backward_2=minus)
+        how = Text("two shafts at ±2") if plus and minus else Text("one shaft at {what}2", what="+" if plus else "−")
+        found["second_order_shafts"] = remedy(
+            Text("crank as designed, {how}", how=how), kappa, NONE, at_two, forward_2=plus, backward_2=minus
+        )
         if backward:
             found["crank_and_shafts"] = remedy(
-                f"half on the crank, one shaft at −1, {how}", 0.5, (0j, backward_F, 0j, backward_C), at_two,
+                Text("half on the crank, one shaft at −1, {how}", how=how), 0.5, (0j, backward_F, 0j, backward_C), at_two,
                 backward=backward, forward_2=plus, backward_2=minus,
             )  # fmt: skip
         if forward and backward:
             found["four_shafts"] = remedy(
-                f"two shafts at ±1, {how}", 0.0, at_one, at_two, forward=forward, backward=backward, forward_2=plus, backward_2=minus
+                Text("two shafts at ±1, {how}", how=how),
+                0.0,
+                at_one,
+                at_two,
+                forward=forward,
+                backward=backward,
+                forward_2=plus,
+                backward_2=minus,
             )
     return found
 
@@ -237,7 +249,7 @@ def counterweights(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, 
     P = crank_product(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi)
     found = {}
     for name, side in (("front", -1.0), ("rear", 1.0)):
-        with about(f"{name} counterweight"):
+        with about(Text("{name} counterweight", name=name)):
             U_cw = counterweight(U=U, P=P, l=span, side=side)
             found[name] = Counterweight(mass=counterweight_mass(U_cw=U_cw, r_cw=radius), angle=counterweight_direction(U_cw=U_cw))
     return found

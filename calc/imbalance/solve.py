@@ -10,14 +10,16 @@ from ..engine.inputs import EngineInputs
 from ..engine.solve import ORDERS, EngineResult
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Erratum, Outcome
+from ..sheet.text import Text
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
+from ..sheet.value import based_on
 from . import formulas as f
+from .checks import checks, proposals
+from .curves import Shaft, pictures, remedy_table
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
-from .judgement import checks, proposals
 from .orders import Order, order
-from .pictures import pictures, remedy_table
 from .remedies import Counterweight, Remedy, counterweights, equivalent_mass, remedies
 from .webs import WebsResult, bob_table, webs
 
@@ -63,29 +65,32 @@ def values(
         c_n = judged[n - 1]
         if not np.any(c_n) and n not in ALWAYS:
             continue
-        with about(f"order {n}"):
+        with about(Text("order {n}", n=n)):
             solved = order(n, c_n, kappa, engine, e)
         if n <= 2:
-            with about(f"order {n}, two terms"):
+            with about(Text("order {n}, two terms", n=n)):
                 solved = replace(solved, two_term=order(n, e.two_term[n - 1], kappa, engine, e))
         orders[f"order_{n}"] = solved
     first, second = orders["order_1"], orders["order_2"]
-    with about("counter-shaft"):
+    with about(Text("counter-shaft")):
         required = f.required_couple(first.vectors[3])
         length = f.couple_length(C=required)
         phase = f.couple_direction(C=required)
         product = f.unbalance_product(C_S=length, omega=e.angular_speed)
         mistiming = f.couple_per_degree(C_S=length)
-        by_tooth = f.couple_per_tooth(C_S=length, z=float(shaft_teeth)) if shaft_teeth else None
+        by_tooth = f.couple_per_tooth(C_S=length, z=based_on(float(shaft_teeth), shaft_teeth)) if shaft_teeth else None
         forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else {}
     crank: Any = e.crank
     one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     one_couple = one_force * engine.cylinder_pitch
+    one_force = based_on(one_force, e.reciprocating_mass, engine.crank_radius, e.angular_speed)
+    one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
     with untraced():
         common: dict[str, Any] = dict(
             kappa=1.0, omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
         )
         whole = f.counterweight_force(**common), f.counterweight_couple(z=crank.z, **common)
+    whole = based_on(whole[0], *common.values()), based_on(whole[1], crank.z, *common.values())
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
         M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=kappa, M_alt=e.reciprocating_mass)
@@ -119,7 +124,7 @@ def _force_shaft(backward: Any, omega: RadPerSecond, teeth: int | None) -> dict[
         "required_force_phase": f.force_direction(F=wanted),
         "required_unbalance": f.required_unbalance(F_S=length, omega=omega),
         "mistiming_force_per_degree": f.force_per_degree(F_S=length),
-        "mistiming_force_per_tooth": f.force_per_tooth(F_S=length, z=float(teeth)) if teeth else None,
+        "mistiming_force_per_tooth": f.force_per_tooth(F_S=length, z=based_on(float(teeth), teeth)) if teeth else None,
     }
 
 
@@ -130,7 +135,7 @@ def solve(
     shaft: bool = True,
     shaft_teeth: int | None = None,
     axis: complex | None = None,
-) -> Outcome:
+) -> Outcome[ImbalanceResult]:
     """The imbalance of an engine whose crank carries the given share of the reciprocating masses.
 
     `shaft`: the design has a counter-shaft, whose own step judges what is left of the backward couple.
@@ -151,18 +156,20 @@ def solve(
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         notes=(
             *notes,
-            "Couples are taken about the middle of the engine; where a force is left as well, they hold about that plane only. A vertical "
-            "couple is a pair of vertical forces, one at either end.",
-            "The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.",
+            Text(
+                "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
+                "plane only. A vertical "
+                "couple is a pair of vertical forces, one at either end."
+            ),
+            Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."),
         ),
     )
 
 
-def with_shaft(outcome: Outcome, force: complex, couple: complex, kappa: float) -> Outcome:
-    """The same outcome, its figures and its table of remedies with the design's own counter-shaft: its vectors, cylinder 1 at TDC."""
-    found = outcome.result
-    table = remedy_table(found, kappa, (force, couple))
-    return replace(outcome, curves=pictures(found, (force, couple)), tables=(table, *outcome.tables[1:]))
+def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
+    """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple, cylinder 1 at TDC."""
+    table = remedy_table(outcome.solution, imbalance.crank_balance_fraction, shaft)
+    return replace(outcome, curves=pictures(outcome.solution, shaft), tables=(table, *outcome.tables[1:]))
 
 
 def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
@@ -174,11 +181,13 @@ def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratu
     return (
         Erratum(
             "imbalance.order_2.couple_peak_vertical",
-            "Second-order couple",
+            Text("Second-order couple"),
             float(theirs),
             "N·m",
-            "method of Finotti 2013, 2.5.3.4",
-            "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
-            "untouched: the whole reciprocating mass acts.",
+            Text("method of Finotti 2013, 2.5.3.4"),
+            Text(
+                "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
+                "untouched: the whole reciprocating mass acts."
+            ),
         ),
     )

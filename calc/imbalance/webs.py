@@ -6,17 +6,20 @@ p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z.
 """
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
+from ..sheet.arrays import column, distinct
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant
+from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
+from ..sheet.text import Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import (
     Kilogram,
@@ -34,11 +37,12 @@ from ..sheet.units import (
     Radian,
     RadPerSecond,
 )  # fmt: skip
+from ..sheet.value import based_on
 from . import formulas as f
 from .inputs import ImbalanceInputs
 from .remedies import equivalent_mass
 
-TABLE = "Finotti 2013, 2.6: table of webs and pins, here for any throws"
+TABLE = Text("Finotti 2013, 2.6: table of webs and pins, here for any throws")
 MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)
 
 
@@ -64,7 +68,7 @@ def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -
     rows: Any = np.array([np.real(G), np.imag(G)])
     left: Any = C + m_b * np.sum(G)
     change: Any = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
-    return m_b + change
+    return cast(Kilogram, m_b + change)
 
 
 @formula("m_j", "least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
@@ -73,7 +77,7 @@ def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: Ph
     rows: Any = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
     target: Any = np.array([S.real, S.imag, C.real / a, C.imag / a])
     found: Any = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
-    return found
+    return cast(Kilogram, found)
 
 
 @formula("Δφ", "largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
@@ -181,15 +185,15 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     found: dict[str, Any] = {}
     bob: Any = imbalance.bob_mass
     if imbalance.crank_bodies:
-        with about("crank on the balancing machine"):
+        with about(Text("crank on the balancing machine")):
             found = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
         bob = found.pop("masses") if bob is None else bob
     wanted: Any = None
     if bob is not None:
         crank: Any = e.crank
         pin = pin_of_cylinder(engine, crank)
-        first = np.unique(pin, return_index=True)[1]
-        with about("pulley and flywheel"):
+        first = distinct(pin)[1]
+        with about(Text("pulley and flywheel")):
             M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
             place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=bob)
             P = lacking_product(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
@@ -202,10 +206,10 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
                 "missing_forward_force": f.force_length(F=wanted_force(U=U, omega=omega)),
             }
     if imbalance.unbalances:
-        given: Any = np.array([(u.unbalance, u.angle, u.z) for u in imbalance.unbalances])
-        with about("unbalances on the crank"):
-            C_U = couple_of_unbalances(omega=omega, U=given[:, 0], z=given[:, 2], gamma=given[:, 1])
-            F_U = force_of_unbalances(omega=omega, U=given[:, 0], gamma=given[:, 1])
+        U_u, gamma, z = (column(imbalance.unbalances, name) for name in ("unbalance", "angle", "z"))
+        with about(Text("unbalances on the crank")):
+            C_U = couple_of_unbalances(omega=omega, U=U_u, z=z, gamma=gamma)
+            F_U = force_of_unbalances(omega=omega, U=U_u, gamma=gamma)
             found |= {
                 "unbalances_couple": f.couple_length(C=C_U),
                 "unbalances_couple_phase": f.couple_direction(C=C_U),
@@ -221,28 +225,29 @@ class _Machine:
     """The crank on the balancing machine: its bodies as arrays, what they sum up to, and the bobs by every mode that has an answer."""
 
     def __init__(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> None:
-        given: Any = np.array([(body.mass, body.x, body.y, body.z) for body in imbalance.crank_bodies])
-        self.m, self.p, self.z = given[:, 0], given[:, 1] + 1j * given[:, 2], given[:, 3]
+        self.m, x, y, self.z = (column(imbalance.crank_bodies, name) for name in ("mass", "x", "y", "z"))
+        self.p = based_on(x + 1j * y, x, y)
         number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
         self.pins = np.argsort(np.where(number > 0, number, 99), kind="stable")[: int(number.max())]
         p_pin: Any = self.p[self.pins]
-        G: Any = p_pin * self.z[self.pins]
-        with about("bare crank"):
+        G: Any = based_on(p_pin * self.z[self.pins], p_pin, self.z[self.pins])
+        with about(Text("bare crank")):
             S_0, C_0 = unbalance(m=self.m, p=self.p), product(m=self.m, p=self.p, z=self.z)
         self.bare = S_0, C_0
-        together = complex(np.sum(G))
+        together = based_on(complex(np.sum(G)), G)
         self.modes: dict[str, Any] = {}
         if abs(together.imag) > 1e-6 * float(np.sum(np.abs(G))) > 0:
-            self.modes["equal"] = np.full(self.pins.size, equal_bob(C=C_0, G=together))
-            self.modes["per_pin"] = bobs_per_pin(m_b=float(self.modes["equal"][0]), C=C_0, G=G)
+            common = equal_bob(C=C_0, G=together)
+            self.modes["equal"] = based_on(np.full(self.pins.size, common), common)
+            self.modes["per_pin"] = bobs_per_pin(m_b=common, C=C_0, G=G)
         self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
     def with_bobs(self, bobs: Any) -> tuple[complex, complex]:
         """Static unbalance and couple product of the crank with a bob on every pin."""
-        m: Any = np.concatenate([self.m, bobs])
-        p: Any = np.concatenate([self.p, self.p[self.pins]])
-        z: Any = np.concatenate([self.z, self.z[self.pins]])
+        m: Any = based_on(np.concatenate([self.m, bobs]), self.m, bobs)
+        p: Any = based_on(np.concatenate([self.p, self.p[self.pins]]), self.p)
+        z: Any = based_on(np.concatenate([self.z, self.z[self.pins]]), self.z)
         return unbalance(m=m, p=p), product(m=m, p=p, z=z)
 
 
@@ -251,26 +256,32 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
     masses = machine.modes[machine.mode]
     states = {"bare": _state(*machine.bare, imbalance, e)}
     if imbalance.bob_mass is not None:
-        with about("crank with the bobs as stated"):
-            states["stated"] = _state(*machine.with_bobs(np.full(machine.pins.size, imbalance.bob_mass)), imbalance, e)
-    with about("crank with the bobs found"):
+        with about(Text("crank with the bobs as stated")):
+            states["stated"] = _state(
+                *machine.with_bobs(based_on(np.full(machine.pins.size, imbalance.bob_mass), imbalance.bob_mass)), imbalance, e
+            )
+    with about(Text("crank with the bobs found")):
         states["balanced"] = _state(*machine.with_bobs(masses), imbalance, e)
     crank: Any = e.crank
-    throw = crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1]
-    first = np.unique(pin_of_cylinder(engine, crank), return_index=True)[1]
+    throw = based_on(crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc)
+    first = distinct(pin_of_cylinder(engine, crank))[1]
     deviation = pin_deviation(p=machine.p[machine.pins], phi=throw[first])
-    bobs = {str(j + 1): Stated(Described(f"Bob mass on pin {j + 1}", "g", f"m_{j + 1}"), float(bob)) for j, bob in enumerate(masses)}
+    bobs = {
+        str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}"), bob)
+        for j, bob in enumerate(elements(masses))
+    }
     return {"crank": states, "bob_mass": bobs, "masses": masses, "pin_deviation": deviation}
 
 
 def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
     crank: Any = e.crank
-    turned = crank.phi[imbalance.crank_bodies_throw_at_tdc - 1] + crank.theta_0
+    at_tdc = imbalance.crank_bodies_throw_at_tdc
+    turned = based_on(crank.phi[at_tdc - 1] + crank.theta_0, crank.phi, at_tdc, crank.theta_0)
     return CrankState(
-        unbalance_up=S.real,
-        unbalance_side=S.imag,
-        product_up=C.real,
-        product_side=C.imag,
+        unbalance_up=based_on(S.real, S),
+        unbalance_side=based_on(S.imag, S),
+        product_up=based_on(C.real, C),
+        product_side=based_on(C.imag, C),
         unbalance=unbalance_length(S=S),
         force=force_at(S=S, omega=e.angular_speed),
         couple=couple_at(P=C, omega=e.angular_speed),
@@ -279,25 +290,28 @@ def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> Crank
     )
 
 
-def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[tuple[Table, ...], tuple[str, ...]]:
+def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[tuple[Table, ...], tuple[Text, ...]]:
     """The crank without bobs, with the stated ones, and with those of every mode, side by side; and what is to be said of them."""
     if not imbalance.crank_bodies:
         return (), ()
-    words = {"equal": "equal", "per_pin": "per pin", "least_squares": "least squares"}
+    words = {"equal": Text("equal"), "per_pin": Text("per pin"), "least_squares": Text("least squares")}
     with untraced():
         machine = _Machine(imbalance, engine)
         count = machine.pins.size
-        rows: list[tuple[str, Any, tuple[complex, complex]]] = [("bare", [None] * count, machine.bare)]
+        rows: list[tuple[str, Any, tuple[complex, complex]]] = [(Text("bare"), [None] * count, machine.bare)]
         if imbalance.bob_mass is not None:
-            rows.append(("as stated", [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass))))
+            rows.append((Text("as stated"), [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass))))
         for mode, bobs in machine.modes.items():
-            rows.append((words[mode] + (" (chosen)" if mode == machine.mode else ""), bobs, machine.with_bobs(bobs)))
+            title = Text("{mode} (chosen)", mode=words[mode]) if mode == machine.mode else words[mode]
+            rows.append((title, bobs, machine.with_bobs(bobs)))
     table = Table(
         "bobs",
-        "The crank on the balancing machine",
+        Text("The crank on the balancing machine"),
         (
-            ("bobs", ""), *((f"pin {j + 1}", "g") for j in range(count)), ("S up", "kg·mm"), ("S side", "kg·mm"), ("C up", "kg·mm²"),
-            ("C side", "kg·mm²"), ("C at rated speed", "N·m"),
+            (Text("bobs"), ""), *((Text("pin {j}", j=j + 1), "g") for j in range(count)), (Text("S up"), "kg·mm"),
+            (Text("S side"), "kg·mm"),
+            (Text("C up"), "kg·mm²"),
+            (Text("C side"), "kg·mm²"), (Text("C at rated speed"), "N·m"),
         ),
         tuple(
             (
@@ -306,11 +320,14 @@ def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult)
             )
             for name, bobs, (S, C) in rows
         ),
-        f"Throw {imbalance.crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
+        Text("Throw {crank_bodies_throw_at_tdc} up; side: 90° further in the sense of rotation; z towards the flywheel.",
+            crank_bodies_throw_at_tdc=imbalance.crank_bodies_throw_at_tdc),
     )  # fmt: skip
     notes = []
     if machine.mode != imbalance.bob_mode:
-        notes.append("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead.")
+        notes.append(Text("Equal bobs have no couple across the throw that stands up: the bobs are found by least squares instead."))
     if min(machine.modes[machine.mode]) < 0:
-        notes.append("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
+        notes.append(
+            Text("A bob comes out negative: the webs are too light for it there; the crank can not be balanced by bobs of this kind.")
+        )
     return (table,), tuple(notes)

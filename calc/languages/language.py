@@ -1,198 +1,95 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A language: called with an English text of the program, it gives that text in its own words."""
+"""A language: called with a text of the program, it gives that text in its own words and writes its numbers in its own way."""
 
-import json
 import re
-from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator
 from functools import cache
-from itertools import count
 from pathlib import Path
-from threading import RLock
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
-from ..sheet.units import UNITS
+from ..sheet.text import Amount, Part, Small, Text, english, with_unit
+
+if TYPE_CHECKING:
+    from gettext import NullTranslations
 
 LANGUAGES = {"en": "English", "it": "italiano"}
-FOLDER = Path(__file__).resolve().parent
-PLACE = re.compile(r"\{(\w*)\}")  # where an f-string, or format(), puts something in
-WORD = re.compile(r"[^\W\d_]{2,}")
-NUMBER = re.compile(r"[-−+±]?\d\S* ")
-SMALL = re.compile(r"[^\W\d_A-Z]{2,}")  # what has no small letters is a name, a symbol or a sign: EN AC-43100
-EDGES = " .,;:"  # what may stand before or behind a text that was put together with others
-# where texts may have been put together, the coarse joints first
-JOINTS = tuple(map(re.compile, (r"((?<=[.!?]) )", r"((?<=[;:]) )", r"((?<=,) )", r"( ?[()])", r"( and | or | by | at )")))
-WEAK = 6  # letters of a template that say little: "{0} of {1}"
-HEAD = re.compile(r"[^\W\d_]{3,}: ")  # a template that begins so says enough: "Saved: {0}"
-KNOWN = 20_000  # texts that are remembered
-
-
-class Said(NamedTuple):
-    """A text in the language.  `whole`: no word of it has stayed English, as far as that can be told."""
-
-    text: str
-    whole: bool
+FOLDER = Path(__file__).resolve().parents[1] / "locale"
+DOMAIN = "contralbero"
+PLACE = re.compile(r"\{\w+\}")  # where a template has a part
+WORD = re.compile(r"(?<!\w)[A-Za-z]?[a-z]{2,}")  # of a language; a symbol has none
+NUMERAL = re.compile(r"(?<![\w.])(\d+)(?:\.(\d+))?(?![\w.])")
+THIN = "\u2009"  # between thousands, ISO 80000-1
+NO_NUMBER = Text("no value")
 
 
 class Language:
-    """`texts`: English text or template → translation; nothing for English itself.  What is not known stays English."""
+    """English is the language without a catalogue.  `missing`: templates that were asked for and are not in the catalogue."""
 
-    def __init__(self, code: str, texts: dict[str, str]) -> None:
+    def __init__(self, code: str, catalogue: "NullTranslations | None" = None) -> None:
         self.code = code
-        self._texts = texts
-        self._known = {text: made for text, made in texts.items() if not PLACE.search(text)}
-        self._known |= {text.strip(EDGES): made.strip(EDGES) for text, made in self._known.items() if text.strip(EDGES) not in self._known}
-        templates = {_numbered(text): _numbered(made) for text, made in texts.items() if PLACE.search(text)}
-        self._templates = {text.strip(EDGES): made.strip(EDGES) for text, made in templates.items()} | templates
-        self._by_word = _by_rarest_word(self._templates)
-        self._compiled: dict[str, re.Pattern[str]] = {}
-        self._said: dict[str, Said] = {}
-        self._saying = RLock()  # the mark of a text that is just being said is for its own thread only
+        self.missing: set[str] = set()
+        self._catalogue = catalogue
 
     def __call__(self, text: str) -> str:
-        if not self._texts:
+        """A Text in this language; any other string is a name and stays as it stands."""
+        if self._catalogue is None or not isinstance(text, Text):
             return text
-        with self._saying:
-            return self._say(text).text
+        template = self._template(text)
+        if template is None:
+            return str(text)
+        told = template.format_map({name: self.part(part) for name, part in text.parts.items()}) if text.parts else template
+        return told[:1].lower() + told[1:] if isinstance(text, Small) else told
 
-    def wholly(self, text: str) -> str:
-        """The translation where no word stays English, else the text as it is: for what a user or a book has said."""
-        if not self._texts:
-            return text
-        with self._saying:
-            said = self._say(text)
-        return said.text if said.whole else text
+    def halves(self, text: Text) -> tuple[str, str]:
+        """A Text in front of and behind the first comma of its template ("front bearing", "twice the load"); names keep their commas."""
+        template = self._template(text) if self._catalogue is not None else text.template
+        front, _, behind = (text.template if template is None else template).partition(", ")
+        told = {name: self.part(part) for name, part in text.parts.items()}
+        return front.format_map(told), behind.format_map(told)
 
-    def knows(self, text: str) -> bool:
-        """Whether a text, or a template as it stands in the source, has a translation."""
-        return not self._texts or text in self._texts
+    def part(self, part: Part) -> str:
+        """What stands in a place of a template."""
+        if isinstance(part, str):
+            return self(part)
+        if isinstance(part, Amount):
+            return with_unit(self.number(part.written()), part.unit)
+        return self.number(english(part))
 
-    def _say(self, text: str) -> Said:
-        said = self._said.get(text)
-        if said is None:
-            if len(self._said) >= KNOWN:
-                self._said.clear()
-            self._said[text] = Said(text, False)  # a template may lead back to its own text
-            said = self._said[text] = self._found(text)
-        return said
+    def number(self, written: str) -> str:
+        """A number that is written in English (`short`), as this language writes it: decimal comma, thin spaces between thousands."""
+        if self._catalogue is None:
+            return written
+        return self(NO_NUMBER) if written == NO_NUMBER else NUMERAL.sub(_numeral, written)
 
-    def _found(self, text: str) -> Said:
-        """The first way to say it by which nothing stays English, else the first by which something changes."""
-        if (known := self._known.get(text)) is not None:
-            return Said(known, True)
-        if not WORD.search(text) or not SMALL.search(text) or NUMBER.sub("", text, count=1) in UNITS:
-            return Said(text, True)
-        first: Said | None = None
-        for said in self._ways(text):
-            if said.whole:
-                return said
-            if first is None and said.text != text:
-                first = said
-        return first or Said(text, " " not in text.strip())  # a single word may be a name
-
-    def _ways(self, text: str) -> Iterator[Said]:
-        matches = self._matches(text)
-        yield from (self._filled(*match) for match in matches if self._strong(*match))
-        if (core := text.strip(EDGES)) != text and core:
-            said = self._say(core)
-            start = text.index(core)
-            yield Said(text[:start] + said.text + text[start + len(core) :], said.whole)
-        for joint in JOINTS:
-            parts = joint.split(text)  # every second one is what joins them
-            if len(parts) > 1:
-                made = list(self._pieces(parts))
-                yield Said("".join(said.text for said in made), all(said.whole for said in made))
-        yield from (self._filled(*match) for match in matches if not self._strong(*match))
-
-    def _pieces(self, parts: list[str]) -> Iterator[Said]:
-        """Parts that were joined: as many at a time as are one text of the program, else one by one."""
-        start = 0
-        while start < len(parts):
-            for end in range(len(parts), start, -2):
-                if end - start < len(parts) and (said := self._exactly("".join(parts[start:end]))) is not None:
-                    break
-            else:
-                end, said = start + 1, self._say(parts[start])
-            yield said
-            yield from (Said(self._joint(part), True) for part in parts[end : end + 1])
-            start = end + 1
-
-    def _joint(self, text: str) -> str:
-        """What stands between two parts: a mark, or a word like “and”."""
-        word = text.strip()
-        return text.replace(word, self._known.get(word, word), 1) if word else text
-
-    def _strong(self, template: str, fillers: tuple[str, ...]) -> bool:
-        """Whether a template says enough not to be met by chance; a short one does where only numbers or known words were put in."""
-        return (
-            _letters(template) > WEAK
-            or HEAD.match(template) is not None
-            or all(not WORD.search(filler) or filler.strip() in self._known for filler in fillers)
-        )
-
-    def _exactly(self, text: str) -> Said | None:
-        """What is one text of the program, known or made from a template."""
-        core = text.strip(EDGES)
-        found = self._known.get(text) or self._known.get(core)
-        if found is not None:
-            return Said(text.replace(core, found.strip(EDGES), 1), True)
-        made = (self._filled(*match) for match in self._matches(core) if self._strong(*match))
-        whole = next((said for said in made if said.whole), None) if core else None
-        return Said(text.replace(core, whole.text.strip(EDGES), 1), True) if whole is not None else None
-
-    def _matches(self, text: str) -> list[tuple[str, tuple[str, ...]]]:
-        """The templates that this text can have been made from, those that say most first, and what was put in."""
-        found = []
-        for template in {template for word in set(WORD.findall(text)) for template in self._by_word.get(word, ())}:
-            if (match := self._pattern(template).fullmatch(text)) is not None:
-                found.append((template, match.groups()))
-        return sorted(found, key=lambda match: (-_letters(match[0]), match[0]))  # a set has another order in each run
-
-    def _filled(self, template: str, fillers: tuple[str, ...]) -> Said:
-        """The translation of a template, with what was put in said as well."""
-        given = {name: self._say(filler) for name, filler in zip(PLACE.findall(template), fillers)}
-        return Said(PLACE.sub(lambda place: given[place[1]].text, self._templates[template]), all(said.whole for said in given.values()))
-
-    def _pattern(self, template: str) -> re.Pattern[str]:
-        if (made := self._compiled.get(template)) is None:
-            literal = [re.escape(part) for part in PLACE.split(template)[::2]]
-            made = self._compiled[template] = re.compile("(.*?)".join(literal), re.DOTALL)
-        return made
+    def _template(self, text: Text) -> str | None:
+        """The template in this language; None where the catalogue lacks it.  One without words of its own is the same everywhere."""
+        assert self._catalogue is not None
+        template = text.template
+        if text.one:
+            told = self._catalogue.ngettext(text.one, template, round(text.number) if text.number == round(text.number) else 2)
+            known = told not in (text.one, template)
+        else:
+            told = self._catalogue.gettext(template) if template else template
+            known = told is not template  # gettext hands back what it does not know
+        if known or not WORD.search(PLACE.sub("", template)):
+            return told
+        self.missing.add(template)
+        return None
 
 
-def _numbered(template: str) -> str:
-    """The same template with a number in each empty place, as format() counts them."""
-    numbers = count()
-    return PLACE.sub(lambda place: place[0] if place[1] else f"{{{next(numbers)}}}", template)
-
-
-def _letters(template: str) -> int:
-    """How much a template says of its own."""
-    return sum(map(len, WORD.findall(PLACE.sub(" ", template))))
-
-
-def _by_rarest_word(templates: Iterable[str]) -> dict[str, list[str]]:
-    """Each template under the word of its own that the fewest others have: a text is only held against those whose word it has."""
-    words = {template: WORD.findall(PLACE.sub(" ", template)) for template in templates}
-    often = Counter(word for own in words.values() for word in set(own))
-    found: dict[str, list[str]] = defaultdict(list)
-    for template, own in words.items():
-        if own:
-            found[min(own, key=lambda word: (often[word], word))].append(template)
-    return found
+def _numeral(found: re.Match[str]) -> str:
+    whole, decimals = found[1], found[2]
+    if len(whole) > 4:
+        whole = THIN.join([whole[: len(whole) % 3], *re.findall("...", whole[len(whole) % 3 :])]).lstrip(THIN)
+    return f"{whole},{decimals}" if decimals else whole
 
 
 @cache
 def language(code: str) -> Language:
     """A language by its code.  Raises KeyError where there is none."""
-    return afresh(code)
-
-
-def afresh(code: str) -> Language:
-    """A language that has said nothing yet: what it says does not depend on what was said before."""
     if code not in LANGUAGES:
         raise KeyError(code)
-    texts: dict[str, str] = {}
-    for file in sorted((FOLDER / code).glob("*.json")):
-        texts |= json.loads(file.read_text(encoding="utf-8"))
-    return Language(code, texts)
+    if code == "en":
+        return Language(code)
+    from gettext import translation
+
+    return Language(code, translation(DOMAIN, FOLDER, [code]))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of arrays, for the type checker only: importing numpy.typing costs a start-up 30 ms."""
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast, overload
 
 if TYPE_CHECKING:
     import numpy as np
@@ -15,8 +15,42 @@ else:
     Array = ComplexArray = BoolArray = IndexArray = Any
 
 
+@overload
+def each(x: Array) -> float: ...
+@overload
+def each(x: ComplexArray) -> complex: ...
+def each(x: object) -> object:
+    """An array where a formula takes one number: the door by which arrays enter formulas, which are written and typed for numbers."""
+    return x
+
+
+def many(x: float) -> Array:
+    """What a formula returns that was given arrays: an array."""
+    return cast(Array, x)
+
+
+def phasors(x: complex) -> ComplexArray:
+    """As `many`, of phasors."""
+    return cast(ComplexArray, x)
+
+
 def column(parts: "tuple[Any, ...]", name: str) -> Any:
-    """One number of every part, as an array."""
+    """One number of every part, as an array that knows where each came from."""
+    from .linked_array import gathered
+
+    return gathered(getattr(part, name) for part in parts)
+
+
+def distinct(x: "NDArray[Any]") -> "tuple[NDArray[Any], IndexArray, IndexArray]":
+    """The numbers of a one-dimensional array that differ, ascending; where each stands first; and which of them each element is.
+
+    As `numpy.unique`, which brings in a tenth of a start-up more of numpy.
+    """
     import numpy as np
 
-    return np.array([getattr(part, name) for part in parts], dtype=float)
+    order = np.argsort(x, kind="stable")
+    ascending = x[order]
+    new = np.concatenate([[True], ascending[1:] != ascending[:-1]]) if len(x) else np.zeros(0, dtype=bool)
+    which = np.empty(len(x), dtype=np.intp)
+    which[order] = np.cumsum(new) - 1
+    return ascending[new], order[new], which

@@ -1,33 +1,61 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A check: a value against its limit, with margin, verdict, source and advice."""
+"""A check: a value against its limit, with kind, cause, margin, verdict, source, what moves it and what would make it hold."""
 
 import math
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 
-from .number import short
+from .record import record
+from .remedy import Remedy, sentence
+from .rules import KINDS, rule_of
+from .text import EMPTY, SEMICOLON, Amount, Text
 from .units import UNITS
+from .value import link_of, linked
 
 THIN_MARGIN = 0.05  # a limit that holds by less than this is a warning
-SIGNS = {"pass": "✓", "warn": "▲", "fail": "✗", "blocked": "○", "not_asked": "·", "no_solution": "✗"}
-ORDER = ("not_asked", "pass", "warn", "blocked", "fail", "no_solution")  # from good to bad
+SIGNS = {
+    "pass": "✓", "warn": "▲", "fail": "✗", "note": "•", "not_verified": "?", "accepted": "✓", "blocked": "○", "not_asked": "·",
+    "no_solution": "✗",
+}  # fmt: skip
+ORDER = ("not_asked", "pass", "accepted", "note", "warn", "not_verified", "blocked", "fail", "no_solution")  # from good to bad
+URGENT = ("fail", "not_verified", "warn")  # verdicts that somebody has to look at
+STEP_STATES = ("not_asked", "pass", "warn", "not_verified", "blocked", "fail", "no_solution")
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Check:
     """`value` and `limit` stand in the shown unit.  `sense` is ">=", ">", "<=", "<" or "in" (limit is then (low, high)).
 
-    `kind` "limit": passed over is a fail, less than 5 % margin a warning.  `kind` "advice": passed over is a warning.
+    `kind`, as CONTRACT 3b has them: a "limit" that is passed over is a fail, and one that holds by less than 5 % a warning; a "caution"
+    that is passed over is a warning; "advice" and "method" (about the calculation, not the part) are notes.
+    `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value that is judged, and the one
+    that it is held against.  `moved_by`: keys of the inputs that move it most, in the order in which a designer uses them; the key of a
+    table stands for the numbers in it.
+    `missing`: keys that are not given and without which it can not be judged: it stands on what the program takes for them.
+    `advice`: what to do: the remedies, in the labels and units of the fields, and what is no value of a key.  `accepted`: the reason that
+    the user gave for leaving it open.
     """
 
     id: str
-    name: str
+    name: Text
     value: float
     limit: float | tuple[float, float]
     sense: str
     unit: str
-    source: str
-    advice: str = ""
+    source: Text
+    advice: Text = EMPTY
     kind: str = "limit"
+    cause: str = ""
+    value_id: str = ""
+    limit_id: str = ""
+    moved_by: tuple[str, ...] = ()
+    remedies: tuple[Remedy, ...] = ()
+    missing: tuple[str, ...] = ()
+    demand: bool = False
+    accepted: str = ""
+
+    def __str__(self) -> str:
+        return f"{SIGNS[self.verdict]} {self.name}: {Amount(self.value, self.unit)} ({self.limit_text()}, {self.margin_text()})"
 
     @property
     def nearest(self) -> tuple[float, float]:
@@ -45,61 +73,126 @@ class Check:
         return gap / abs(limit) if limit else gap
 
     @property
+    def holds(self) -> bool:
+        """Whether the limit is kept; a value that is no number keeps none."""
+        margin = self.margin
+        return margin > 0 or (margin == 0 and self.sense not in (">", "<"))
+
+    @property
     def narrow(self) -> bool:
-        """Kept, but by so little that it is a warning."""
-        return self.verdict == "warn" and self.nearest[0] >= 0
+        """A limit that is kept, but by so little that it is a warning."""
+        return self.kind == "limit" and self.holds and self.margin < THIN_MARGIN
+
+    @property
+    def utilisation(self) -> float | None:
+        """Demand over capacity, 1 at the limit; None where the check is not on these two."""
+        if not self.demand or isinstance(self.limit, tuple):
+            return None
+        over, under = (self.value, self.limit) if self.sense in ("<=", "<") else (self.limit, self.value)
+        return over / under if under else None
+
+    @property
+    def finding(self) -> str:
+        """The verdict, before anybody accepts it."""
+        if self.missing and self.kind in ("limit", "caution"):
+            return "not_verified"
+        if self.holds:
+            return "warn" if self.narrow else "pass"
+        return {"limit": "fail", "caution": "warn"}.get(self.kind, "note")
 
     @property
     def verdict(self) -> str:
+        finding = self.finding
+        return "accepted" if self.accepted and self.kind != "limit" and finding != "pass" else finding
+
+    @property
+    def open(self) -> bool:
+        """Whether something is left to do, or to accept."""
+        return self.verdict not in ("pass", "accepted")
+
+    def limit_text(self) -> Text:
+        if isinstance(self.limit, tuple):
+            return Text("{low} to {high}", low=Amount(self.limit[0]), high=Amount(self.limit[1], self.unit))
+        sign = {">=": "≥", "<=": "≤"}.get(self.sense, self.sense)
+        return Text("{sign} {limit}", sign=sign, limit=Amount(self.limit, self.unit))
+
+    def margin_text(self) -> Text:
         margin = self.margin
         if math.isnan(margin):
-            return "fail"
-        passed_over = margin < 0 or (margin == 0 and self.sense in (">", "<"))
-        if self.kind == "advice":
-            return "warn" if passed_over else "pass"
-        if passed_over:
-            return "fail"
-        return "warn" if margin < THIN_MARGIN else "pass"
-
-    def limit_text(self) -> str:
-        if isinstance(self.limit, tuple):
-            return f"{short(self.limit[0])} to {short(self.limit[1])} {self.unit}".rstrip()
-        sign = {">=": "≥", "<=": "≤"}.get(self.sense, self.sense)
-        return f"{sign} {short(self.limit)} {self.unit}".rstrip()
-
-    def margin_text(self) -> str:
-        if math.isnan(self.margin):
-            return "no number"
+            return Text("no number")
         if self.nearest[1] == 0:
-            text = f"{self.margin:+.3g}".replace("-", "−")
-            if "e" in text:
-                text = ("+" if self.margin > 0 else "") + short(self.margin, 3)
-            return f"{text} {self.unit}".rstrip()
-        percent = self.margin * 100
-        if abs(percent) > 99999:  # of a limit that is all but zero
-            return "beyond −99999 %" if percent < 0 else "beyond +99999 %"
-        digits = 1 if 0 < abs(percent) < 0.5 else 0
-        return f"{percent:+.{digits}f} %".replace("-", "−")
+            return Text("{margin}", margin=Amount(margin, self.unit, form="+.3g"))
+        if abs(margin) > 1000:  # of a limit that is all but zero
+            return Text("beyond {percent}", percent=Amount(math.copysign(1e5 - 1, margin), "%", form="+.0f"))
+        return Text("{percent}", percent=Amount(margin * 100, "%", form="+.1f" if 0 < abs(margin) < 0.005 else "+.0f"))
 
 
 def check(
     id: str,
-    name: str,
+    name: Text,
     value: float,
     sense: str,
     limit: float | tuple[float, float],
     unit: str,
-    source: str,
-    advice: str = "",
+    source: Text,
+    advice: Text = EMPTY,
     *,
-    kind: str = "limit",
+    kind: str = "",
+    index: int | None = None,
+    value_id: str | None = None,
+    moved_by: tuple[str, ...] | None = None,
+    remedies: Callable[[], tuple[Remedy, ...]] | None = None,
+    missing: tuple[str, ...] = (),
 ) -> Check:
-    """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else."""
+    """A check from numbers in SI: value and limit are turned into the shown unit here and nowhere else.
+
+    Kind, cause, the value that is judged and what moves it are those of its row in `calc/tables/checks.md`.  `kind`: where the row has two.
+    `advice`: what could be done beside the remedies.  `index`: of the mesh in its array, for the keys of the row.  `value_id`, `moved_by`:
+    where the site knows them better than the row.  `remedies` are made only where it does not hold.
+    """
+    rule = rule_of(id, index)
     shown = UNITS[unit].shown
     bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else shown(limit)
     number = shown(value) if math.isfinite(value) else value
-    return Check(id, name, number, bound, sense, unit, source, advice, kind)
+    made = Check(
+        id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,
+        kind if kind in rule.kinds else rule.kinds[0], rule.cause,
+        rule.value if value_id is None else value_id, rule.limit, rule.moved_by if moved_by is None else moved_by, (), missing, rule.demand,
+    )  # fmt: skip
+    ways = () if remedies is None or made.holds else remedies()
+    return replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])) if ways else made
 
 
-def worst(verdicts: list[str]) -> str:
-    return max(verdicts, key=ORDER.index, default="pass")
+def worst(verdicts: Iterable[str]) -> str:
+    """The worst of the states of steps; of a check's own only those count that colour a step."""
+    return max((v for v in verdicts if v in STEP_STATES), key=ORDER.index, default="pass")
+
+
+def step_verdict(checks: Iterable[Check]) -> str:
+    """Of a step: fail if a limit fails, not_verified if one can not be judged, warn if a caution is open or a limit holds narrowly."""
+    return worst("warn" if c.verdict == "not_verified" and c.kind != "limit" else c.verdict for c in checks)
+
+
+def grouped(checks: Iterable[Check]) -> list[tuple[Check, ...]]:
+    """Checks under their causes, the worst kind and verdict first; within a group the worst first.
+
+    A group stands where its worst check does.  Checks of one kind and verdict keep their order, the limit that is missed furthest first.
+    """
+    groups: dict[str, list[Check]] = {}
+    for one in checks:
+        groups.setdefault(one.cause or one.id, []).append(one)
+    return sorted((tuple(sorted(group, key=severity)) for group in groups.values()), key=lambda group: severity(group[0])[:3])
+
+
+def with_it(checks: Sequence[Check], most: int = 3) -> Text:
+    """What else of a group is open beside its worst, by name and margin; of more than `most` the rest as a number."""
+    named = SEMICOLON.join(Text("{name} ({margin})", name=check.name, margin=check.margin_text()) for check in checks[:most])
+    if len(checks) <= most:
+        return Text("With it: {names}", names=named)
+    return Text("With it: {names}; {more} more", names=named, more=len(checks) - most)
+
+
+def severity(check: Check) -> tuple[bool, int, int, float]:
+    """What sorts checks: open ones before those that hold or are accepted, then by kind, then the worst verdict first."""
+    margin = check.margin
+    return not check.open, KINDS.index(check.kind), -ORDER.index(check.verdict), margin if margin == margin else -math.inf

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
 """What can go wrong, and how it is said: what was wrong, what is allowed, what to do."""
 
-from dataclasses import dataclass
+from .record import record
+from .text import EMPTY, SEMICOLON, Name, Text
 
 
-@dataclass(frozen=True, slots=True, order=True)
+@record
 class InputError:
     """One mistake in the input: its line (0: none), its key, the value found, and the reason with what is allowed."""
 
     line: int
     key: str
     value: str
-    reason: str
+    reason: Text
 
-    def text(self, place: str) -> str:
+    def text(self, place: str) -> Text:
         where = f"{place}:{self.line}" if self.line else place
-        found = f"{self.value}: " if self.value else ""
-        return f"{where}: {self.key}: {found}{self.reason}" if self.key else f"{where}: {found}{self.reason}"
+        return Text("{where}: {reason}", where=": ".join(filter(None, (where, self.key, self.value))), reason=self.reason)
 
 
 class BadInput(Exception):
@@ -34,9 +34,20 @@ class NoSolution(Exception):
     `what` says what was looked for, `tried` where; `advice` what the user can change.
     """
 
-    def __init__(self, what: str, tried: str = "", advice: str = "") -> None:
+    def __init__(self, what: Text, tried: Text = EMPTY, advice: Text = EMPTY) -> None:
         self.what, self.tried, self.advice = what, tried, advice
-        super().__init__("; ".join(part for part in (what, tried, advice) if part))
+        super().__init__(self.text)
+
+    @property
+    def text(self) -> Text:
+        """What was looked for, where, and what can be changed, in one sentence."""
+        return SEMICOLON.join(part for part in (self.what, self.tried, self.advice) if part)
+
+
+def text_of(error: Exception) -> Text:
+    """What an error says: the Text that it was raised with, else its words as they stand."""
+    told = getattr(error, "text", None) or (error.args[0] if error.args else "")
+    return told if isinstance(told, Text) else Name(str(error))
 
 
 class Cancelled(Exception):

@@ -11,12 +11,13 @@ import linecache
 import math
 import textwrap
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import cache
-from typing import Any, get_type_hints
+from typing import Any
 
-from .formula import Formula
+from .formula import Formula, units
 from .number import DIGITS, SUBSCRIPTS, SUPERSCRIPTS, rounded, scalar, several, short
+from .record import record
+from .text import COMMA, EMPTY, Name, Text, with_unit
 from .trace import Line
 from .units import UNITS
 
@@ -36,7 +37,7 @@ CALLS |= {"imag": "Im", "largest": "max", "smallest": "min"}
 CALLS |= {"argument": "arg", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "log10": "lg", "asinh": "arsinh", "log1p": "ln1p"}
 
 
-@dataclass(frozen=True, slots=True)
+@record
 class Expr:
     """A node: `head` is number, symbol (both with their text in `name`), add, sub, mul, div, pow, neg, sqrt, sum, cis, abs or call."""
 
@@ -54,13 +55,6 @@ def symbol(identifier: str) -> str:
         base = stem
     base = GREEK.get(base, base)
     return f"{base}_{','.join(GREEK.get(i, i) for i in index)}" if index else base
-
-
-@cache
-def units(formula: Formula[..., Any]) -> dict[str, str]:
-    """The unit of each argument, and of the result under "return", from the annotations."""
-    hints = get_type_hints(formula.function, include_extras=True)
-    return {name: hint.__metadata__[0] if hasattr(hint, "__metadata__") else "" for name, hint in hints.items()}
 
 
 @cache
@@ -131,6 +125,8 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
             return Expr("neg", (sub(a),))
         case ast.Call(func=ast.Name(id="joined"), args=[a, ast.UnaryOp(op=ast.USub(), operand=b)]):
             return Expr("sub", (sub(a), sub(b)))
+        case ast.Call(func=ast.Name(id="power"), args=[a, b]):
+            return Expr("pow", (sub(a), sub(b)))
         case ast.Call(func=ast.Name(id="joined"), args=[a, b]):
             return Expr("add", (sub(a), sub(b)))
         case ast.Call(func=ast.Name(id=name), args=args):
@@ -148,19 +144,22 @@ def substituted(tree: Expr, numbers: Mapping[str, str]) -> Expr:
 
 
 # --- one recorded line, ready to be shown --------------------------------------------------------------------------------
-@dataclass(frozen=True, slots=True)
+@record
 class Shown:
     """A line made readable: the two trees (None for an algorithm, whose words stand in `shows`), the value with its unit, the source."""
 
     symbol: str
     formula: Expr | None
     numbers: Expr | None
-    shows: str
+    shows: Text
     value: str
     unit: str
-    source: str
-    about: str
-    where: str = ""  # which element of an array is shown
+    source: Text
+    about: Text
+    where: Text = EMPTY  # which element of an array is shown
+
+
+GOVERNS = {"max": Text("largest of {size}, number {number}"), "min": Text("smallest of {size}, number {number}")}
 
 
 def _governing(line: Line) -> tuple[int, ...] | None:
@@ -240,9 +239,11 @@ def show(line: Line) -> Shown:
         numbers = substituted(tree, texts)
     shows = formula.shows
     if tree is None and not shows:
-        shows = f"{formula.__name__}({', '.join(f'{symbol(k)} = {_argument(v, DIGITS)}' for k, v in arguments.items())})"
-    words = {"max": "largest", "min": "smallest"}[formula.governs]
-    where = f"{words} of {line.value.size}, number {index[-1] + 1}" if index is not None and line.value.size > 1 else ""
+        given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, DIGITS)}") for k, v in arguments.items())
+        shows = Text("{name}({given})", name=formula.__name__, given=given)
+    where = EMPTY
+    if index is not None and line.value.size > 1:
+        where = Text(GOVERNS[formula.governs].template, size=line.value.size, number=index[-1] + 1)
     return Shown(formula.symbol, tree, numbers, shows, *_result(line, index), formula.source, line.about, where)
 
 
@@ -296,14 +297,21 @@ def text(tree: Expr, outer: float = 0) -> str:
     return f"({out})" if rank < outer else out
 
 
-def line_text(line: Line, say: Callable[[str], str] = str) -> tuple[str, str, str]:
-    """A line for a terminal: the formula, the substitution with its value, the source; `say` puts its words into a language."""
+def respelled(tree: Expr, number: Callable[[str], str]) -> Expr:
+    """The same tree with its numbers as `number` writes them, which are written in English."""
+    name = number(tree.name) if tree.head == "number" else tree.name
+    return Expr(tree.head, tuple(respelled(a, number) for a in tree.args), name)
+
+
+def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str], str] = str) -> tuple[str, str, str]:
+    """A line for a terminal: the formula, the substitution with its value, the source; `say` and `number` put its words and its numbers
+    into a language."""
     shown = show(line)
-    result = f"{shown.value} {shown.unit}".rstrip() + (f"   ({say(shown.where)})" if shown.where else "")
+    result = with_unit(number(shown.value), shown.unit) + (f"   ({say(shown.where)})" if shown.where else "")
     head = plain(shown.symbol)
     if shown.formula is None or shown.numbers is None:
         return f"{head}: {say(shown.shows)}", f"= {result}", say(shown.source)
-    return f"{head} = {_written(line.formula)}", f"= {text(shown.numbers)} = {result}", say(shown.source)
+    return f"{head} = {number(_written(line.formula))}", f"= {number(text(shown.numbers))} = {result}", say(shown.source)
 
 
 @cache

@@ -5,17 +5,35 @@
     def specific_load(F: Newton, d: Metre, l: Metre) -> Pascal:
         return F / (d * l)
 
-Calling it returns the plain number, or the array.  Inside `with trace()` the call is recorded as well; how it is rendered from
-its own return expression stands in `expression.py`, which nothing needs before something is shown.
+Calling it returns the number, or the array.  `help(specific_load)` shows its signature with units, its expression, its source and what
+its docstring adds, an example above all.  Inside `with trace()` the call is recorded as well, and what it returns is linked to the
+recorded line (`value.py`).  How a line is rendered from its own return expression stands in `expression.py`, which nothing needs before
+something is shown.
 """
 
+import ast
+import inspect
+import textwrap
 from collections.abc import Callable
-from typing import Any, Generic, ParamSpec, TypeVar
+from functools import cache
+from typing import Any, Generic, ParamSpec, TypeVar, get_type_hints
 
+from .text import Text
 from .trace import Line, recorder, subject
+from .value import LinkedFloat, linked
 
 P = ParamSpec("P")
 R = TypeVar("R")
+
+
+class _Help:
+    """The docstring: of the class its own, of a formula what `help` shows of it."""
+
+    def __init__(self, of_class: str) -> None:
+        self.of_class = of_class
+
+    def __get__(self, formula: "Formula[..., Any] | None", owner: type) -> str:
+        return self.of_class if formula is None else described(formula)
 
 
 class Formula(Generic[P, R]):
@@ -25,24 +43,62 @@ class Formula(Generic[P, R]):
     `unit` is the unit in which the result is shown; left out, that of the return annotation.
     """
 
+    __doc__ = _Help(__doc__)
+    __name__: str
+
     def __init__(
         self, function: Callable[P, R], symbol: str, source: str, shows: str, unit: str, governs: str, names: dict[str, str]
     ) -> None:
-        self.function, self.symbol, self.source, self.shows = function, symbol, source, shows
+        self.function, self.symbol, self.source, self.shows = function, symbol, Text(source), Text(shows)
         self.unit, self.governs, self.names = unit, governs, names
         code = function.__code__
         self.parameters = code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-        self.__doc__, self.__name__ = function.__doc__, function.__name__
+        self.__wrapped__ = function  # what inspect.signature and doctest follow
+        self.__name__, self.__module__ = function.__name__, function.__module__
 
     def __call__(self, *args: P.args, **kwargs: P.kwargs) -> R:
         value = self.function(*args, **kwargs)
         if (lines := recorder.get()) is not None:  # written out here: this is called a thousand times for one design
             given = {**dict(zip(self.parameters, args)), **kwargs} if args else kwargs
-            lines.append(Line(self, given, value, subject.get()))
+            line = Line(self, given, value, subject.get())
+            lines.append(line)
+            if type(value) is float:  # as nearly all of them
+                number: Any = LinkedFloat(value)  # type: ignore[arg-type]
+                number.link = line
+                known: R = number
+                return known
+            return linked(value, line)
         return value
 
     def __repr__(self) -> str:
         return f"<formula {self.symbol}: {self.source}>"
+
+
+@cache
+def units(formula: Formula[..., Any]) -> dict[str, str]:
+    """The unit of each argument, and of the result under "return", from the annotations."""
+    hints = get_type_hints(formula.function, include_extras=True)
+    return {name: hint.__metadata__[0] if hasattr(hint, "__metadata__") else "" for name, hint in hints.items()}
+
+
+def described(formula: Formula[..., Any]) -> str:
+    """What `help` shows: call and result with their units in SI ("-": none), the expression or the algorithm, the source, the docstring."""
+    known = {name: unit or "-" for name, unit in units(formula).items()}
+    arguments = ", ".join(f"{name}: {known.get(name, '-')}" for name in formula.parameters)
+    shown = f"   (shown in {formula.unit})" if formula.unit else ""
+    head = f"{formula.__name__}({arguments}) -> {known.get('return', '-')}{shown}"
+    body = f"{formula.symbol} = {formula.shows or _returned(formula.function)}"
+    own = inspect.cleandoc(formula.function.__doc__ or "")
+    return "\n\n".join(filter(None, (head, body, f"Source: {formula.source}", own)))
+
+
+def _returned(function: Callable[..., Any]) -> str:
+    """The return expression of a function on one line; dots where its source text is not at hand."""
+    try:
+        tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
+    except OSError:
+        return "…"
+    return next((ast.unparse(node.value) for node in reversed(list(ast.walk(tree))) if isinstance(node, ast.Return) and node.value), "…")
 
 
 FORMULAS: dict[str, Formula[..., Any]] = {}  # every formula of the program: "module.function" → formula

@@ -6,16 +6,20 @@ They are typed float → float so that formulas stay readable to the type checke
 
 import math
 from collections.abc import Callable
-from typing import Any, cast
+from typing import Any, TypeVar, cast
 
 import numpy as np
 
+from . import linked_array as linked_array  # makes the links of arrays known
+from .value import LinkedFloat
+
 pi = math.pi
+N = TypeVar("N", float, complex)
 
 
 def _both(scalar: Callable[[float], float], vector: Callable[[Any], Any]) -> Callable[[float], float]:
     def function(x: float) -> float:
-        return scalar(x) if type(x) is float else vector(x)
+        return scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)  # no numpy number: it has other last digits
 
     function.__name__ = scalar.__name__
     return function
@@ -41,7 +45,9 @@ def inv(angle: float) -> float:
 
 def cis(angle: float) -> complex:
     """The unit phasor e^{iα}."""
-    return complex(math.cos(angle), math.sin(angle)) if type(angle) is float else cast(complex, np.exp(1j * np.asarray(angle)))
+    return (
+        complex(math.cos(angle), math.sin(angle)) if type(angle) in (float, LinkedFloat) else cast(complex, np.exp(1j * np.asarray(angle)))
+    )
 
 
 def conj(z: complex) -> complex:
@@ -68,22 +74,35 @@ def argument(z: complex) -> float:
     return math.atan2(z.imag if abs(z.imag) > dust else 0.0, z.real if abs(z.real) > dust else 0.0)
 
 
-def total(x: Any) -> Any:
+def power(x: float, y: float) -> float:
+    """x^y: Python's `x**y` may be complex for all that a type checker knows."""
+    raised: float = x**y
+    return raised
+
+
+def total(x: N) -> N:
     """Sum over all elements (masses, points of contact, …)."""
-    return np.sum(x).item()
+    added: N = np.sum(x).item()
+    return added
 
 
-def along(x: Any) -> Any:
+def along(x: float) -> float:
     """Sum over the last axis, the positions of a path: a float of one operating point, an array of many."""
-    found: Any = np.sum(x, -1)
-    return found if found.ndim else found.item()
+    sums: Any = np.sum(x, -1)
+    added: float = sums if sums.ndim else sums.item()
+    return added
 
 
-def resultant(x: Any) -> Any:
+def resultant(x: N) -> N:
     """Sum over the last axis: the cylinders of one engine, or of each of many.
 
     Vectors that cancel in a direction give 0 there, not the dust of the last digits.
     """
+    added: N = _resultant(x)
+    return added
+
+
+def _resultant(x: Any) -> Any:
     dust = 1e-12 * np.sum(np.abs(x), -1)
     if np.ndim(x) > 1:
         found: Any = np.sum(x, -1)
@@ -95,7 +114,7 @@ def resultant(x: Any) -> Any:
     one = np.sum(x).item()
     if isinstance(one, complex):
         return complex(one.real if abs(one.real) > dust else 0.0, one.imag if abs(one.imag) > dust else 0.0)
-    return one if abs(one) > dust else abs(0.0 * one)  # an object of its own, by which its line is found again
+    return one if abs(one) > dust else abs(0.0 * one)  # NaN stays NaN
 
 
 def joined(a: complex, b: complex) -> complex:
@@ -104,7 +123,7 @@ def joined(a: complex, b: complex) -> complex:
     dust = 1e-12 * (abs(a) + abs(b))
     if isinstance(found, np.ndarray):
         return cast(complex, np.where(abs(found) > dust, found, 0.0))
-    return cast(complex, found) if abs(found) > dust else complex(0.0, 0.0)  # an object of its own, by which its line is found again
+    return cast(complex, found) if abs(found) > dust else 0j
 
 
 def largest(a: float, b: float) -> float:

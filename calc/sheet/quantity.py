@@ -2,7 +2,8 @@
 """What is said about a number once: its label, unit, range and help.
 
 A field of an Inputs class is made by `quantity()` or one of its sisters, a field of a result by `value()`.  The design
-file, `--set`, the form, the report and the JSON all read this one description.
+file, `--set`, the form, the report and the JSON all read this one description.  An input with a `default` may be left out: None (no
+tables: ()) means "choose for me"; the type checker reads the same word.
 """
 
 from collections.abc import Iterator
@@ -11,19 +12,20 @@ from functools import cache
 from typing import Any, TypeVar, dataclass_transform
 
 from .record import record
+from .text import EMPTY, SPACE, Amount, Text
 from .units import UNITS, Unit
 
 T = TypeVar("T")
 
-THUMB = "rule of thumb, no published source"  # the source of a usual range that practice knows and no book behind this program states
+THUMB = Text("rule of thumb, no published source")  # the source of a usual range that practice knows and no book behind this program states
 
 
 @record
 class Quantity:
-    """The description of one input.  `kind` is one of number, integer, text, choice, series, integers, table, tables."""
+    """The description of one input.  `kind` is one of number, integer, text, choice, series, integers, table, tables, reasons."""
 
     kind: str
-    label: str
+    label: Text
     unit: str = ""
     symbol: str = ""
     low: float | None = None
@@ -35,47 +37,53 @@ class Quantity:
     table: type | None = None
     optional: bool = False
     step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
-    help: str = ""
-    source: str = ""  # where the usual range, or the meaning, comes from
+    help: Text = EMPTY
+    source: Text = EMPTY  # where the usual range, or the meaning, comes from
 
     @property
     def units(self) -> Unit:
         return UNITS[self.unit]
 
-    def allowed(self) -> str:
+    def allowed(self) -> Text:
         """What may stand here, in words."""
         match self.kind:
             case "choice":
-                return "one of " + ", ".join(f'"{c}"' for c in self.choices)
+                return Text("one of {choices}", choices=", ".join(f'"{c}"' for c in self.choices))
             case "text":
-                return "text"
+                return Text("text")
             case "table":
-                return "a table"
+                return Text("a table")
             case "tables":
-                return "an array of tables"
-        noun = {"integer": "a whole number", "number": "a number"}.get(self.kind, "numbers")
-        if self.kind in ("series", "integers"):
-            noun = "a list of whole numbers" if self.kind == "integers" else "a list of numbers"
-            if self.count is not None and self.count[0] == 1:
-                noun = f"a number, or {noun},"
-        bounds = []
+                return Text("an array of tables")
+            case "reasons":
+                return Text("a table of reasons by the ids of checks")
+        noun = NOUNS[self.kind]
+        if self.kind in ("series", "integers") and self.count is not None and self.count[0] == 1:
+            noun = Text("a number, or {noun},", noun=noun)
+        low, high, above = (Amount(x if x is not None else 0.0, form="g") for x in (self.low, self.high, self.above))
+        bounds = [noun]
         if self.above is not None:
-            bounds.append(f"above {self.above:g}")
+            bounds.append(Text("above {above}", above=above))
         if self.low is not None and self.high is not None:
-            bounds.append(f"from {self.low:g} to {self.high:g}")
+            bounds.append(Text("from {low} to {high}", low=low, high=high))
         elif self.low is not None:
-            bounds.append(f"{self.low:g} or more")
+            bounds.append(Text("{low} or more", low=low))
         elif self.high is not None:
-            bounds.append(f"up to {self.high:g}" if self.above is None else f"and up to {self.high:g}")
-        unit = f" {self.unit}" if self.unit else ""
-        return f"{noun} {' '.join(bounds)}{unit}" if bounds else noun + (f" in{unit}" if unit else "")
+            bounds.append(Text("up to {high}", high=high) if self.above is None else Text("and up to {high}", high=high))
+        if self.unit:
+            bounds.append(Text("{unit}", unit=self.unit) if len(bounds) > 1 else Text("in {unit}", unit=self.unit))
+        return SPACE.join(bounds)
+
+
+NOUNS = {
+    "number": Text("a number"), "integer": Text("a whole number"),
+    "series": Text("a list of numbers"), "integers": Text("a list of whole numbers"),
+}  # fmt: skip
 
 
 def _make(kind: str, label: str, unit: str, default: Any, **said: Any) -> Any:
-    optional = said.pop("optional", False) or default is not MISSING
-    what = Quantity(kind, label, unit, optional=optional, **said)
-    if optional and default is MISSING:
-        default = None
+    sentences = {key: Text(said.pop(key)) for key in ("help", "source") if type(said.get(key)) is str}
+    what = Quantity(kind, Text(label), unit, optional=default is not MISSING, **(said | sentences))
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
 
@@ -105,14 +113,19 @@ def integers(label: str, *, default: Any = MISSING, **said: Any) -> Any:
     return _make("integers", label, "", default, **said)
 
 
-def table(label: str, cls: type, *, optional: bool = False, **said: Any) -> Any:
+def table(label: str, cls: type, *, default: Any = MISSING, **said: Any) -> Any:
     """A sub-table, itself an Inputs class."""
-    return _make("table", label, "", MISSING, table=cls, optional=optional, **said)
+    return _make("table", label, "", default, table=cls, **said)
 
 
-def tables(label: str, cls: type, *, optional: bool = False, **said: Any) -> Any:
+def tables(label: str, cls: type, *, default: Any = MISSING, **said: Any) -> Any:
     """An array of tables; its elements are addressed by their `name`, else by index."""
-    return _make("tables", label, "", () if optional else MISSING, table=cls, **said)
+    return _make("tables", label, "", default, table=cls, **said)
+
+
+def reasons(label: str, **said: Any) -> Any:
+    """A table whose keys are ids, each with a reason in words; in the Inputs class pairs of both."""
+    return _make("reasons", label, "", (), **said)
 
 
 @record
@@ -139,11 +152,12 @@ def keys(inputs: Any) -> dict[str, Key]:
 # --- results ------------------------------------------------------------------------------------------------------------
 @record
 class Described:
-    """The description of one result: its label, the unit it is shown in, its symbol."""
+    """The description of one result: its label, the unit it is shown in, its symbol, the name that its field had."""
 
-    label: str
+    label: Text
     unit: str
     symbol: str = ""
+    former: str = ""
 
 
 @record
@@ -161,14 +175,20 @@ class Published:
     id: str
     shown: float
     unit: str
-    label: str
+    label: Text
     symbol: str
     inside: Any
+    former: str = ""
+
+    @property
+    def ids(self) -> tuple[str, ...]:
+        """Its address, and the one that it had, by which files and scripts still find it."""
+        return (self.id, self.former) if self.former else (self.id,)
 
 
-def value(label: str, unit: str = "", symbol: str = "", *, default: Any = MISSING) -> Any:
-    """A field of a result, in SI; `None` means that there is no such value in this design."""
-    return field(default=default, kw_only=True, metadata={"value": Described(label, unit, symbol)})
+def value(label: str, unit: str = "", symbol: str = "", *, default: Any = MISSING, former: str = "") -> Any:
+    """A field of a result, in SI; `None` means that there is no such value in this design.  `former`: the name that it had."""
+    return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
 
 
 def group(*, spread: bool = False, default: Any = MISSING) -> Any:
@@ -237,12 +257,13 @@ def published(result: Any, prefix: str) -> Iterator[Published]:
         if content is None:
             continue
         if about is not None:
-            yield _published(f"{prefix}.{name.rstrip('_')}", about, content)
+            former = f"{prefix}.{about.former}" if about.former else ""
+            yield _published(f"{prefix}.{name.rstrip('_')}", about, content, former)
         else:
             yield from published(content, prefix if spread else f"{prefix}.{name}")
 
 
-def _published(id: str, about: Described, inside: Any) -> Published:
+def _published(id: str, about: Described, inside: Any, former: str = "") -> Published:
     unit = UNITS[about.unit]
     shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))  # an array: many designs at once
-    return Published(id, shown, about.unit, about.label, about.symbol, inside)
+    return Published(id, shown, about.unit, about.label, about.symbol, inside, former)

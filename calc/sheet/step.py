@@ -2,16 +2,22 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
-from collections.abc import Callable, Container, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import Generic, Literal, TypeVar
 
-from .check import Check, worst
-from .errors import NoSolution
+from .arrays import Array
+from .check import Check, step_verdict
+from .errors import NoSolution, text_of
+from .printed import aligned, brief
 from .quantity import Published, published
 from .record import record
+from .text import EMPTY, Text
 from .trace import Line
+
+State = Literal["solved", "blocked", "not_asked", "no_solution"]
+R = TypeVar("R", covariant=True)  # a step's class of results
 
 
 @record
@@ -20,7 +26,7 @@ class Step:
     has stands for the step."""
 
     key: str
-    title: str
+    title: Text
     inputs: type
     headlines: tuple[str, ...] = ()
 
@@ -29,14 +35,19 @@ class Step:
         return next((id for id in self.headlines if id in values), None)
 
 
+def axis_label(label: str, unit: str) -> Text:
+    """The label of an axis: what runs along it, and its unit behind a comma."""
+    return Text("{quantity}, {unit}", quantity=Text(label), unit=unit)
+
+
 @record
 class Series:
     """One line of a curve, in shown units.  `variant`: the one of the curve's variants that it belongs to; empty: all of them."""
 
-    label: str
-    x: Any
-    y: Any
-    variant: str = ""
+    label: Text
+    x: Array  # (points,)
+    y: Array  # (points,)
+    variant: Text = EMPTY
 
 
 @record
@@ -46,10 +57,10 @@ class Turning:
     Real is up, imaginary is to the right: 90° further in the sense of crank rotation.
     """
 
-    names: tuple[str, ...]
+    names: tuple[Text, ...]
     phasors: tuple[complex, ...]
     orders: tuple[int, ...]
-    variant: str = ""
+    variant: Text = EMPTY
 
     def at(self, theta: float) -> list[complex]:
         """Origin, tips and end of the chain at a crank angle [rad]."""
@@ -70,31 +81,31 @@ class Curve:
     """
 
     id: str
-    title: str
-    x_label: str
-    y_label: str
+    title: Text
+    x_label: Text
+    y_label: Text
     series: tuple[Series, ...]
-    limits: tuple[tuple[str, float], ...] = ()
+    limits: tuple[tuple[Text, float], ...] = ()
     equal: bool = False
     bars: bool = False
-    names: tuple[str, ...] = ()
-    variants: tuple[str, ...] = ()
+    names: tuple[Text, ...] = ()
+    variants: tuple[Text, ...] = ()
     turning: tuple[Turning, ...] = ()
-    along: tuple[str, Any] | None = None
+    along: tuple[Text, Array] | None = None
 
 
 @record
 class Table:
-    """A table of results that belong side by side.  `columns`: (label, unit); cells are words, numbers in that unit, or None (empty).
+    """A table of results that belong side by side.  `columns`: (label, unit); cells are Texts, names, numbers in it, or None (empty).
 
     `covers`: values whose ids begin with one of these stand in the table; the report's results leave them out, audit excepted.
     """
 
     id: str
-    title: str
-    columns: tuple[tuple[str, str], ...]
+    title: Text
+    columns: tuple[tuple[Text, str], ...]
     rows: tuple[tuple[str | float | None, ...], ...]
-    note: str = ""
+    note: Text = EMPTY
     covers: tuple[str, ...] = ()
 
 
@@ -103,11 +114,11 @@ class Erratum:
     """Where a source is wrong: the value that it has, beside the one that is judged, and why."""
 
     about: str  # id of the value that is judged
-    label: str
+    label: Text
     source_value: float  # in the shown unit
     unit: str
-    source: str
-    why: str
+    source: Text
+    why: Text
 
 
 @record
@@ -116,46 +127,86 @@ class Further:
 
     curves: tuple[Curve, ...] = ()
     tables: tuple[Table, ...] = ()
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
 
 
 @record
-class Outcome:
+class Outcome(Generic[R]):
     """What solving one step gave.  `state`: solved, blocked (`reason` names what it waits for), not_asked, no_solution.
+
+    `result` is there where the state is solved, and only there.
 
     `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
     """
 
     key: str
-    state: str = "solved"
-    result: Any = None
+    state: State = "solved"
+    result: R | None = None
     checks: tuple[Check, ...] = ()
     lines: tuple[Line, ...] = ()
     curves: tuple[Curve, ...] = ()
     tables: tuple[Table, ...] = ()
     errata: tuple[Erratum, ...] = ()
-    proposals: tuple[str, ...] = ()  # what could be done about what was found, and why
-    notes: tuple[str, ...] = ()  # assumptions, and what the program chose
-    reason: str = ""
+    proposals: tuple[Text, ...] = ()  # what could be done about what was found, and why
+    notes: tuple[Text, ...] = ()  # assumptions, and what the program chose
+    reason: Text = EMPTY
     further: Callable[[], Further] | None = None
 
+    def __str__(self) -> str:
+        """The verdict, every value by its id, and the checks that are open."""
+        shown = aligned(
+            f"{self.key}: {self.verdict}" + (f", {self.reason}" if self.reason else ""),
+            ((f"  {v.id}", brief(v.shown), f"{v.unit:<9} {v.label}") for v in self.values()),
+        )
+        return "\n".join([shown, *(f"  {check}" for check in self.checks if check.open)])
+
     @cached_property
-    def whole(self) -> "Outcome":
+    def whole(self) -> "Outcome[R]":
         """The same outcome with what takes longer, made once."""
         if self.further is None or self.state != "solved":
             return self
         try:
             more = self.further()
         except (NoSolution, ArithmeticError, ValueError) as error:
-            more = Further(notes=(f"Not everything can be shown: {error}.",))
+            more = Further(notes=(Text("Not everything can be shown: {error}.", error=text_of(error)),))
         return replace(
             self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
         )  # fmt: skip
 
     @property
+    def solution(self) -> R:
+        """The result of a step that is known to be solved."""
+        assert self.result is not None, self.key
+        return self.result
+
+    @property
     def verdict(self) -> str:
-        return worst([c.verdict for c in self.checks]) if self.state == "solved" else self.state
+        return step_verdict(self.checks) if self.state == "solved" else self.state
 
     def values(self) -> Iterator[Published]:
         if self.result is not None:
             yield from published(self.result, self.key)
+
+
+def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
+    """The outcomes by their keys, with the checks that the user accepts by id and reason; what there is to say of an entry is a note."""
+    found = {outcome.key: outcome for outcome in outcomes}
+    if not reasons:
+        return found
+    solved = [key for key, outcome in found.items() if outcome.state == "solved"]
+    for key in solved:
+        others = (
+            id for id, _ in reasons if key == solved[0] and id.partition(".")[0] not in solved
+        )  # of no step, or of one without checks
+        mine = {id: reason for id, reason in reasons if id.startswith(f"{key}.")} | dict.fromkeys(others, "")
+        found[key] = _accepted(found[key], mine) if mine else found[key]
+    return found
+
+
+def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
+    checks = tuple([replace(c, accepted=reasons[c.id]) if c.id in reasons else c for c in outcome.checks])
+    verdicts = {c.id: c.verdict for c in checks}
+    notes = [Text("Accepted, but this design has no such check: {id}.", id=id) for id in reasons if id not in verdicts]
+    notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
+    notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
+    return replace(outcome, checks=checks, notes=(*outcome.notes, *notes))

@@ -4,23 +4,28 @@
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
+
+from .text import EMPTY, Text
 
 if TYPE_CHECKING:
     from .formula import Formula
 
 
-class Line(NamedTuple):
-    """One evaluation of a formula.  Screen, paper and JSON render this object and nothing else."""
+class Line:
+    """One evaluation of a formula, which nothing changes.  Screen, paper and JSON render this object and nothing else.
 
-    formula: "Formula[..., Any]"
-    arguments: Mapping[str, Any]
-    value: Any
-    about: str = ""  # whose calculation this is: "front bearing", "mesh 36–39"
+    `about`: whose calculation this is ("front bearing", "mesh 36–39").  A line is equal to no other, whatever that one gave.
+    """
+
+    __slots__ = ("about", "arguments", "formula", "value")
+
+    def __init__(self, formula: "Formula[..., Any]", arguments: Mapping[str, Any], value: Any, about: Text = EMPTY) -> None:
+        self.formula, self.arguments, self.value, self.about = formula, arguments, value, about
 
 
 recorder: ContextVar[list[Line] | None] = ContextVar("recorder", default=None)
-subject: ContextVar[str] = ContextVar("subject", default="")
+subject: ContextVar[Text] = ContextVar("subject", default=EMPTY)
 
 
 @contextmanager
@@ -45,7 +50,7 @@ def untraced() -> Iterator[None]:
 
 
 @contextmanager
-def about(part: str) -> Iterator[None]:
+def about(part: Text) -> Iterator[None]:
     """Name the part whose lines follow: "front bearing", "mesh 36–39"."""
     token = subject.set(part)
     try:

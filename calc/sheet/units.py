@@ -5,7 +5,6 @@ Inside the program every number is in SI (temperatures in °C, speeds in revolut
 number is shown and which ending its key has in a design file: `mm` → `bore_mm`.
 """
 
-from dataclasses import dataclass
 from typing import Annotated, Any
 
 # --- units as types: a float to the type checker, a unit to the formula -------------------------------------------------
@@ -58,13 +57,13 @@ WattPerMetreKelvin = Annotated[float, "W/(m·K)"]
 NewtonPerMetreSecond = Annotated[float, "N/(m·s)"]  # heat index: load per length times speed
 
 
-@dataclass(frozen=True, slots=True)
 class Unit:
     """How a quantity is shown: `shown = inside / factor`; `suffix` ends its key in a design file."""
 
-    symbol: str
-    suffix: str
-    factor: float
+    __slots__ = ("factor", "suffix", "symbol")
+
+    def __init__(self, symbol: str, suffix: str, factor: float) -> None:
+        self.symbol, self.suffix, self.factor = symbol, suffix, factor
 
     def shown(self, inside: float) -> float:
         """The number as the user sees it, without the last digits that the conversion itself makes."""

@@ -15,7 +15,7 @@ from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory
-from assistant.screens import live
+from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
 
@@ -81,7 +81,7 @@ def light(design: Path, memory: Memory) -> Session:
 @pytest.fixture
 def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     """Opens the screen over a session, which is solved; `async with screen(size=(80, 24)) as pilot`."""
-    monkeypatch.setattr(live, "AHEAD", 1000.0)  # nothing goes on behind the test
+    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
     gc.set_threshold(50_000, 20, 50)
 
     @asynccontextmanager
@@ -113,4 +113,4 @@ def _shown(app: ContralberoApp) -> bool:
     """Whether the calculation that stands there is that of the results."""
     bench = app.screen_stack[0]
     assert isinstance(bench, Workbench)
-    return app.session.results is None or bench.page is not None
+    return app.session.results is None or bench.background.page is not None

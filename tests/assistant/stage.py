@@ -21,8 +21,8 @@ from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.form import Form
 from calc.design import STEPS
 
+from .action_tests import still
 from .conftest import NOON
-from .deeds import still
 from .driving import work
 
 
@@ -62,7 +62,7 @@ class Stage:
             await app.enter(self.session())
         curve = bench.query_one(CurvePane)
         curve.chosen, curve.variant, curve.degrees, curve.cursor = {}, "", 0, None
-        bench.large = False
+        bench.pane_layout.large = False
         bench.at_pane("inputs")
         bench.set_out()
         await bench.open_step(STEPS[1])

@@ -7,8 +7,12 @@ from typing import Any
 import pytest
 from textual.widgets import Input
 
-from assistant.actions import ACTIONS, BY_ID, key_name
-from assistant.screens.doing import Doing
+from assistant.actions import ACTIONS, BY_ID, key_name, methods
+from assistant.screens.curve_actions import CurveActions
+from assistant.screens.edit_actions import EditActions
+from assistant.screens.file_actions import FileActions
+from assistant.screens.moves import Moves
+from assistant.screens.reading_actions import ReadingActions
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.footer_line import FooterLine
@@ -17,6 +21,7 @@ from calc.sheet.step import Curve
 from .conftest import Screen
 from .driving import rows, settled, strike, until, work
 
+PARTS = [Moves, EditActions, FileActions, CurveActions, ReadingActions]
 ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down", "pageup", "pagedown"}
 
 
@@ -25,7 +30,13 @@ def test_every_action_has_words_and_a_method() -> None:
     for action in ACTIONS:
         assert action.title and action.help.endswith("."), action.id
         assert action.binding, action.id
-        assert hasattr(Doing, "action_" + action.does.partition("(")[0]), action.id
+    assert set(methods(*PARTS)) == set(BY_ID)  # exactly one part has the method of each
+
+
+@pytest.mark.parametrize("parts", [PARTS[1:], [*PARTS, PARTS[0]]], ids=["none", "two"])
+def test_an_action_that_no_part_or_two_parts_have_is_refused(parts: list[type]) -> None:
+    with pytest.raises(ValueError):
+        methods(*parts)
 
 
 def test_no_key_is_given_twice() -> None:

@@ -191,7 +191,7 @@ async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> 
         await opened(pilot)
         await strike(pilot, "2")
         await pilot.pause()
-        assert "· not asked" in text(pilot) and "5 steps change their verdict" in text(pilot)
+        assert "· not used" in text(pilot) and "5 steps change their verdict" in text(pilot)
 
 
 async def test_an_unchanged_design_is_equal(screen: Screen) -> None:

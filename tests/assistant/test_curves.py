@@ -15,10 +15,13 @@ from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.plot import Plot, Sheet, extent
 from assistant.widgets.sight import Sight
 from assistant.widgets.table_list import Setter, TableList
+from calc.languages import language
 from calc.sheet.step import Curve, Series, Table, Turning
 
 from .conftest import Screen, solved
 from .driving import at_rest, rows, strike, told, until, work
+
+ENGLISH = language("en")
 
 WITHOUT, WITH = "without the counter-shaft", "with the counter-shaft"
 NAMES = ("1st forward", "1st backward", "2nd forward")
@@ -301,7 +304,7 @@ async def test_curves_of_other_numbers_fit_their_frame(screen: Screen) -> None:
 
 
 def test_columns_are_aligned() -> None:
-    set_ = Setter(TABLE, 100)
+    set_ = Setter(TABLE, 100, ENGLISH)
     head = [row.plain for row in set_.head()]
     lines = [item.rows[0].plain for item in set_.items()[:-1]]
     assert set_.part == "" and len(head) == 2
@@ -315,15 +318,15 @@ def test_columns_are_aligned() -> None:
 
 def test_a_narrow_table_wraps_its_words_and_then_leafs_its_columns() -> None:
     words = Table("t", "", (("What it is", ""), ("Mass", "kg")), (("the web beside the first crankpin, timing side", 1.0),))
-    set_ = Setter(words, 30)
+    set_ = Setter(words, 30, ENGLISH)
     assert set_.part == "" and len(set_.items()[0].rows) == 2
     assert set_.items()[0].rows[0].plain.endswith("1") and all(len(row.plain) <= 30 for row in set_.items()[0].rows)
-    first = Setter(TABLE, 30)
+    first = Setter(TABLE, 30, ENGLISH)
     assert first.part == "columns 2–3 of 5"
-    seen = [Setter(TABLE, 30, n).part for n in range(1, first.last + 2)]
+    seen = [Setter(TABLE, 30, ENGLISH, n).part for n in range(1, first.last + 2)]
     assert seen[-1] == seen[-2] and seen[-1].endswith("5 of 5")
     for n in range(1, first.last + 1):
-        assert all(len(row.plain) <= 30 for item in Setter(TABLE, 30, n).items() for row in item.rows)
+        assert all(len(row.plain) <= 30 for item in Setter(TABLE, 30, ENGLISH, n).items() for row in item.rows)
 
 
 @pytest.mark.slow

@@ -18,10 +18,10 @@ from textual.command import CommandInput, CommandList, CommandPalette
 
 from assistant.actions import ACTIONS, BY_ID
 from assistant.app import ContralberoApp
-from assistant.screens import live
+from assistant.screens import background_solve
 from assistant.session import Session
 
-from .deeds import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
+from .action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
 from .driving import strike, type_in, until
 from .stage import Stage, staged
 
@@ -33,7 +33,7 @@ def put_aside() -> Iterator[None]:
     report.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-" + raw)  # type: ignore[attr-defined]
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "reports.report", report)
-        patch.setattr(live, "AHEAD", 1000.0)
+        patch.setattr(background_solve, "AHEAD", 1000.0)
         gc.set_threshold(50_000, 20, 50)
         yield
 

@@ -15,6 +15,7 @@ from calc.design import STEPS
 from calc.languages import language
 from calc.sheet.number import short
 from calc.sheet.quantity import THUMB, Quantity, keys
+from calc.sheet.text import Amount
 
 from .conftest import Screen
 from .driving import go_to, strike, until, work
@@ -56,7 +57,7 @@ def test_what_is_usual_and_the_name_of_its_source_have_room_at_the_foot(step, ce
         low, high = about.usual
         name = re.split("[,;:]", about.source)[0]
         seen = " ".join(foot(f"{about.label}: {meaning(about, SAY)}", allowed(about, SAY), MORE, cells, height))
-        assert f"Usual {short(low)} to {short(high)}{f' {about.unit}'.rstrip()} ({name}" in seen, about.label
+        assert f"Usual {short(low)} to {Amount(high, about.unit)} ({name}" in seen, about.label
 
 
 # --- on the screen

@@ -20,7 +20,7 @@ from assistant.actions import ACTIONS
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory
 from assistant.saving import SaveError
-from assistant.screens import live
+from assistant.screens import background_solve
 from assistant.screens.workbench import Workbench
 from assistant.session import Session
 from calc.design_file import load
@@ -92,7 +92,7 @@ def enclosed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stub.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-")  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "reports.report", stub)
     monkeypatch.setattr(Session, "save_as", inside)
-    monkeypatch.setattr(live, "AHEAD", 1000.0)
+    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.chdir(tmp_path)
 
 

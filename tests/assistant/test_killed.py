@@ -18,7 +18,7 @@ from types import TracebackType
 import pytest
 
 from assistant.recovery import Memory
-from assistant.screens.workbench import KEEP
+from assistant.screens.edit_feedback import KEEP
 from assistant.session import EXAMPLE, Session
 from calc.design_file import design, read
 

@@ -29,14 +29,14 @@ class Trial:
 
     peak: float = quantity("Peak of the trial", "bar", above=0, high=300)
     ratio: float = quantity("Ratio of the trial", above=1, high=30)
-    trace: tuple[float, ...] | None = series("Trace of the trial", "bar", optional=True)
+    trace: tuple[float, ...] | None = series("Trace of the trial", "bar", default=None)
 
 
 @inputs
 class EngineWithTrial(EngineInputs):
     """The engine, with a table that may be left out."""
 
-    trial: Trial | None = table("Trial", Trial, optional=True, help="What the test asks for.")
+    trial: Trial | None = table("Trial", Trial, default=None, help="What the test asks for.")
 
 
 @pytest.fixture(autouse=True)
@@ -189,7 +189,7 @@ async def test_what_is_not_understood_stays_in_sight(screen: Screen) -> None:
 @pytest.mark.slow
 async def test_a_field_of_an_absent_table_leads_to_its_heading(screen: Screen) -> None:
     async with screen() as pilot:
-        await work(pilot).to_field((*PLACE, "ratio"))
+        await work(pilot).moves.to_field((*PLACE, "ratio"))
         await settled(pilot)
         assert work(pilot).form.here() == PLACE
         await strike(pilot, "up")

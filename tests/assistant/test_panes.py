@@ -96,14 +96,14 @@ async def test_the_cursor_goes_from_line_to_line(screen: Screen) -> None:
 @pytest.mark.slow
 async def test_panes_in_turn(screen: Screen) -> None:
     async with screen() as pilot:
-        seen = [work(pilot).pane]
+        seen = [work(pilot).pane_layout.pane]
         for _ in range(5):
             await strike(pilot, "f6")
             await pilot.pause()
-            seen.append(work(pilot).pane)
+            seen.append(work(pilot).pane_layout.pane)
         assert seen == ["inputs", "checks", "calculation", "curve", "steps", "inputs"]
         await strike(pilot, "shift+f6")
-        assert work(pilot).pane == "steps"
+        assert work(pilot).pane_layout.pane == "steps"
         await pilot.press("down", "enter")
         await pilot.pause()
         assert work(pilot).number == 2
@@ -118,19 +118,19 @@ async def test_the_title_of_the_pane_that_has_the_focus_is_marked(screen: Screen
         def marked() -> list[str]:
             panes = [pane for pane in work(pilot).query(Pane) if pane.display]
             for pane in panes:
-                here = pane.id == work(pilot).pane
+                here = pane.id == work(pilot).pane_layout.pane
                 assert pane.title.styles.text_style.bold is (True if here else None), pane.id
             return [str(pane.id) for pane in panes if str(pane.title.render())[:1] == (">" if ascii else "▸")]
 
         for key in ("f6", "f6", "f6", "f6", "escape"):
             await strike(pilot, key)
-            await until(pilot, lambda: marked() == [work(pilot).pane])
-        assert work(pilot).pane == "inputs" and pilot.app.focused is work(pilot).form
+            await until(pilot, lambda: marked() == [work(pilot).pane_layout.pane])
+        assert work(pilot).pane_layout.pane == "inputs" and pilot.app.focused is work(pilot).form
         await strike(pilot, "f6", "f1")
         await until(pilot, lambda: bool(pilot.app.screen.query("#help-text")))
         await strike(pilot, "escape")
         await until(pilot, lambda: not pilot.app.screen.query("#help-text"))
-        await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane])
+        await until(pilot, lambda: marked() == ["checks"] == [work(pilot).pane_layout.pane])
 
 
 @pytest.mark.slow
@@ -226,16 +226,16 @@ async def test_no_key_fires_while_typing(screen: Screen) -> None:
         box.value = ""
         keys = [key for action in ACTIONS for key in action.letters.split(",") if key]
         letters = [key for key in keys if len(key) == 1 or key in CHARACTERS]
-        before = (work(pilot).number, work(pilot).pane, pilot.app.screen)
+        before = (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen)
         await strike(pilot, *letters)
         await pilot.pause()
-        assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before
+        assert (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen) == before
         assert len(box.value) == len(letters)
         others = [key for key in keys if key not in letters]  # they move and delete in the text
         assert set(others) == {"backspace", "left", "right", "shift+left", "shift+right", "home", "end"}
         await strike(pilot, *others)
         await pilot.pause()
-        assert (work(pilot).number, work(pilot).pane, pilot.app.screen) == before and pilot.app.focused is box
+        assert (work(pilot).number, work(pilot).pane_layout.pane, pilot.app.screen) == before and pilot.app.focused is box
         assert len(box.value) == len(letters) - 1 and work(pilot).query_one(CurvePane).cursor is None
 
 
@@ -287,7 +287,7 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
         assert work(pilot).number == 5
         await pilot.click("#calculation-title", offset=(rows(pilot).splitlines()[2].index("Inputs"), 0))
         await settled(pilot)
-        assert work(pilot).pane == "inputs"
+        assert work(pilot).pane_layout.pane == "inputs"
         heading = work(pilot).form.query("ArrayHeading").first()
         heading.scroll_visible(animate=False)
         await settled(pilot)

@@ -11,7 +11,7 @@ import pytest
 from textual.messages import ExitApp
 
 from assistant.recovery import RECENT, Edits, Memory, Settings, state_dir
-from assistant.screens.workbench import KEEP
+from assistant.screens.edit_feedback import KEEP
 from assistant.session import Session
 from calc.sheet.errors import BadInput
 

@@ -11,7 +11,7 @@ from assistant.app import ContralberoApp
 from assistant.numbers import written
 from assistant.places import described
 from assistant.recovery import Memory
-from assistant.screens import live
+from assistant.screens import background_solve
 from assistant.session import Session
 from assistant.widgets.choice import Choice
 from assistant.widgets.entry import Entry
@@ -72,7 +72,7 @@ LONG = ("r753ie4_sized",)
     "path", [pytest.param(p, marks=pytest.mark.slow) if p.stem in LONG else p for p in REPLAYS], ids=lambda path: path.stem
 )
 async def test_a_replay_is_typed_into_the_form(path: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(live, "AHEAD", 1000.0)
+    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     script = load(path)
     file = tmp_path / "replayed.toml"
     file.write_bytes(script.start.raw)

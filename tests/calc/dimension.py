@@ -8,8 +8,7 @@ from typing import Any
 
 import pint
 
-from calc.sheet.expression import units
-from calc.sheet.formula import Formula
+from calc.sheet.formula import Formula, units
 
 UREG = pint.UnitRegistry()
 UREG.define("euro = [money]")
@@ -53,7 +52,7 @@ def check(formula: Formula[..., Any]) -> None:
                 return of(a) * of(b)
             case ast.BinOp(left=a, op=ast.Div(), right=b):
                 return of(a) / of(b)
-            case ast.BinOp(left=a, op=ast.Pow(), right=b):
+            case ast.BinOp(left=a, op=ast.Pow(), right=b) | ast.Call(func=ast.Name(id="power"), args=[a, b]):
                 base = of(a)
                 if base == dimension(""):
                     return base

@@ -165,9 +165,9 @@ def test_a_step_of_one_design_only(gamma: Document, gamma_results: Results) -> N
     table = next(d for d in found.inputs if d.key == "friction")
     assert table.a is None and table.b == gamma.data["friction"]
     last = found.verdicts[-1]
-    assert (last.step, last.a.verdict, last.b.verdict, last.moved) == ("friction", "not_asked", "warn", True)
+    assert (last.step, last.a.verdict, last.b.verdict, last.moved) == ("friction", "not_asked", "pass", True)
     assert "friction" not in found.steps_shared and "gears" in found.steps_shared
-    assert input_table([table], ("A", "B")).rows == (("friction", "not asked", f"{len(table.b)} keys"),)
+    assert input_table([table], ("A", "B")).rows == (("friction", "not used", f"{len(table.b)} keys"),)
 
 
 # --- noise

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 import calc
-from calc.sheet.expression import expression, text, units
-from calc.sheet.formula import FORMULAS, formula
+from calc.sheet.expression import expression, text
+from calc.sheet.formula import FORMULAS, formula, units
 from calc.sheet.units import UNITS
 
 from .dimension import Mismatch, check

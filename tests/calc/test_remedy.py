@@ -5,12 +5,11 @@ from copy import deepcopy
 
 import pytest
 
-from calc.bearings.choosing.nearest import nearest_row
-from calc.bearings.choosing.search import search
-from calc.bearings.choosing.tables import changes
-from calc.choosing import bearings_case
+from calc.bearings.selection.convergence import changes
+from calc.bearings.selection.search import nearest_row, search
 from calc.design_file import Document, design, parse_assignment, read
-from calc.remedies.remedy import nearest, remedy
+from calc.repair.remedy import nearest, remedy
+from calc.selection import bearings_case
 from calc.sheet.errors import Cancelled
 from calc.solve import Results, solve
 
@@ -79,7 +78,7 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     first, second = found.remedies
     assert first.said == "passes all checks of the bearings" and not first.breaks
     assert {id.split(".")[0] for id in fails(first.results)} == {"gears"}
-    assert "oil 10W-40 Q8 T905 → SAE 50" in first.words
+    assert "oil 10W-40 Q8 T905 → 20W-50" in first.words and "front clearance 80.3 → 55 µm" in first.words
     assert "span allowance of central −2/−20 →" in second.words
     assert second.results is found.results
 
@@ -94,7 +93,7 @@ def test_one_step_alone(gamma: Document, gamma_results: Results) -> None:
 
 def test_the_nearest_bearings_are_the_first_row_of_the_search(gamma: Document, gamma_results: Results) -> None:
     case = bearings_case(design(gamma), gamma_results)
-    assert changes(nearest_row(case), case.bearings) == changes(search(case).rows[0], case.bearings)
+    assert changes(nearest_row(case).row, case.bearings) == changes(search(case).rows[0], case.bearings)
 
 
 def test_no_micrometre_more_than_needed_comes_off_the_spans(gamma: Document, gamma_results: Results) -> None:

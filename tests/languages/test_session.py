@@ -2,7 +2,6 @@
 """A whole session in another language: no English is left on the screen, whatever is opened."""
 
 import gc
-import json
 import re
 from collections.abc import AsyncIterator, Iterable, Iterator
 from contextlib import asynccontextmanager
@@ -14,7 +13,7 @@ from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory, Settings
-from assistant.screens import live
+from assistant.screens import background_solve
 from assistant.screens.compare import CompareScreen
 from assistant.screens.workbench import Workbench
 from assistant.session import Session
@@ -23,11 +22,13 @@ from assistant.widgets.calculation import Calculation
 from assistant.widgets.checks import Checks
 from assistant.widgets.comparison import ComparisonList
 from assistant.widgets.item_list import ItemList
+from calc.catalogue import base_stocks, materials
 from calc.design import STEPS
 from calc.design_file import design as design_of
 from calc.design_file import read
+from calc.gears.rating.classes import class_names
 from calc.languages import language
-from calc.languages.language import FOLDER
+from calc.languages.language import PLACE
 from calc.languages.outcome import said
 from calc.sheet.quantity import keys
 from calc.shipped import DESIGNS
@@ -36,12 +37,13 @@ from calc.solve import solve
 from ..assistant.conftest import NOON, solved
 from ..assistant.driving import go_to, settled, strike, told, type_in, until, work
 from .test_catalogue import ENGLISH, QUOTED
-from .texts import of_outcome
+from .texts import entries, of_outcome
 
 CODE = "it"
 WORD = re.compile(r"[^\W\d_]{3,}")
 # keys of the file, ids, paths and commands, what is cut off, and names: of the parts of a design, of authors, of a symbol, of the program
 NAMES = re.compile(
+    r"\w+_\w+,\w+|"
     r"[\w\-]*[._=/\[`][\w\-./=\[\]]*\w|\w+…|…\w*|\w+/|[\w\-]*\b(central|idler|crank|shaft|front|rear|Raimondi|Boyd|Contralbero|SAE|sense)\b"
 )
 ASIDE = re.compile(r"\(([\w ]+)\)")  # behind a label: by what of its id it is told from others
@@ -49,10 +51,12 @@ PARTS = re.compile(r"[│┃║╭╮╰╯▏▕▎]|\s{3,}")
 
 
 def catalogue() -> dict[str, str]:
-    found: dict[str, str] = {}
-    for file in (FOLDER / CODE).glob("*.json"):
-        found |= json.loads(file.read_text(encoding="utf-8"))
-    return found
+    """English → Italian, templates without their places."""
+    return {
+        PLACE.sub("", text): PLACE.sub("", told)
+        for (many, one), both in entries(CODE).items()
+        for text, told in zip((one, many) if one else (many,), both)
+    }
 
 
 def choices(inputs: Any) -> Iterator[str]:
@@ -70,7 +74,8 @@ class Ear:
         self.ids = " ".join(ids)
         self.ids += re.sub(r"[._]", " ", self.ids)
         made = catalogue()
-        ours = (*made.values(), *(choice for step in STEPS for choice in choices(step.inputs)))
+        rows = (*base_stocks(), *class_names(), *materials())  # of the program's tables, which a design names
+        ours = (*made.values(), *rows, *(choice for step in STEPS for choice in choices(step.inputs)))
         self.foreign = words(made) - words(ours)
         self.known: set[str] = set()
         self.left: dict[str, str] = {}
@@ -112,7 +117,7 @@ class Reader(Ear):
 
 @pytest.fixture(autouse=True)
 def quiet(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(live, "AHEAD", 1000.0)  # nothing goes on behind the test
+    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
     monkeypatch.chdir(tmp_path)
     gc.set_threshold(50_000, 20, 50)
 

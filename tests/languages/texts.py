@@ -1,107 +1,95 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every text that a user may see: those that stand in the source, as templates, and those that a design gives.
 
-`python -m tests.languages.texts` lists those of the source that a catalogue does not have yet, as JSON to be filled in.
+`python -m tests.languages.texts it` brings the catalogue of a language up to date: it adds the templates that are new in the source (with
+an empty translation, to be filled in), leaves out those that are gone, and compiles it.
 """
 
 import ast
-import json
-import re
+import io
 import sys
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Iterator, Mapping
+from dataclasses import fields, is_dataclass
+from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from babel.messages.catalog import Catalog
+from babel.messages.mofile import write_mo
+from babel.messages.pofile import read_po, write_po
+
+from calc.bearings.materials.data import bearing_materials, running_bearings
+from calc.catalogue import base_stocks, materials, shipped_oils
 from calc.design import STEPS
-from calc.languages import LANGUAGES, language
+from calc.languages.language import FOLDER, PLACE, WORD
 from calc.sheet.quantity import keys
 from calc.sheet.step import Outcome
+from calc.sheet.text import Text
 from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]
-# what speaks English only: the commands, and what they alone use
-ENGLISH = ("calc/validate.py", "calc/sweep.py", "calc/replay.py", "calc/oils.py", "calc/version.py", "calc/languages/", "reports/verify.py", "reports/likeness.py", "assistant/commands/",
-           "assistant/cli.py", "assistant/plain.py")  # fmt: skip
-# calls whose words nobody sees: names of things, patterns, formats
-SILENT = set(
-    "getattr hasattr import_module open field Literal cast TypeVar compile match search sub replace split strip startswith endswith encode "
-    "decode get pop query_one query add_class set_class has_class remove_class partition rpartition removeprefix removesuffix strftime "
-    "Binding work run_worker NewType log".split()
-)
-PLACE = re.compile(r"\{\d+\}")
-WORD = re.compile(r"[^\W\d_]{2,}")
-CODE = re.compile(r"[a-z0-9_.\-\[\]*{}=:;,/()<>#]+|[a-z_]+\((-?\d+|True|False|, )*\)|\w+ (-\w+ ?)+")  # keys, actions, classes
-STYLE = re.compile(r"(?=.*\b(bold|dim|italic|underline)\b)(((not|bold|dim|italic|underline|on|\$[\w-]+|\{\d+\})\b|\$[\w-]+|\{\d+\}) ?)+")
+FIELDS = {
+    "value",
+    "quantity",
+    "integer",
+    "text",
+    "choice",
+    "series",
+    "integers",
+    "table",
+    "tables",
+}  # calls whose first argument is a label
+SENTENCES = {"help", "source"}  # their keywords that are texts
+Template = tuple[str, str]  # the template, and that for a count of 1 ("": none)
 
 
 @cache
-def templates() -> dict[str, str]:
-    """The texts of the source, what an f-string puts in as {0}, {1} …; each with the first file that has it."""
-    found: dict[str, str] = {}
+def templates() -> dict[Template, str]:
+    """The templates of the source, each with the first file that has it."""
+    found: dict[Template, str] = {}
     for top in ("calc", "reports", "assistant"):
         for path in sorted((ROOT / top).rglob("*.py")):
-            name = path.relative_to(ROOT).as_posix()
-            if not name.startswith(ENGLISH):
-                for text in _of(ast.parse(path.read_text(encoding="utf-8"))):
-                    found.setdefault(text, name)
+            for template in _of(ast.parse(path.read_text(encoding="utf-8"))):
+                if WORD.search(PLACE.sub("", template[0])):
+                    found.setdefault(template, path.relative_to(ROOT).as_posix())
     return found
 
 
-def _of(tree: ast.AST) -> Iterator[str]:
-    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
-    names = set(_names(tree))
+def _of(tree: ast.AST) -> Iterator[Template]:
+    constants = {
+        target.id: node.value.value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Assign) and isinstance(node.value, ast.Constant) and isinstance(node.value.value, str)
+        for target in node.targets
+        if isinstance(target, ast.Name)
+    }
+
+    def literals(node: ast.expr) -> Iterator[str]:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value:
+            yield node.value
+        elif isinstance(node, ast.Name) and constants.get(node.id):
+            yield constants[node.id]
+        elif isinstance(node, ast.IfExp):
+            yield from (*literals(node.body), *literals(node.orelse))
+
     for node in ast.walk(tree):
-        text = _template(node)
-        if text is not None and _seen(text) and node not in names and not _silent(node, parents.get(node)):
-            yield text
-
-
-def _names(tree: ast.AST) -> Iterator[ast.AST]:
-    """All that stands in annotations and in `__all__`: a name in quotes is no text."""
-    for node in ast.walk(tree):
-        for inner in (getattr(node, "annotation", None), getattr(node, "returns", None)):
-            if inner is not None:
-                yield from ast.walk(inner)
-        if isinstance(node, ast.Assign) and any(isinstance(target, ast.Name) and target.id == "__all__" for target in node.targets):
-            yield from ast.walk(node)
-
-
-def _template(node: ast.AST) -> str | None:
-    if isinstance(node, ast.JoinedStr):
-        parts, number = [], 0
-        for part in node.values:
-            if isinstance(part, ast.Constant):
-                parts.append(str(part.value))
-            else:
-                parts.append(f"{{{number}}}")
-                number += 1
-        return "".join(parts)
-    return node.value if isinstance(node, ast.Constant) and isinstance(node.value, str) else None
-
-
-def _seen(text: str) -> bool:
-    """Whether this is a text for a reader, and not a key, an id or a pattern."""
-    bare = PLACE.sub(" ", text)
-    words = WORD.findall(bare)
-    if not words or CODE.fullmatch(text) or STYLE.fullmatch(text) or "(?" in text or "|" in text:
-        return False
-    if " " in text.strip():
-        return any(len(word) > 2 for word in words)
-    return re.fullmatch(r"[A-Z][a-z\-’']{2,}[.:]?", bare.strip()) is not None
-
-
-def _silent(node: ast.AST, parent: ast.AST | None) -> bool:
-    """Parts of an f-string, docstrings, keys, comparisons, and what is given to a silent call."""
-    if isinstance(parent, (ast.JoinedStr, ast.FormattedValue, ast.Expr, ast.Subscript, ast.Compare)):
-        return True
-    if isinstance(parent, ast.Dict):
-        return node in parent.keys
-    if isinstance(parent, ast.Call):
-        name = parent.func.attr if isinstance(parent.func, ast.Attribute) else getattr(parent.func, "id", "")
-        first = node is parent.args[0] if parent.args else False
-        return name in SILENT or (name == "choice" and node in parent.args[1:]) or (name == "formula" and first)
-    return False
+        if not isinstance(node, ast.Call) or not node.args:
+            continue
+        name = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+        words = {k.arg: k.value for k in node.keywords}
+        field = name in FIELDS and isinstance(node.func, ast.Name)
+        if field or name in {"Text", "axis_label"}:
+            yield from ((text, "") for text in literals(node.args[0]))
+        if field:
+            yield from ((text, "") for key in SENTENCES & words.keys() for text in literals(words[key]))
+        if name == "_ended":  # the last two of a list (`calc.sheet.text`)
+            yield from ((text, "") for text in literals(node.args[1]))
+        if name == "plural":
+            yield from ((many, one) for one in literals(node.args[0]) for many in literals(node.args[1]))
+        if name == "formula":
+            yield from ((text, "") for said in (*node.args[1:2], *filter(None, [words.get("shows")])) for text in literals(said))
 
 
 def of_results(results: Results) -> Iterator[str]:
@@ -128,6 +116,51 @@ def of_outcome(outcome: Outcome) -> Iterator[str]:
         yield from (line.about, line.formula.source)
 
 
+def named(data: Any) -> Iterator[str]:
+    """The names of all elements, in the order of the file."""
+    if isinstance(data, dict):
+        for value in data.values():
+            if isinstance(value, list) and all(isinstance(item, dict) for item in value):
+                yield from (item["name"] for item in value if "name" in item)
+            yield from named(value)
+    elif isinstance(data, list):
+        for item in data:
+            yield from named(item)
+
+
+@cache
+def of_tables() -> frozenset[str]:
+    """The words of the program's own tables, but for the names of their rows."""
+    return frozenset(
+        text for file in (ROOT / "calc" / "tables").glob("*.toml") for text in _words(tomllib.loads(file.read_text(encoding="utf-8")))
+    )
+
+
+def _words(data: Any) -> Iterator[str]:
+    if isinstance(data, str):
+        yield data
+    elif isinstance(data, list):
+        yield from (word for item in data for word in _words(item))
+    elif isinstance(data, dict):
+        yield from (word for key, item in data.items() if key != "name" for word in _words(item))
+
+
+def of_catalogues() -> Iterator[Text]:
+    """What the tables of oils, materials and bearings tell beside names and numbers."""
+    yield from _texts((shipped_oils(), base_stocks(), materials(), bearing_materials(), running_bearings()))
+
+
+def _texts(thing: Any) -> Iterator[Text]:
+    if isinstance(thing, Text):
+        yield thing
+    elif isinstance(thing, Mapping):
+        yield from _texts(tuple(thing.values()))
+    elif isinstance(thing, tuple):
+        yield from (text for part in thing for text in _texts(part))
+    elif is_dataclass(thing):
+        yield from _texts(tuple(getattr(thing, field.name) for field in fields(thing)))
+
+
 def of_inputs() -> Iterator[str]:
     """Titles of the steps, labels and helps of their inputs, and what may stand there."""
     for step in STEPS:
@@ -145,6 +178,47 @@ def _of_inputs(cls: Any) -> Iterator[str]:
             yield from _of_inputs(about.table)
 
 
+# --- the catalogues ---------------------------------------------------------------------------------------------------------
+def po(code: str) -> Path:
+    return FOLDER / code / "LC_MESSAGES" / "contralbero.po"
+
+
+def entries(code: str) -> dict[Template, tuple[str, ...]]:
+    """Template → translation (of a plural: for one, for many)."""
+    with po(code).open("rb") as file:
+        return {
+            (m.id, "") if isinstance(m.id, str) else (m.id[1], m.id[0]): (m.string,) if isinstance(m.string, str) else tuple(m.string)
+            for m in read_po(file, locale=code)
+            if m.id
+        }
+
+
+def compiled(code: str) -> bytes:
+    """The catalogue as the program reads it, without a date: the same file gives the same bytes."""
+    data = io.BytesIO()
+    with po(code).open("rb") as file:
+        catalog = read_po(file, locale=code)
+    catalog.creation_date = datetime(2000, 1, 1, tzinfo=UTC)
+    write_mo(data, catalog)
+    return data.getvalue()
+
+
+def update(code: str) -> None:
+    po(code).parent.mkdir(parents=True, exist_ok=True)
+    known = entries(code) if po(code).exists() else {}
+    catalog = Catalog(locale=code, fuzzy=False, header_comment=f"# The texts of contralbero in {code}.")
+    for many, one in templates():
+        told = known.get((many, one), ("", "") if one else ("",))
+        catalog.add((one, many) if one else many, told if one else told[0])
+    for word in of_tables():
+        if (word, "") in known and (word, "") not in templates():
+            catalog.add(word, known[word, ""][0])
+    text = io.BytesIO()
+    write_po(text, catalog, sort_output=True, no_location=True, width=0)
+    dated = (b'"POT-Creation-Date', b'"PO-Revision-Date', b'"Generated-By', b'"Last-Translator', b'"Language-Team', b'"Report-Msgid')
+    po(code).write_bytes(b"\n".join(row for row in text.getvalue().split(b"\n") if not row.startswith(dated)))
+    po(code).with_suffix(".mo").write_bytes(compiled(code))
+
+
 if __name__ == "__main__":
-    code = sys.argv[1] if len(sys.argv) > 1 else next(code for code in LANGUAGES if code != "en")
-    print(json.dumps({text: "" for text in templates() if not language(code).knows(text)}, ensure_ascii=False, indent=0))
+    update(sys.argv[1])

@@ -10,7 +10,7 @@ from pypdf import PdfReader
 from calc.sheet.check import Check
 from calc.sheet.step import Curve, Erratum, Series
 from calc.solve import Results
-from reports.flow import BOTTOM, LEFT, PAGE, RIGHT, TOP
+from reports.paper import BOTTOM, LEFT, PAGE, RIGHT, TOP
 
 from .reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
 

@@ -3,6 +3,7 @@
 
 import io
 from dataclasses import replace
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
@@ -13,10 +14,11 @@ from calc.languages import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
 from reports.context import Context
-from reports.flow import LEFT, Block
+from reports.flow import Block
+from reports.fonts import width
 from reports.inputs import ENDS, LONG, exact, input_blocks, material_blocks, used_materials
-from reports.letters import width
-from reports.page import Pen
+from reports.paper import LEFT
+from reports.pen import Pen
 from reports.prose import CELL, NOTE
 from reports.tables import Cell, Column
 from reports.tables import table as made_table
@@ -138,8 +140,8 @@ class Pressure:
 
 @inputs
 class Gas:
-    peak_pressure: float = quantity("Peak pressure", "bar", optional=True)
-    pressure: tuple[Pressure, ...] = tables("Pressure in the cylinder", Pressure, optional=True)
+    peak_pressure: float = quantity("Peak pressure", "bar", default=None)
+    pressure: tuple[Pressure, ...] = tables("Pressure in the cylinder", Pressure, default=())
 
 
 @inputs
@@ -155,20 +157,22 @@ class Body:
     y: float = quantity("Centre, side", "mm")
     z: float = quantity("Position", "mm")
     a: float = quantity("Length", "mm")
-    pin: int | None = integer("Crankpin", optional=True)
+    pin: int | None = integer("Crankpin", default=None)
 
 
 @inputs
 class Engine:
     bore: float = quantity("Bore", "mm")
-    gas: Gas | None = table("Gas force", Gas, optional=True)
-    throw: Throw | None = table("Throw", Throw, optional=True)
-    bodies: tuple[Body, ...] = tables("Bodies of the crank", Body, optional=True)
+    gas: Gas | None = table("Gas force", Gas, default=None)
+    throw: Throw | None = table("Throw", Throw, default=None)
+    bodies: tuple[Body, ...] = tables("Bodies of the crank", Body, default=())
 
 
 def laid(data: dict[str, Any], depth: str = "engineer") -> list[str]:
     """The pieces of text that the inputs of a step consist of."""
-    context: Any = SimpleNamespace(words=WORDS, say=language("en"), audit=depth == "audit", document=SimpleNamespace(data={"engine": data}))
+    document = SimpleNamespace(data={"engine": data})
+    context: Any = SimpleNamespace(words=WORDS, say=language("en"), audit=depth == "audit", document=document)
+    context.text = partial(Context.text, context)
     return drawn(input_blocks(context, Step("engine", "Engine", Engine)))
 
 

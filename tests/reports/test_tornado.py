@@ -10,7 +10,7 @@ from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series
 from reports import context
-from reports.flow import LEFT, PAGE, RIGHT
+from reports.paper import LEFT, PAGE, RIGHT
 from reports.plots import bar_colour, tick_words
 from reports.tornado import Lying, lies
 

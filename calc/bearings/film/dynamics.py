@@ -16,18 +16,14 @@ Sources: J. W. Lund, ASME J. Tribology 109 (1987) 37-41 (the coefficients and wh
 stationary whirl orbits of a journal in a sleeve bearing, thesis, Rensselaer 1966 (threshold of the rigid shaft).
 """
 
-from typing import TYPE_CHECKING
-
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.units import Kilogram, Metre, Newton, NewtonPerMetre, NewtonSecondPerMetre, Number, Radian, RadPerSecond, RevPerSecond
+from ...sheet.value import based_on
 from .. import formulas as f
+from ..routes.states import BearingCase, Film, OperatingPoint
 from . import dynamics_formulas as d
 from . import tabulated
-
-if TYPE_CHECKING:
-    from ..result import BearingResult
-    from ..routes.states import Duty, Film, Seat
 
 
 @record
@@ -83,17 +79,12 @@ def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficie
     q, a = d.load_slope(eps=eps, b=b), d.attitude_slope(eps=eps, b=b)
     c_rr = d.radial_damping(eps=eps, b=b)
     return Coefficients(
-        k_xx=d.k_xx(q=q, phi=phi),
-        k_xy=d.k_xy(q=q, phi=phi),
-        k_yx=d.k_yx(eps=eps, phi=phi, a=a),
-        k_yy=d.k_yy(eps=eps, phi=phi, a=a),
-        c_xx=d.c_xx(c_rr=c_rr, eps=eps, phi=phi),
-        c_xy=d.c_xy(c_rr=c_rr, eps=eps, phi=phi),
-        c_yy=d.c_yy(c_rr=c_rr, eps=eps, phi=phi),
-    )
+        k_xx=d.k_xx(q=q, phi=phi), k_xy=d.k_xy(q=q, phi=phi), k_yx=d.k_yx(eps=eps, phi=phi, a=a), k_yy=d.k_yy(eps=eps, phi=phi, a=a),
+        c_xx=d.c_xx(c_rr=c_rr, eps=eps, phi=phi), c_xy=d.c_xy(c_rr=c_rr, eps=eps, phi=phi), c_yy=d.c_yy(c_rr=c_rr, eps=eps, phi=phi),
+    )  # fmt: skip
 
 
-def dynamics(hot: "Film", duty: "Duty", seat: "Seat", ratio: Number, *, mass: Kilogram | None = None) -> Dynamics:
+def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, *, mass: Kilogram | None = None) -> Dynamics:
     """The film as a spring and damper.  `ratio`: l/d of the film (of one land, where a groove parts it); `mass`: the bearing's share of
     the shaft's, for the threshold speed."""
     k = coefficients(hot.eccentricity, ratio, hot.attitude)
@@ -114,24 +105,17 @@ def dynamics(hot: "Film", duty: "Duty", seat: "Seat", ratio: Number, *, mass: Ki
         heaviest = None if heaviest == float("inf") else heaviest
     across = d.damping_xy(c_xy=k.c_xy, F=F, g=g, omega=omega)
     return Dynamics(
-        stiffness_xx=d.stiffness_xx(k_xx=k.k_xx, F=F, g=g),
-        stiffness_xy=d.stiffness_xy(k_xy=k.k_xy, F=F, g=g),
-        stiffness_yx=d.stiffness_yx(k_yx=k.k_yx, F=F, g=g),
-        stiffness_yy=d.stiffness_yy(k_yy=k.k_yy, F=F, g=g),
-        damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega),
-        damping_xy=across,
-        damping_yx=across,
-        damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega),
-        whirl_ratio=whirl,
-        critical_mass=heaviest,
-        threshold_speed=threshold,
-    )
+        stiffness_xx=d.stiffness_xx(k_xx=k.k_xx, F=F, g=g), stiffness_xy=d.stiffness_xy(k_xy=k.k_xy, F=F, g=g),
+        stiffness_yx=d.stiffness_yx(k_yx=k.k_yx, F=F, g=g), stiffness_yy=d.stiffness_yy(k_yy=k.k_yy, F=F, g=g),
+        damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega), damping_xy=across, damping_yx=across,
+        damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega), whirl_ratio=whirl, critical_mass=heaviest, threshold_speed=threshold,
+    )  # fmt: skip
 
 
-def orbit(film: Dynamics, R_0: Newton, one: "BearingResult", *, mass: Kilogram = 0.0) -> Orbit:
-    """What a force that stands still does to a journal that is held by a turning load."""
-    n_F, sense = _load_speed(one.duty, one.seat)
-    return orbit_of(film, R_0, d.relative_speed(sense=sense, n_F=n_F), one.attitude_angle, mass)
+def orbit(film: Dynamics, R_0: Newton, phi: Radian, duty: OperatingPoint, seat: BearingCase) -> Orbit:
+    """What a force that stands still does to a journal that is held by a turning load at the attitude angle φ."""
+    n_F, sense = _load_speed(duty, seat)
+    return orbit_of(film, R_0, d.relative_speed(sense=sense, n_F=n_F), phi)
 
 
 def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass: Kilogram = 0.0) -> Orbit:
@@ -149,7 +133,7 @@ def orbit_of(film: Dynamics, R_0: Newton, Omega: RadPerSecond, phi: Radian, mass
     return Orbit(amplitude=d.major_axis(x=x, y=y), minor=d.minor_axis(x=x, y=y), film_loss=d.film_loss(x=x, y=y, phi=phi))
 
 
-def _load_speed(duty: "Duty", seat: "Seat") -> tuple[RevPerSecond, Number]:
+def _load_speed(duty: OperatingPoint, seat: BearingCase) -> tuple[RevPerSecond, Number]:
     """The load's speed n_F, and +1 where n_J + n_B − 2·n_F is positive, −1 where the film is dragged against the journal's sense."""
     i_F, i_B = seat.inputs.load_speed_ratio, seat.inputs.bush_speed_ratio or 0.0
-    return duty.speed if i_F == 1.0 else i_F * duty.speed, 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0
+    return duty.speed if i_F == 1.0 else based_on(i_F * duty.speed, i_F, duty.speed), 1.0 if 1.0 + i_B - 2.0 * i_F > 0.0 else -1.0

@@ -5,10 +5,13 @@ X points along the load, Y 90° further in the sense in which the film is dragge
 displacement or velocity along j.  g is the diametral clearance, ω the effective hydrodynamic speed.
 """
 
+from typing import cast
+
 import numpy as np
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, modulus, pi, sin, sqrt
+from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,
     Metre,
@@ -24,29 +27,29 @@ from ...sheet.units import (
 )  # fmt: skip
 from . import tabulated
 
-TABLE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
-TURNED = "displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)"
-WHIRL = "a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric"
-SCALE = "definition of the dimensionless coefficient, k = K·c/F and c = C·c·ω/F"
-LUND = "Lund 1966, Self-excited stationary whirl orbits of a journal in a sleeve bearing: rigid shaft"
-MOTION = "(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; the shaft's acceleration seen from that frame"
+TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
+TURNED = Text("displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)")
+WHIRL = Text("a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric")
+SCALE = Text("definition of the dimensionless coefficient, k = K·c/F and c = C·c·ω/F")
+LUND = Text("Lund 1966, Self-excited stationary whirl orbits of a journal in a sleeve bearing: rigid shaft")
+MOTION = Text("(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; the shaft's acceleration seen from that frame")
 
 
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
-    return tabulated.film_slopes(eps, b)[0]
+    return cast(Number, tabulated.film_slopes(eps, b)[0])
 
 
 @formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
 def attitude_slope(eps: Number, b: Number) -> Number:
-    return tabulated.film_slopes(eps, b)[1]
+    return cast(Number, tabulated.film_slopes(eps, b)[1])
 
 
 @formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
-    return tabulated.film_at(eps, b).radial_damping
+    return cast(Number, tabulated.film_at(eps, b).radial_damping)
 
 
 @formula("k_xx", TURNED, names={"q": "(ln So)'"})

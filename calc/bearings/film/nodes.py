@@ -15,6 +15,7 @@ import numpy as np
 
 from ...sheet.arrays import Array, IndexArray
 from ...sheet.record import record
+from ...sheet.text import EMPTY, Amount, Text
 from . import short_bearing
 from .reynolds import Value
 
@@ -30,7 +31,16 @@ class FilmRangeError(ValueError):
     """A film outside the table."""
 
     def __init__(self, quantity: str, value: float, low: float, high: float, more: str = "") -> None:
-        super().__init__(f"{quantity} {value:.6g} is outside the film table, {low:.6g} to {high:.6g}{more}")
+        at, least, most = (Amount(number, form=".6g") for number in (value, low, high))
+        message = Text(
+            "{quantity} {value} is outside the film table, {low} to {high}{more}",
+            quantity=quantity,
+            value=at,
+            low=least,
+            high=most,
+            more=more,
+        )
+        super().__init__(message)
         self.quantity, self.value, self.low, self.high = quantity, value, low, high
 
 
@@ -65,9 +75,9 @@ def short_bearing_slope(eccentricity: Value) -> Value:
 
 def short_bearing_damping(eccentricity: Value) -> Value:
     """C_rr·c·ω/F of the infinitely short bearing with half a film."""
-    damping: Any = short_bearing.radial_damping.function
-    found: Value = damping(eps=eccentricity)
-    return found
+    of_one: Any = short_bearing.radial_damping.function
+    damping: Value = of_one(eps=eccentricity)
+    return damping
 
 
 # The table ------------------------------------------------------------------------------------------------------------------
@@ -154,7 +164,9 @@ def clipped(quantity: str, values: Array, low: Any, high: Any, outside: Outside,
     if outside == "raise" and wrong.any():
         at = np.unravel_index(int(wrong.argmax()), wrong.shape)
         lowest, highest = (float(np.broadcast_to(limit, wrong.shape)[at]) for limit in (low, high))
-        place = "" if more is None else f" at l/d {float(np.broadcast_to(more, wrong.shape)[at]):.6g}"
-        count = f" ({int(wrong.sum())} of {wrong.size} values are outside)"
+        place = EMPTY
+        if more is not None:
+            place = Text(" at l/d {broadcast_to}", broadcast_to=Amount(float(np.broadcast_to(more, wrong.shape)[at]), form=".6g"))
+        count = Text(" ({sum} of {size} values are outside)", sum=int(wrong.sum()), size=wrong.size)
         raise FilmRangeError(quantity, float(values[at]), lowest, highest, place + count)
     return np.where(wrong, np.nan, np.clip(values, low, high))

@@ -29,6 +29,7 @@ import numpy as np
 from ...sheet.arrays import Array
 from ...sheet.arrays import BoolArray as Mask
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 
 Value = TypeVar("Value", float, Array)
 
@@ -100,17 +101,10 @@ def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, in
     integral = math.hypot(cosine, sine)
     sommerfeld = 1.0 / (math.pi * integral)
     return FilmSolution(
-        eccentricity=eccentricity,
-        length_ratio=length_ratio,
-        sommerfeld=sommerfeld,
-        attitude=math.atan2(sine, -cosine),
-        friction=friction_variable(eccentricity, sommerfeld, sine / integral),
-        flow=flow,
-        side_flow_ratio=side_flow / flow,
-        pressure_ratio=0.5 * integral / peak,
-        theta=np.append(grid.theta, 2.0 * math.pi),
-        pressure=np.append(pressure[:, 0], 0.0),
-    )
+        eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=sommerfeld, attitude=math.atan2(sine, -cosine),
+        friction=friction_variable(eccentricity, sommerfeld, sine / integral), flow=flow, side_flow_ratio=side_flow / flow,
+        pressure_ratio=0.5 * integral / peak, theta=np.append(grid.theta, 2.0 * math.pi), pressure=np.append(pressure[:, 0], 0.0),
+    )  # fmt: skip
 
 
 def radial_damping(eccentricity: float, length_ratio: float, *, cells: tuple[int, int] = (192, 16)) -> float:
@@ -226,10 +220,16 @@ def _pressure(grid: _Grid, guess: Array | None) -> Array:
         corrected = np.where(active, inside > 0.0, push > round_off)
         if np.array_equal(corrected, active):
             if active[-1].any():
-                raise ArithmeticError(f"the film has not ruptured at {grid.theta[-2]:.3f} rad, where the grid of {grid.theta.size} ends")
+                end, size = Amount(grid.theta[-2], form=".3f"), grid.theta.size
+                raise ArithmeticError(Text("the film has not ruptured at {theta} rad, where the grid of {size} ends", theta=end, size=size))
             return pressure
         active = corrected
-    raise ArithmeticError(f"no film found on {grid.theta.size} by {grid.across.size} nodes in {ITERATION_LIMIT} corrections")
+    raise ArithmeticError(
+        Text(
+            "no film found on {size} by {size2} nodes in {iteration_limit} corrections", size=grid.theta.size, size2=grid.across.size,
+            iteration_limit=ITERATION_LIMIT,
+        )
+    )  # fmt: skip
 
 
 def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
@@ -270,7 +270,9 @@ def _solved(active: Mask, diagonal: Array, along: Array, aside: Array, source: A
         band.reshape(-1, columns + 1).T, np.where(active, source, 0.0).ravel(), lower=1, overwrite_ab=1, overwrite_b=1
     )
     if failure:
-        raise ArithmeticError(f"banded Cholesky of {rows} by {columns} nodes failed at row {failure}")
+        raise ArithmeticError(
+            Text("banded Cholesky of {rows} by {columns} nodes failed at row {failure}", rows=rows, columns=columns, failure=failure)
+        )
     return np.asarray(solution, dtype=np.float64).reshape(rows, columns)
 
 

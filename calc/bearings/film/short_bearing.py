@@ -14,10 +14,11 @@ import numpy as np
 
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
+from ...sheet.text import Text
 from ...sheet.units import Number, Pascal, Radian
 
-OCVIRK = "Ocvirk 1952, NACA TN 2808: short bearing, half a film"
-DUBOIS = "DuBois & Ocvirk 1953, NACA Report 1157: short bearing, half a film"
+OCVIRK = Text("Ocvirk 1952, NACA TN 2808: short bearing, half a film")
+DUBOIS = Text("DuBois & Ocvirk 1953, NACA Report 1157: short bearing, half a film")
 STEP_LIMIT = 1e-12  # of Newton's method, relative
 ITERATION_LIMIT = 100  # a supply pressure next to the peak asks for most: there Newton only halves the distance
 
@@ -44,8 +45,8 @@ def eccentricity(S: Number, b: Number) -> Number:
         u = u - step
         if not (np.abs(step) > STEP_LIMIT).any():
             break
-    found = 1 / np.sqrt(1 + np.exp(-u))
-    return found if found.ndim else float(found)
+    eps = 1 / np.sqrt(1 + np.exp(-u))
+    return eps if eps.ndim else float(eps)
 
 
 @formula("φ", OCVIRK)
@@ -77,13 +78,13 @@ def radial_damping(eps: Number) -> Number:
     return 2 * pi * (1 + 2 * eps**2) / (eps * sqrt(1 - eps**2) * sqrt(pi**2 * (1 - eps**2) + 16 * eps**2))
 
 
-@formula("θ_m", f"{OCVIRK}; where sin θ/(1 + ε·cos θ)³ is largest")
+@formula("θ_m", Text("{ocvirk}; where sin θ/(1 + ε·cos θ)³ is largest", ocvirk=OCVIRK))
 def angle_of_largest_pressure(eps: Number) -> Radian:
     """From the widest film: 90° for a centred journal, towards 180° for one that touches."""
     return acos((1 - sqrt(1 + 24 * eps**2)) / (4 * eps))
 
 
-@formula("p_O/(μ·ω/ψ²)", f"{OCVIRK}; middle plane", names={"b": "(l/d)", "theta_m": "θ_m"})
+@formula("p_O/(μ·ω/ψ²)", Text("{ocvirk}; middle plane", ocvirk=OCVIRK), names={"b": "(l/d)", "theta_m": "θ_m"})
 def largest_relative_pressure(eps: Number, b: Number, theta_m: Radian) -> Number:
     return 3 * b**2 * eps * sin(theta_m) / (1 + eps * cos(theta_m)) ** 3
 
@@ -94,7 +95,7 @@ def pressure_ratio(So: Number, largest: Number) -> Number:
     return So / largest
 
 
-@formula("p(θ)", f"{OCVIRK}; middle plane", unit="MPa")
+@formula("p(θ)", Text("{ocvirk}; middle plane", ocvirk=OCVIRK), unit="MPa")
 def middle_pressure(p_max: Pascal, eps: Number, theta: Radian, theta_m: Radian) -> Pascal:
     """θ from the widest film along the rotation, 0 to π; beyond the narrowest film there is no pressure (and here no meaning)."""
     return p_max * sin(theta) / sin(theta_m) * ((1 + eps * cos(theta_m)) / (1 + eps * cos(theta))) ** 3
@@ -131,7 +132,7 @@ def blocked_ends(eps: Any, share: Any) -> tuple[Any, Any]:
 
 @formula(
     "β_p",
-    f"{OCVIRK}; its pressure in the middle plane",
+    Text("{ocvirk}; its pressure in the middle plane", ocvirk=OCVIRK),
     shows="arc around the seat over which p(θ) of the middle plane exceeds p_s",
 )
 def blocked_arc(eps: Number, p_s: Pascal, p_max: Pascal) -> Radian:
@@ -142,5 +143,5 @@ def blocked_arc(eps: Number, p_s: Pascal, p_max: Pascal) -> Radian:
     finite bearing's pressure falls more slowly from its peak.  Float or array.
     """
     first, last = blocked_ends(eps, p_s / p_max)
-    found = last - first
-    return found if found.ndim else float(found)
+    arc = last - first
+    return arc if arc.ndim else float(arc)

@@ -21,6 +21,7 @@ from typing import Any, overload
 import numpy as np
 
 from ...sheet.arrays import Array, IndexArray
+from ...sheet.text import Amount, Text
 from .nodes import (
     SLACK,
     FilmPoint,
@@ -109,7 +110,7 @@ def _film_scalar(eccentricity: float, length_ratio: float, outside: Outside) -> 
     try:
         column = column_at(length_ratio)
         table = film_nodes()
-        inside = within("eccentricity ratio", eccentricity, table.eccentricities)
+        inside = within(Text("eccentricity ratio"), eccentricity, table.eccentricities)
     except FilmRangeError:
         if outside == "nan":
             return FilmPoint(*(math.nan,) * 8)
@@ -130,7 +131,8 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
         column = column_at(length_ratio)
         low, high = (math.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in (column.loads[-1], column.loads[0]))
         if not low * (1.0 - SLACK) <= sommerfeld <= high * (1.0 + SLACK):
-            raise FilmRangeError("Sommerfeld number S", sommerfeld, low, high, f" at l/d {length_ratio:.6g}")
+            raise FilmRangeError(Text("Sommerfeld number S"), sommerfeld, low, high,
+                Text(" at l/d {length_ratio}", length_ratio=Amount(length_ratio, form=".6g")))  # fmt: skip
     except FilmRangeError:
         if outside == "nan":
             return math.nan
@@ -178,7 +180,7 @@ def _many(first: Any, second: Any) -> tuple[Array, Array]:
 def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[IndexArray, Any], Array]]:
     """l/d within the table, and `read(nodes, quantities)`: the table's rows at nodes of x, at the l/d of each point."""
     table = film_nodes()
-    length_ratio = clipped("length ratio l/d", length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
+    length_ratio = clipped(Text("length ratio l/d"), length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
     if length_ratio.ndim == 0 and not np.isnan(length_ratio):
         values = column_at(float(length_ratio)).values
         return length_ratio, lambda nodes, quantities: values[nodes, quantities]
@@ -194,7 +196,7 @@ def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[Ind
 
 def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> FilmPoint[Array]:
     table = film_nodes()
-    eccentricity = clipped("eccentricity ratio", eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
+    eccentricity = clipped(Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity))
@@ -208,7 +210,7 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
 
 def _slopes_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> tuple[Array, Array]:
     table = film_nodes()
-    eccentricity = clipped("eccentricity ratio", eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
+    eccentricity = clipped(Text("eccentricity ratio"), eccentricity, table.eccentricities[0], table.eccentricities[-1], outside)
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, _ = cells(table.x, np.arctanh(eccentricity))
@@ -229,7 +231,7 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
     first = np.zeros(np.shape(length_ratio), dtype=np.intp)
     ends = (at(first + 2 * node) + table.short[node] for node in (table.x.size - 1, 0))
     low, high = (np.exp(-load) / (2.0 * math.pi * length_ratio**2) for load in ends)
-    sommerfeld = clipped("Sommerfeld number S", sommerfeld, low, high, outside, more=length_ratio)
+    sommerfeld = clipped(Text("Sommerfeld number S"), sommerfeld, low, high, outside, more=length_ratio)
     target = -np.log(2.0 * math.pi * length_ratio**2 * sommerfeld)
 
     cell = np.zeros(sommerfeld.shape, dtype=np.intp)

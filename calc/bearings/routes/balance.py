@@ -15,13 +15,16 @@ import numpy as np
 
 from ...lubricant import State
 from ...root import root
-from ...sheet.arrays import Array, IndexArray
-from ...sheet.errors import NoSolution
+from ...sheet.arrays import Array, IndexArray, many
+from ...sheet.errors import NoSolution, text_of
+from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
+from ...sheet.value import converged, unlinked
+from .. import formulas as f
 from ..film.table import FilmRangeError
 from . import supply
 from .routes import Route, own_cold, own_warm
-from .states import Duty, Film, OutsideBalance, Seat, Seized
+from .states import BearingCase, Film, OperatingPoint, OutsideBalance, Seized
 
 HOTTEST = 200.0  # K above the supply: no rise beyond is looked for
 BREAKS_DOWN = 1e-3  # K: a film that is gone so close above the last that was found, with heat left over, has no balance
@@ -31,7 +34,7 @@ ITERATION_LIMIT = 60
 ALMOST = 1e-3  # relative, of a rise: what is closed in on to no more has no balance
 
 
-def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> Film:
+def balanced(route: Route, seat: BearingCase, duty: OperatingPoint, tolerance: float = 1e-10) -> Film:
     """The film whose heat leaves with the oil.  Only this state is traced.
 
     Raises NoSolution where the load can not be carried, with what was tried, or where the rise passes 200 K.
@@ -48,33 +51,38 @@ def balanced(route: Route, seat: Seat, duty: Duty, tolerance: float = 1e-10) -> 
             rise = root(excess, low, _reachable(excess, low, high), tolerance=tolerance)
         except (FilmRangeError, Seized, OutsideBalance) as error:
             raise NoSolution(*_reason(seat, duty, error)) from None
-    return route(seat, duty, rise)
+    return closed(route, seat, duty, rise)
 
 
-def _reason(seat: Seat, duty: Duty, error: ValueError) -> tuple[str, str, str]:
+def closed(route: Route, seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """The film at the rise that closes its balance, by lines of the calculation."""
+    return converged(f.closing_rise, rise, lambda known: route(seat, duty, known), lambda film: film.temperature_rise)
+
+
+def _reason(seat: BearingCase, duty: OperatingPoint, error: ValueError) -> tuple[Text, Text, Text]:
     """What was looked for, what came out, and what to do: too much load, too little, or a bearing too short or long."""
-    at = f"{duty.load:.4g} N at {duty.speed * 60:.4g} rpm"
+    at = Text("{load} N at {speed} rpm", load=Amount(duty.load, form=".4g"), speed=Amount(duty.speed * 60, form=".4g"))
     if duty.effective_speed < duty.speed * (1 - 1e-9):
-        at += f" (as dragged between load and surfaces, {duty.effective_speed * 60:.4g} rpm)"
+        dragged = Amount(duty.effective_speed * 60, form=".4g")
+        at += Text(" (as dragged between load and surfaces, {effective_speed} rpm)", effective_speed=dragged)
     if isinstance(error, OutsideBalance):
-        remedy = "lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil"
+        remedy = Text("lower the load, lengthen the bearing, give it less clearance, more oil or cooler oil")
         if not isinstance(error.end, FilmRangeError):
-            remedy = "give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil"
-        return f"the heat of the film under {at} is not carried away", str(error), remedy
+            remedy = Text("give it more clearance when warm (a larger clearance, a housing held back less), more oil, or cooler oil")
+        return Text("the heat of the film under {at} is not carried away", at=at), text_of(error), remedy
     if isinstance(error, Seized):
-        return str(error), f"under {at}", "give it more clearance"
-    if isinstance(error, FilmRangeError) and "l/d" in error.quantity and supply.lands(seat.inputs) == 2:
-        advice = "a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long"
-        return f"the film of the lands beside the groove is not in the table ({error})", f"under {at}", advice
+        return text_of(error), Text("under {at}", at=at), Text("give it more clearance")
+    under, error_text = Text("under {at}", at=at), text_of(error)
     if isinstance(error, FilmRangeError) and "l/d" in error.quantity:
-        return f"the film of this bearing is not in the table ({error})", f"under {at}", "choose a length between 0.1 and 2 diameters"
+        if supply.lands(seat.inputs) == 2:
+            advice = Text("a narrower groove or a longer bearing, so that each land is at least a tenth of the diameter long")
+            return Text("the film of the lands beside the groove is not in the table ({error})", error=error_text), under, advice
+        advice = Text("choose a length between 0.1 and 2 diameters")
+        return Text("the film of this bearing is not in the table ({error})", error=error_text), under, advice
     if isinstance(error, FilmRangeError) and error.value > error.high:
-        return (
-            f"the journal runs nearly centred under {at}",
-            str(error),
-            "the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil",
-        )
-    return f"no film carries {at}", str(error), "lower the load, lengthen the bearing, or take a thicker oil"
+        advice = Text("the load is too small for this clearance and oil: more clearance, or a thinner or warmer oil")
+        return Text("the journal runs nearly centred under {at}", at=at), error_text, advice
+    return Text("no film carries {at}", at=at), error_text, Text("lower the load, lengthen the bearing, or take a thicker oil")
 
 
 def _begins(excess: Callable[[float], float]) -> float:
@@ -114,18 +122,19 @@ def _reachable(excess: Callable[[float], float], low: float, high: float) -> flo
                 return high
             low, high = high, min(2 * high, HOTTEST)
             if low == HOTTEST:
-                raise OutsideBalance(f"the oil would warm by more than {HOTTEST:g} K")
+                raise OutsideBalance(Text("the oil would warm by more than {hottest} K", hottest=Amount(HOTTEST, form="g")))
         except (FilmRangeError, Seized) as gone:
             high, end = (low + high) / 2, gone
-    raise OutsideBalance("the film is gone before its heat and the oil's flow are in balance", end)
+    raise OutsideBalance(Text("the film is gone before its heat and the oil's flow are in balance"), end)
 
 
-def settled(seat: Seat, duty: Duty, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7) -> Film:
+def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hottest: float = HOTTEST, tolerance: float = 1e-7) -> Film:
     """The same for arrays: any number of `seat` and `duty` may be one, broadcast against the others.  nan where there is no film.
 
     Regula falsi after Anderson & Björck 1973 on all points that are not done; a point without film at the upper end of its bracket is
     closed in on from below.  `hottest`: no rise beyond is looked for.
     """
+    seat, duty = unlinked(seat), unlinked(duty)
     route = own_warm if warm else own_cold
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
     seat, duty = _each(seat, duty, lambda x: np.broadcast_to(x, shape).ravel())
@@ -136,8 +145,7 @@ def settled(seat: Seat, duty: Duty, *, warm: bool = True, hottest: float = HOTTE
         return route(*asked, rise)  # type: ignore[arg-type]
 
     def excess(rise: Array, some: IndexArray) -> Array:
-        made: Any = film_at(rise, some).temperature_rise
-        return np.asarray(made - rise)
+        return np.asarray(many(film_at(rise, some).temperature_rise) - rise)
 
     low, high = np.zeros(every.size), np.full(every.size, hottest)
     f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
@@ -200,12 +208,12 @@ def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hott
     return above, f_above
 
 
-def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:
+def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> list[Film]:
     """`settled` for several questions about one bearing in one call, each of its own length: all but the arrays is that of the first."""
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 
-    def joined(of: Callable[[Seat, Duty], Any]) -> Any:
+    def joined(of: Callable[[BearingCase, OperatingPoint], Any]) -> Any:
         return np.concatenate([np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)])
 
     film = settled(
@@ -221,24 +229,26 @@ def settled_together(asked: Sequence[tuple[Seat, Duty]]) -> list[Film]:
     return [_over(film, lambda x, part=part: x[part]) for part in parts]  # type: ignore[misc]
 
 
-def _factor(seat: Seat) -> float:
+def _factor(seat: BearingCase) -> float:
     return 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
 
 
-def _numbers(seat: Seat, duty: Duty) -> tuple[Any, ...]:
+def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[Any, ...]:
     b = seat.bearing
     return b.diameter, b.length, seat.clearance, _factor(seat), duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
 
 
-def _each(seat: Seat, duty: Duty, change: Callable[[Any], Any]) -> tuple[Seat, Duty]:
-    """Seat and duty with their arrays changed; numbers stay."""
+def _each(seat: BearingCase, duty: OperatingPoint, change: Callable[[Any], Any]) -> tuple[BearingCase, OperatingPoint]:
+    """Case and operating point with their arrays changed; numbers stay."""
 
     def changed(x: Any) -> Any:
         return change(x) if np.ndim(x) else x
 
     bearing = replace(seat.bearing, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
     asked = {name: changed(x) for name, x in vars(duty).items()}
-    return replace(seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=changed(seat.viscosity_factor)), Duty(**asked)
+    return replace(
+        seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=changed(seat.viscosity_factor)
+    ), OperatingPoint(**asked)
 
 
 def _over(film: Film, change: Callable[[Any], Any]) -> Film:

@@ -7,11 +7,13 @@ polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity o
 
 from ...sheet.formula import formula
 from ...sheet.functions import log10
+from ...sheet.text import Text
 from ...sheet.units import Metre, Number
+from ...sheet.value import based_on
 
 POLYNOMIAL_UP_TO = 0.55
-FALZ = "Falz, after Finotti 2013, 5.5.2 (DIN 31652)"
-POLYNOMIAL = "DIN 31652-1 as printed in Finotti 2013, 5.5.2"
+FALZ = Text("Falz, after Finotti 2013, 5.5.2 (DIN 31652)")
+POLYNOMIAL = Text("DIN 31652-1 as printed in Finotti 2013, 5.5.2")
 
 
 @formula("h_0", FALZ + ", So > 1", unit="µm", names={"b": "(l/d)"})
@@ -71,7 +73,7 @@ def friction_coefficient(psi: Number, Y: Number) -> Number:
 
 def friction(psi: Number, So: Number, b: Number) -> tuple[Number, Number]:
     """Y and f by the polynomial; its coefficients depend on l/d alone and are not traced one by one."""
-    C, E, F, G, H = (c.function(b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H))
+    C, E, F, G, H = (based_on(c.function(b), b) for c in (coefficient_C, coefficient_E, coefficient_F, coefficient_G, coefficient_H))
     Y = friction_exponent(C, E, F, G, H, s=log_sommerfeld(So))
     return Y, friction_coefficient(psi=psi, Y=Y)
 

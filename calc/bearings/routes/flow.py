@@ -6,6 +6,7 @@ Supply factors of DIN 31652-2 / ISO 7902-2 as tabulated in Finotti 2013, Table 5
 
 from ...sheet.formula import formula
 from ...sheet.functions import cos, ln, pi, sin
+from ...sheet.text import Text
 from ...sheet.units import (
     CubicMetrePerSecond,
     KilogramPerMetre3,
@@ -18,7 +19,7 @@ from ...sheet.units import (
     RevPerSecond,
 )  # fmt: skip
 
-TABLE = "Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator"
+TABLE = Text("Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator")
 
 
 @formula("Q_1", "side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"})
@@ -56,12 +57,12 @@ def share_of_length(b: Metre, l: Metre) -> Number:
     return b / l
 
 
-@formula("q", f"{TABLE}: q_H of a hole")
+@formula("q", Text("{table}: q_H of a hole", table=TABLE))
 def hole_factor(x: Number) -> Number:
     return 1.204 + 0.368 * x - 1.046 * x**2 + 1.942 * x**3
 
 
-@formula("q", f"{TABLE}: q_P of a pocket")
+@formula("q", Text("{table}: q_P of a pocket", table=TABLE))
 def pocket_factor(x: Number) -> Number:
     return 1.188 + 1.582 * x - 2.585 * x**2 + 5.563 * x**3
 

@@ -14,6 +14,7 @@ from itertools import pairwise
 from ...catalogue import TABLES
 from ...sheet.formula import formula
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.units import Number
 
 LOWEST_RATIO = 0.25  # the cubic is not defined below the charts' smallest l/d
@@ -64,7 +65,9 @@ def _read(chart: tuple[_Line, _Line], S: float) -> tuple[float, float]:
     eps, ln_f = chart
     x = math.log(S)
     if x < eps.x[0]:
-        raise OutsideCharts(f"S = {S:.4g} is below the charts ({math.exp(eps.x[0]):.4g})")
+        raise OutsideCharts(
+            Text("S = {s} is below the charts ({exp})", s=Amount(S, form=".4g"), exp=Amount(math.exp(eps.x[0]), form=".4g"))
+        )
     if x > eps.x[-1]:
         beyond = math.exp(x - eps.x[-1])
         return 1 - eps.y[-1] / beyond, math.exp(ln_f.y[-1]) * beyond
@@ -102,6 +105,6 @@ def friction_variable(S: Number, b: Number) -> Number:
 
 def _at(S: float, b: float, which: int) -> float:
     if b < LOWEST_RATIO:
-        raise OutsideCharts(f"l/d = {b:.3g} is below the charts ({LOWEST_RATIO})")
+        raise OutsideCharts(Text("l/d = {b} is below the charts ({lowest_ratio})", b=Amount(b, form=".3g"), lowest_ratio=LOWEST_RATIO))
     y = {ratio: pair[which] for ratio, pair in chart_readings(S).items()}
     return by_length_ratio.function(b, y[math.inf], y[1.0], y[0.5], y[0.25])

@@ -5,13 +5,15 @@ Every number may be an array (many bearings, corners, speeds at once); then the 
 """
 
 from ...lubricant import Lubricant, State
+from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, Number, Pascal, Radian, Watt
 from .. import formulas as f
 from ..inputs import BearingInputs, BearingsInputs
 
 
 @record
-class Seat:
+class BearingCase:
     """One bearing with all that decides its film but speed, load and supply."""
 
     bearing: BearingInputs
@@ -25,8 +27,7 @@ class Seat:
     def clearance_at(self, T: float) -> float:
         return f.clearance_at(
             g=self.clearance, d=self.bearing.diameter, alpha_H=self.housing_expansion, chi=self.inputs.expansion_restraint,
-            alpha_J=self.journal_expansion, T=T, T_ref=self.inputs.clearance_reference_temperature,
-        )  # fmt: skip
+            alpha_J=self.journal_expansion, T=T, T_ref=self.inputs.clearance_reference_temperature)  # fmt: skip
 
     def oil_at(self, T: float) -> State:
         oil = self.lubricant.at(T)
@@ -36,7 +37,7 @@ class Seat:
 
 
 @record
-class Duty:
+class OperatingPoint:
     """What a bearing has to do at one moment: load, journal speed, hydrodynamic speed and sliding speed over it, oil supply."""
 
     load: float
@@ -47,27 +48,27 @@ class Duty:
     supply_pressure: float
 
 
-@record
+@result
 class Film:
-    """The state of a film, and the temperature rise that its friction and its flow make."""
+    """The state of a film, and the temperature rise that its friction and its flow make.  `clearance`: at which it runs."""
 
-    clearance: float
-    relative_clearance: float
-    specific_load: float
-    sommerfeld: float
-    eccentricity: float
-    film: float
-    friction_coefficient: float
-    friction_variable: float
-    friction_power: float
-    oil_flow: float
-    temperature_rise: float
-    mean_temperature: float
+    clearance: Metre = value("Clearance (diametral)", "µm", "g")
+    relative_clearance: Number = value("Relative clearance", "‰", "ψ")
+    specific_load: Pascal = value("Specific load", "MPa", "p")
+    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
+    eccentricity: Number = value("Eccentricity ratio", "", "ε")
+    film: Metre = value("Smallest film", "µm", "h_0")
+    friction_coefficient: Number = value("Coefficient of friction", "", "f")
+    friction_variable: Number = value("Friction variable", "", "f*")
+    friction_power: Watt = value("Friction power", "W", "P_f")
+    oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
+    temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
+    mean_temperature: Celsius = value("Mean temperature of the film", "°C", "T_m")
     oil: State
-    attitude: float | None = None
-    largest_pressure: float | None = None
-    side_flow: float | None = None
-    supply_flow: float | None = None
+    attitude: Radian | None = value("Attitude angle", "°", "φ", default=None)
+    largest_pressure: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
+    side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
+    supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
 
 
 class Seized(ValueError):

@@ -2,14 +2,16 @@
 """How the oil comes in: through the seat or the shaft, by a hole, a pocket or a groove, at rest beside the load or swept by it."""
 
 from math import pi
-from typing import Any
+from typing import Any, cast
 
 from ...lubricant import State
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
+from ...sheet.text import Amount, Text
 from .. import formulas as f
 from ..inputs import BearingsInputs
 from . import flow
-from .states import Duty, Seat
+from .states import BearingCase, OperatingPoint
 
 LOADED_HALF = pi / 2  # on either side of the load; rule of this program
 
@@ -30,7 +32,12 @@ def lands(inputs: BearingsInputs) -> int:
     return 1 if start >= LOADED_HALF and end <= 2 * pi - LOADED_HALF else 2
 
 
-def supply_flow(seat: Seat, duty: Duty, psi: float, eps: float, oil: State, *, opposite: bool = False) -> float:
+def bare_length(inputs: BearingsInputs, l: Array) -> Array:
+    """The lengths that carry, of any shape: without the groove where it parts the film into two lands."""
+    return l if lands(inputs) == 1 else l - (inputs.groove_width or 0.0)
+
+
+def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float, oil: State, *, opposite: bool = False) -> float:
     """Q₂, what the supply pressure drives through the bearing.
 
     `opposite`: as the source has it, a hole in the seat that is always opposite the load, even where the load turns.
@@ -69,13 +76,12 @@ def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> fl
     return flow.swept_part_groove_factor(eps=eps, delta_A=start, delta_E=end, d=d, l=l, b_G=width)
 
 
-def _through_shaft(duty: Duty, oil: State, d: float) -> float:
+def _through_shaft(duty: OperatingPoint, oil: State, d: float) -> float:
     p: Any = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
     if isinstance(p, float):
         if p <= 0:
-            raise NoSolution(
-                "no oil reaches the bearing through the shaft", f"centrifugal head {(duty.supply_pressure - p) / 1e5:.2f} bar",
-                "raise the supply pressure or feed through the seat",
-            )  # fmt: skip
+            raise NoSolution(Text("no oil reaches the bearing through the shaft"),
+                Text("centrifugal head {supply_pressure} bar", supply_pressure=Amount((duty.supply_pressure - p) / 100000.0, form=".2f")),
+                Text("raise the supply pressure or feed through the seat"))  # fmt: skip
         return p
-    return p * (p > 0) / (p > 0)  # nan where nothing arrives
+    return cast(float, p * (p > 0) / (p > 0))  # nan where nothing arrives

@@ -11,13 +11,14 @@ makes it so between two supports: M = −E·I·θ'.  All numbers in SI.
 """
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray, IndexArray
 from ...sheet.record import record
 from ...sheet.units import Metre, RadPerSecond
+from ...sheet.value import Link
 
 ELEMENT = 10e-3  # m: the longest element; a frequency of a stout shaft is then right to some 10⁻⁵, statics are with any
 SAME = 1e-6  # m: places that lie closer become one node
@@ -57,6 +58,7 @@ class Bent:
     reactions: ComplexArray
     moment_z: Array
     moment: ComplexArray
+    link: Link | None = None  # what the beam and its load were made of
 
     def moment_at(self, z: Any) -> Any:
         """The bending moment at places, linear between the points at which it is known."""
@@ -99,10 +101,8 @@ def _nearest(z: Any, places: Any) -> Any:
     return np.abs(z[None, :] - np.asarray(places, dtype=float)[:, None]).argmin(1)
 
 
-def beam(
-    ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins: Any,
-    forces: tuple[Any, Any] = ((), ()), masses: tuple[Any, Any] = ((), ()), rotary: Any = None, longest: Metre = ELEMENT,
-) -> Beam:  # fmt: skip
+def beam(ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins: Any, forces: tuple[Any, Any] = ((), ()),
+    masses: tuple[Any, Any] = ((), ()), rotary: Any = None, longest: Metre = ELEMENT) -> Beam:  # fmt: skip
     """A beam of pieces between `ends` (one more than pieces).
 
     `load` per length: one number of each piece, or a row of two, at its ends.  `shear` may be infinite (Bernoulli's beam).  `forces` and
@@ -120,8 +120,8 @@ def beam(
 
     Phi = 12 * EI / (S * L**2)
     w, theta = _shapes(L, Phi)
-    power: Any = np.arange(4)
-    over_length: Any = 1 / (power[:, None] + power[None, :] + 1)  # ∫ξ^i·ξ^j dξ
+    power = np.arange(4)
+    over_length = 1 / (power[:, None] + power[None, :] + 1)  # ∫ξ^i·ξ^j dξ
     one, a, b, c = np.ones_like(L), L / 2, (4 + Phi) * L**2 / 12, (2 - Phi) * L**2 / 12
     K = np.array([[one, a, -one, a], [a, b, -a, c], [-one, -a, one, -a], [a, c, -a, b]])
     K = np.moveaxis(K, 2, 0) * (12 * EI / (L**3 * (1 + Phi)))[:, None, None]
@@ -140,25 +140,23 @@ def beam(
     pinned, pushed, loaded = (2 * _nearest(z, x) for x in places)
     np.add.at(whole_f, pushed, np.asarray(forces[1], dtype=complex))
     np.add.at(whole_M, (loaded, loaded), np.asarray(masses[1], dtype=float))
-    return Beam(
-        z=z, load=q, line_mass=mu, element_K=K, element_M=M, element_f=f, K=whole_K, M=whole_M, f=whole_f, pinned=pinned,
-        free=np.delete(np.arange(n), pinned),
-    )  # fmt: skip
+    return Beam(z=z, load=q, line_mass=mu, element_K=K, element_M=M, element_f=f, K=whole_K, M=whole_M, f=whole_f, pinned=pinned,
+        free=np.delete(np.arange(n), pinned))  # fmt: skip
 
 
 def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
     """w and θ of each node in turn, from (K − ω²·M)·u = f: the beam turns at ω with a load that turns with it; ω = 0: at rest."""
     free = np.ix_(beam.free, beam.free)
     loads = np.stack([beam.f.real[beam.free], beam.f.imag[beam.free]], 1)  # two real columns: a complex side would make K complex
-    found = np.linalg.solve(beam.K[free] - omega**2 * beam.M[free], loads)
-    u: Any = np.zeros(beam.f.size, dtype=complex)
-    u[beam.free] = found[:, 0] + 1j * found[:, 1]
-    return u
+    columns = np.linalg.solve(beam.K[free] - omega**2 * beam.M[free], loads)
+    u = np.zeros(beam.f.size, dtype=complex)
+    u[beam.free] = columns[:, 0] + 1j * columns[:, 1]
+    return cast(ComplexArray, u)
 
 
 def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
     """The displaced beam with its reactions and moments."""
-    u: Any = displaced(beam, omega)
+    u = displaced(beam, omega)
     reactions = (beam.K[beam.pinned] - omega**2 * beam.M[beam.pinned]) @ u - beam.f[beam.pinned]
     z, w = beam.z, u[::2]
     ends = np.stack([u[:-2:2], u[1:-2:2], u[2::2], u[3::2]], 1)
@@ -167,10 +165,8 @@ def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
     xi, L = np.arange(POINTS) / POINTS, np.diff(z)[:, None]
     M = (1 - xi) * pushed[:, 1:2] - xi * pushed[:, 3:4]
     M = M + L**2 * (q[:, :1] * (xi - xi**2) / 2 + (q[:, 1:] - q[:, :1]) * (xi - xi**3) / 6)
-    return Bent(
-        z=z, w=w, theta=u[1::2], slopes=u[1::2][beam.pinned // 2], reactions=reactions,
-        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]), moment=np.append(M.ravel(), -pushed[-1, 3]),
-    )  # fmt: skip
+    return Bent(z=z, w=w, theta=u[1::2], slopes=u[1::2][beam.pinned // 2], reactions=reactions,
+        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]), moment=np.append(M.ravel(), -pushed[-1, 3]))  # fmt: skip
 
 
 def natural_frequency(beam: Beam) -> RadPerSecond:

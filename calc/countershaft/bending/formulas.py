@@ -4,13 +4,14 @@
 All formulas take arrays, an element for each piece; faces at z, bearings at z_B.  θ is the rotation of the section, that of the journal.
 """
 
-from typing import Any
+from typing import cast
 
 import numpy as np
 
 from ...sheet.arrays import BoolArray
 from ...sheet.formula import formula
 from ...sheet.functions import cos, largest, pi, sin, smallest
+from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,
     KilogramPerMetre,
@@ -33,8 +34,8 @@ from ...sheet.units import (
 from . import beam as b
 from .beam import Beam, Bent
 
-FINITE = "stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles"
-TURNING = "(K − ω²·M)·u = f, f from q and F, w = 0 at the journals"
+FINITE = Text("stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles")
+TURNING = Text("(K − ω²·M)·u = f, f from q and F, w = 0 at the journals")
 
 
 # --- the section --------------------------------------------------------------------------------------------------------------
@@ -60,10 +61,10 @@ def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
 
 
 @formula("I_0", "second moment of the core alone, which a sector of no effect leaves; of a full section all of it", unit="mm⁴",
-         shows="π·r_0⁴/4 of a sector, I of a full section")  # fmt: skip
+    shows="π·r_0⁴/4 of a sector, I of a full section")  # fmt: skip
 def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
-    found: Any = np.where(sector, pi * r_0**4 / 4, I)
-    return found
+    found = np.where(sector, pi * r_0**4 / 4, I)
+    return cast(Metre4, found)
 
 
 @formula("I_η", "rule of this program: the core bends whole, and the sector lends a share of what it adds to the core", unit="mm⁴")
@@ -99,27 +100,24 @@ def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) 
     return omega**2 * rho * S
 
 
-@formula("θ", FINITE, shows=f"|θ| at each journal from {TURNING}", unit="mrad")
-def slopes(
-    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
-    z: Metre, z_B: Metre, u: Bent,
-) -> Radian:  # fmt: skip
+@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad")
+def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
+    z: Metre, z_B: Metre, u: Bent) -> Radian:  # fmt: skip
     """`u` is the solution for the other arguments, from which the moments are taken too."""
-    found: Any = np.abs(u.slopes)
-    return found
+    found = np.abs(u.slopes)
+    return cast(Radian, found)
 
 
-@formula("f_1", f"{FINITE}; without rotary inertia and gyroscopic effect", shows="lowest root of |K − (2π·f)²·M| = 0, subspace iteration")
+@formula("f_1", Text("{finite}; without rotary inertia and gyroscopic effect", finite=FINITE),
+    shows="lowest root of |K − (2π·f)²·M| = 0, subspace iteration")  # fmt: skip
 def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam) -> RevPerSecond:
     """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
     return b.natural_frequency(model) / (2 * pi)
 
 
-@formula("M_max", FINITE, shows=f"largest |M| along the shaft, M = −E·I·θ' from {TURNING}")
-def largest_moment(
-    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
-    z: Metre, z_B: Metre, u: Bent,
-) -> NewtonMetre:  # fmt: skip
+@formula("M_max", FINITE, shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING))
+def largest_moment(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram,
+    omega: RadPerSecond, z: Metre, z_B: Metre, u: Bent) -> NewtonMetre:  # fmt: skip
     return float(np.abs(u.moment).max())
 
 
@@ -128,14 +126,14 @@ def moment_place(u: Bent) -> Metre:
     return float(u.moment_z[np.abs(u.moment).argmax()])
 
 
-@formula("M", FINITE, shows=f"largest |M| on each piece, from {TURNING}")
+@formula("M", FINITE, shows=Text("largest |M| on each piece, from {turning}", turning=TURNING))
 def piece_moments(z_1: Metre, z_2: Metre, u: Bent) -> NewtonMetre:
     """The pieces reach from z_1 to z_2: arrays."""
-    ends: Any = np.stack([z_1, z_2], 1)
-    at_ends: Any = np.abs(u.moment_at(ends)).max(1)
+    ends = np.stack([z_1, z_2], 1)
+    at_ends = np.abs(u.moment_at(ends)).max(1)
     size = np.abs(u.moment)
     within = (u.moment_z[None, :] >= ends[:, :1]) & (u.moment_z[None, :] <= ends[:, 1:])
-    return np.maximum(at_ends, np.where(within, size[None, :], 0.0).max(1))
+    return cast(NewtonMetre, np.maximum(at_ends, np.where(within, size[None, :], 0.0).max(1)))
 
 
 @formula("M_h", FINITE, shows="|M| at the shoulder")
@@ -149,10 +147,8 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
 
 
 @formula("η_lim", "where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ")
-def limiting_share(
-    theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton,
-    m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number,
-) -> Number:  # fmt: skip
+def limiting_share(theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre,
+    F: PhasorNewton, m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number) -> Number:  # fmt: skip
     """`eta` is the root itself, found from the other arguments."""
     return eta
 

@@ -7,19 +7,22 @@ bracket.  Sections at other angles than the load's are taken as if they bent in 
 """
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
-from ... import notch
 from ...catalogue import Material
-from ...sheet.arrays import Array, ComplexArray, column
-from ...sheet.check import Check, check
+from ...journal_rules import SLOPE
+from ...sheet.arrays import Array, ComplexArray, column, each, many
 from ...sheet.errors import NoSolution
+from ...sheet.linked_array import gathered
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.text import COMMA, Amount, Text
 from ...sheet.trace import about
 from ...sheet.units import Metre, NewtonMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond
+from ...sheet.value import based_on, link_of
 from ..formulas import mass_force
 from ..inputs import Extra
 from ..outline import Outline
@@ -27,7 +30,6 @@ from . import formulas as f
 from .beam import Beam, beam, bend, displaced
 from .stress import stresses
 
-SLOPE_LIMIT = 0.25e-3  # rad; Finotti 2013, ch. 6: target of the engine's maker
 RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid
 LEAST_SHARE = 0.05  # the share of stiffness below which none is looked for
 FINE = 15e-3  # m: elements; the frequency of a stout shaft is then right to 2·10⁻⁵
@@ -67,14 +69,14 @@ class Bending:
     step_over_fillet: Number | None = None  # of the shoulder that governs
     fillet: Metre | None = None
     fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
-    notes: tuple[str, ...] = ()
+    notes: tuple[Text, ...] = ()
 
 
 @record
 class _Shaft:
     """What the variants of stiffness have in common."""
 
-    found: Outline
+    outline: Outline
     ends: Array
     sector: Any
     shear: Any
@@ -92,74 +94,64 @@ class _Shaft:
 
     def given(self, EI: Any) -> dict[str, Any]:
         """What the solution is found from."""
-        return dict(
-            EI=EI, S_s=self.shear, mu=self.line_mass, q=self.q, F=self.forces, m=self.masses, omega=self.omega, z=self.ends,
-            z_B=self.positions,
-        )  # fmt: skip
+        return dict(EI=EI, S_s=self.shear, mu=self.line_mass, q=self.q, F=self.forces, m=self.masses, omega=self.omega, z=self.ends,
+            z_B=self.positions)  # fmt: skip
 
 
-def bending(
-    found: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...] = (),
-    effectiveness: Number = 1.0, fillet_radius: Metre | None = None,
-) -> Bending:  # fmt: skip
+def bending(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...] = (),
+    effectiveness: Number = 1.0, fillet_radius: Metre | None = None) -> Bending:  # fmt: skip
     """The bending of a shaft that turns at `omega` on journals whose middles lie at `positions`.
 
     Raises NoSolution where a journal or a further element lies beyond the shaft's ends.
     """
-    _places(found, positions, extras)
-    with about("bending of the shaft"):
-        shaft = _prepared(found, material, omega, positions, extras)
-        I: Any = found.inertia
-        EI: Any = f.bending_stiffness(E=material.E, I=I)
-        core: Any = f.core_inertia(I=I, r_0=found.each("core_radius"), sector=shaft.sector)
+    _places(outline, positions, extras)
+    with about(Text("bending of the shaft")):
+        shaft = _prepared(outline, material, omega, positions, extras)
+        I = each(outline.inertia)
+        EI = f.bending_stiffness(E=material.E, I=I)
+        core = f.core_inertia(I=I, r_0=outline.each("core_radius"), sector=shaft.sector)
         EI_s = _shared(material, core, effectiveness, I)
-    with about("bending of the shaft, full stiffness"):
+    with about(Text("bending of the shaft, full stiffness")):
         stiff = shaft.model(EI)
-        bent_stiff = bend(stiff, omega)
-        slopes_stiff: Any = f.slopes(**shaft.given(EI), u=bent_stiff)
-    with about("bending of the shaft"):
+        bent_stiff = replace(bend(stiff, omega), link=link_of(shaft.given(EI)))
+        slopes_stiff = many(f.slopes(**shaft.given(EI), u=bent_stiff))
+    with about(Text("bending of the shaft")):
         model = stiff if effectiveness == 1 else shaft.model(EI_s)
-        bent = bent_stiff if effectiveness == 1 else bend(model, omega)
-        slopes: Any = f.slopes(**shaft.given(EI_s), u=bent)
+        bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of(shaft.given(EI_s)))
+        slopes = many(f.slopes(**shaft.given(EI_s), u=bent))
         M_max = f.largest_moment(**shaft.given(EI_s), u=bent)
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, model), (EI, stiff))
-        stressed = stresses(found, bent, M_max, fillet_radius)
-        at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, slopes.max()), (1.0, slopes_stiff.max()))
+        stressed = stresses(outline, bent, M_max, fillet_radius)
+        at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max())))
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
-    return Bending(
-        largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
-        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1], speed=abs(omega) / (2 * math.pi),
-        reactions=bent.reactions, plane=plane, z=bent.z, deflection=(bent.w * back).real,
-        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w,
-        moment_z=bent.moment_z, moment=(bent.moment * back).real,
-    )  # fmt: skip
+    return Bending(largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
+        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1], speed=based_on(abs(omega) / (2 * math.pi), omega),
+        reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
+        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
 
 
-def _places(found: Outline, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> None:
-    outside = [f"{z * 1e3:g} mm (a bearing)" for z in positions if not found.start - SAME <= z <= found.end + SAME]
-    outside += [f"{x.z * 1e3:g} mm ({x.name})" for x in extras if not found.start - SAME <= x.z <= found.end + SAME]
+def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> None:
+    elements = [(z, Text("{z} mm (a bearing)", z=Amount(z * 1000.0, form="g"))) for z in positions]
+    elements += [(x.z, Text("{z} mm ({name})", z=Amount(x.z * 1000.0, form="g"), name=x.name)) for x in extras]
+    outside = [text for z, text in elements if not outline.start - SAME <= z <= outline.end + SAME]
     if outside:
-        raise NoSolution(
-            "bending of the shaft", f"{', '.join(outside)}: beyond the shaft, from {found.start * 1e3:.4g} to {found.end * 1e3:.4g} mm",
-            "Let [[countershaft.sections]] reach that far.",
-        )  # fmt: skip
+        raise NoSolution(Text("bending of the shaft"),
+            Text("{outside}: beyond the shaft, from {start} to {end} mm", outside=COMMA.join(outside),
+                start=Amount(outline.start * 1000.0, form=".4g"), end=Amount(outline.end * 1000.0, form=".4g")),
+            Text("Let [[countershaft.sections]] reach that far."))  # fmt: skip
 
 
-def _prepared(
-    found: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...]
-) -> _Shaft:  # fmt: skip
+def _prepared(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> _Shaft:
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
-    A: Any = found.area
-    S: Any = found.moment
+    A, S = each(outline.area), each(outline.moment)
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
-    forces: Any = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
-    return _Shaft(
-        found=found, ends=np.append(found.each("start"), found.end), sector=np.array([p.half_angle is not None for p in found.pieces]),
-        shear=f.shear_stiffness(kappa=kappa, G=G, A=A), line_mass=f.line_mass(rho=material.density, A=A),
-        q=f.line_load(omega=omega, rho=material.density, S=S), forces=forces, places=z, masses=masses, positions=positions, omega=omega,
-    )  # fmt: skip
+    forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
+    return _Shaft(outline=outline, ends=gathered([*outline.each("start"), outline.end]),
+        sector=np.array([p.half_angle is not None for p in outline.pieces]), shear=f.shear_stiffness(kappa=kappa, G=G, A=A),
+        line_mass=f.line_mass(rho=material.density, A=A), q=f.line_load(omega=omega, rho=material.density, S=S), forces=forces, places=z,
+        masses=masses, positions=positions, omega=omega)  # fmt: skip
 
 
 def _shared(material: Material, core: Any, eta: Number, inertia: Any) -> Any:
@@ -167,16 +159,15 @@ def _shared(material: Material, core: Any, eta: Number, inertia: Any) -> Any:
     return f.bending_stiffness(E=material.E, I=f.shared_inertia(I_0=core, eta=eta, I=inertia))
 
 
-def _frequencies(
-    shaft: _Shaft, material: Material, core: Any, eta: Number, shared: tuple[Any, Beam], whole: tuple[Any, Beam]
-) -> tuple[RevPerSecond, RevPerSecond]:  # fmt: skip
+def _frequencies(shaft: _Shaft, material: Material, core: Any, eta: Number, shared: tuple[Any, Beam],
+    whole: tuple[Any, Beam]) -> tuple[RevPerSecond, RevPerSecond]:  # fmt: skip
     """The lowest natural frequency with the shared and with the whole stiffness, each in the weaker plane of the sections."""
-    found = shaft.found
-    inertia: Any = found.inertia
+    outline = shaft.outline
+    inertia = each(outline.inertia)
     if shaft.sector.any():
-        gamma: Any = np.array([math.pi if p.half_angle is None else p.half_angle for p in found.pieces])  # π: the full cylinder
-        side = f.sideways_inertia(R=found.each("outer_radius"), r_0=found.each("core_radius"), gamma=gamma)
-        weaker: Any = f.weaker_inertia(I=inertia, I_side=side)
+        gamma = each(gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces))  # π: the full cylinder
+        side = f.sideways_inertia(R=outline.each("outer_radius"), r_0=outline.each("core_radius"), gamma=gamma)
+        weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             shared, whole = ((EI, shaft.model(EI)) for EI in stiffnesses)
@@ -185,15 +176,14 @@ def _frequencies(
     return first, first if shared[1] is whole[1] else f.natural_frequency(EI=whole[0], **rest, model=whole[1])
 
 
-def _share_at_limit(
-    shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, Radian], whole: tuple[Number, Radian], limit: Radian = SLOPE_LIMIT
-) -> Number | None:  # fmt: skip
+def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, Radian], whole: tuple[Number, Radian],
+    limit: Radian = SLOPE) -> Number | None:  # fmt: skip
     """The share η at which the largest slope of a journal reaches its limit; None where it does not between 0.05 and 1.
 
     `design`, `whole`: two shares and the largest slopes found with them.  1/θ is nearly a straight line of η, so that a secant takes a
     few steps; statics are exact with any elements, and long ones serve.
     """
-    added = np.asarray(shaft.found.inertia) - core
+    added = np.asarray(shaft.outline.inertia) - core
 
     def stiffer(eta: float) -> float:
         model = shaft.model(E * (core + eta * added), LONG)
@@ -210,8 +200,7 @@ def _share_at_limit(
         a, f_a, b = b, f_b, min(max(b - f_b * (b - a) / (f_b - f_a), LEAST_SHARE), 1.0)
         if abs(b - a) < 1e-5:  # the step after it is far smaller
             rest = {name: x for name, x in shaft.given(None).items() if name != "EI"}
-            I: Any = shaft.found.inertia
-            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=I, **rest, eta=b)
+            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=each(shaft.outline.inertia), **rest, eta=b)
         f_b = stiffer(b)
     return None
 
@@ -225,49 +214,3 @@ def _plane(shaft: _Shaft) -> Radian:
     size = float(np.sum(np.abs(shaft.q) * l * np.abs(middle)) + np.sum(np.abs(shaft.forces * arm)))
     vector = couple if abs(couple) > 1e-6 * size else force
     return math.atan2(vector.imag, vector.real)
-
-
-def checks(found: Bending, material: Material) -> tuple[Check, ...]:
-    """Stress and speed of the shaft; the slopes are judged with the journals."""
-    listed = [
-        check(
-            "countershaft.first_critical_speed", "First natural frequency of bending, as a speed", found.natural_frequency, ">=",
-            RIGID * found.speed, "rpm",
-            "rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it",
-            "A stiffer or lighter shaft: larger core, shorter span.",
-        )
-    ]  # fmt: skip
-    # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, source = material.proof_stress, f"proof stress of {material.name}"
-    advice = "A larger core where the moment is largest, or a shorter span."
-    if proof is not None:
-        listed.append(
-            check(
-                "countershaft.bending_stress", "Largest bending stress, nominal", found.bending_stress, "<=", proof, "MPa",
-                f"{source}; fatigue is not judged: the stress stands still in the turning shaft", advice,
-            )
-        )  # fmt: skip
-        if found.notch_stress is not None:
-            listed.append(
-                check(
-                    "countershaft.notch_stress", "Bending stress at the fillet of a shoulder", found.notch_stress, "<=", proof, "MPa",
-                    f"{source}: above it the fillet yields locally", f"A larger fillet_radius_mm. {advice}", kind="advice",
-                )
-            )  # fmt: skip
-    if found.step_over_fillet is not None:
-        listed.append(
-            check(
-                "countershaft.fillet", "Height of the governing shoulder over its fillet radius", found.step_over_fillet, "in", notch.FIT,
-                "", f"range of the notch factor ({notch.PETERSON})", "Outside it the notch stress is an extrapolation.", kind="advice",
-            )
-        )  # fmt: skip
-    if found.fillet is not None and found.fillet_room is not None:
-        listed.append(
-            check(
-                "countershaft.fillet_room", "Fillet radius in the gap between two shoulders", found.fillet, "<=",
-                round(found.fillet_room, 9), "mm",
-                "a fillet takes its radius of the length of the thinner piece", "A smaller fillet_radius_mm, or shoulders further apart.",
-                kind="advice",
-            )
-        )  # fmt: skip
-    return tuple(listed)

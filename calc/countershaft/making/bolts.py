@@ -6,12 +6,14 @@ apart, presses it together and pushes it to either side within one turn.  The jo
 are any, are left out.
 """
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import atan, cos, largest, modulus, pi, sqrt, tan
 from ...sheet.quantity import result, value
+from ...sheet.text import Amount, Text
 from ...sheet.trace import about
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, PhasorNewton, PhasorNewtonMetre, Radian, SquareMetre
 from .inputs import STRENGTH
@@ -26,81 +28,87 @@ if TYPE_CHECKING:
 ALPHA_A = 2.0
 NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
 
-VDI = "VDI 2230-1"
-SOURCE = "Finotti 2013, Table 6.1"
-TURNING = "statics of a joint whose load turns through all directions"
+VDI = Text("VDI 2230-1")
+SOURCE = Text("Finotti 2013, Table 6.1")
+TURNING = Text("statics of a joint whose load turns through all directions")
 LEAST = {"F_min": "F_V,min"}
 
 
 # --- preload ----------------------------------------------------------------------------------------------------------------
-@formula("α_h", f"{VDI}: helix angle at the pitch diameter")
+@formula("α_h", Text("{vdi}: helix angle at the pitch diameter", vdi=VDI))
 def helix_angle(p: Metre, d_2: Metre) -> Radian:
     return atan(p / (pi * d_2))
 
 
-@formula("ρ′", f"{VDI}: angle of friction on flanks at 30°")
+@formula("ρ′", Text("{vdi}: angle of friction on flanks at 30°", vdi=VDI))
 def friction_angle(mu: Number) -> Radian:
     return atan(mu / cos(pi / 6))
 
 
-@formula("D_Km", f"{VDI}: mean diameter of the bearing face of the head", unit="mm")
+@formula("D_Km", Text("{vdi}: mean diameter of the bearing face of the head", vdi=VDI), unit="mm")
 def mean_bearing_diameter(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 2
 
 
-@formula("r_h", f"{VDI}: radius of the friction under the head", unit="mm")
+@formula("r_h", Text("{vdi}: radius of the friction under the head", vdi=VDI), unit="mm")
 def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 4
 
 
-@formula(
-    "F_V",
-    "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
-    names={"rho": "ρ′"},
-)
+@formula("F_V", "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
+    names={"rho": "ρ′"})  # fmt: skip
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
-    """`rho` is the angle of friction on the flanks."""
+    """`rho` is the angle of friction on the flanks.
+
+    >>> preload(T=45, d_2=0.009026, alpha_h=0.05285, rho=0.1377, mu=0.12, r_h=0.0065)
+    27264.23...
+    """
     return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
 
 
-@formula("F_V", f"{VDI}: short form, for small angles")
+@formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI))
 def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, D_Km: Metre) -> Newton:
     return T / (0.159 * p + 0.578 * mu * d_2 + mu * D_Km / 2)
 
 
-@formula("d_2", f"{SOURCE}: pitch diameter", unit="mm")
+@formula("d_2", Text("{source}: pitch diameter", source=SOURCE), unit="mm")
 def pitch_diameter_source(D: Metre, p: Metre) -> Metre:
     return D - 0.64953 * p
 
 
-@formula("α_h", f"{SOURCE}: helix angle at the nominal diameter, where no flank is")
+@formula("α_h", Text("{source}: helix angle at the nominal diameter, where no flank is", source=SOURCE))
 def helix_angle_source(p: Metre, D: Metre) -> Radian:
     return atan(p / (pi * D))
 
 
-@formula("ρ′", f"{SOURCE}: angle of friction without the flanks' inclination")
+@formula("ρ′", Text("{source}: angle of friction without the flanks' inclination", source=SOURCE))
 def friction_angle_source(mu: Number) -> Radian:
     return atan(mu)
 
 
-@formula("r_h", f"{SOURCE}: friction at the outer edge of the head", unit="mm")
+@formula("r_h", Text("{source}: friction at the outer edge of the head", source=SOURCE), unit="mm")
 def friction_radius_source(d_w: Metre) -> Metre:
     return d_w / 2
 
 
-@formula("F_V,min", f"{VDI}: least preload; tightening factor of a torque wrench with an estimated coefficient of friction, 1.6 to 2.0")
+@formula("F_V,min",
+    Text("{vdi}: least preload; tightening factor of a torque wrench with an estimated coefficient of friction, 1.6 to 2.0", vdi=VDI),
+)  # fmt: skip
 def least_preload(F_V: Newton, alpha_A: Number) -> Newton:
     """F_V is taken as the largest preload, as it is with the smallest friction to be expected."""
     return F_V / alpha_A
 
 
-@formula("p_h", f"{VDI}: pressure under the head, hole not chamfered", unit="MPa")
+@formula("p_h", Text("{vdi}: pressure under the head, hole not chamfered", vdi=VDI), unit="MPa")
 def head_pressure(F_V: Newton, d_w: Metre, d_h: Metre) -> Pascal:
     return F_V / (pi / 4 * (d_w**2 - d_h**2))
 
 
 @formula("σ_z", "preload over the stress area of the thread (ISO 898-1); torsion of tightening left out", unit="MPa")
 def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
+    """>>> tensile_stress(F_V=27270, A_s=5.799e-05)
+    4702534...
+    """
     return F_V / A_s
 
 
@@ -140,39 +148,41 @@ def bolts_at_an_end(N_b: Number) -> Number:
     return float(N_b // 2)
 
 
-@formula("S_sep", f"{TURNING}: it pulls the joint apart; resilience of bolt and parts left out, which is on the safe side", names=LEAST)
+@formula("S_sep", names=LEAST,
+    source=Text("{turning}: it pulls the joint apart; resilience of bolt and parts left out, which is on the safe side", turning=TURNING),
+)  # fmt: skip
 def safety_separation(n: Number, F_min: Newton, Q: Newton) -> Number:
     return n * F_min / Q
 
 
-@formula("S_across", f"{TURNING}: it stands across the bolts; friction by Coulomb", names=LEAST)
+@formula("S_across", Text("{turning}: it stands across the bolts; friction by Coulomb", turning=TURNING), names=LEAST)
 def safety_across(mu_T: Number, n: Number, F_min: Newton, Q: Newton) -> Number:
     return mu_T * n * F_min / Q
 
 
-@formula(
-    "S_slip", f"{TURNING}: its worst direction, that which pulls apart and pushes aside, Q·(cos θ + sin θ/μ_T) at its largest", names=LEAST
-)
+@formula("S_slip", names=LEAST, source=Text(
+    "{turning}: its worst direction, that which pulls apart and pushes aside, Q·(cos θ + sin θ/μ_T) at its largest", turning=TURNING,
+))  # fmt: skip
 def safety_slip(n: Number, F_min: Newton, Q: Newton, mu_T: Number) -> Number:
     return n * F_min / (Q * sqrt(1 + 1 / mu_T**2))
 
 
-@formula("M_G", f"{VDI}: torque in the shank, the share of the thread", unit="N·m", names={"rho": "ρ′"})
+@formula("M_G", Text("{vdi}: torque in the shank, the share of the thread", vdi=VDI), unit="N·m", names={"rho": "ρ′"})
 def thread_torque(F_V: Newton, d_2: Metre, alpha_h: Radian, rho: Radian) -> NewtonMetre:
     return F_V * d_2 / 2 * tan(alpha_h + rho)
 
 
-@formula("d_0", f"{VDI}: diameter of the stress area", unit="mm")
+@formula("d_0", Text("{vdi}: diameter of the stress area", vdi=VDI), unit="mm")
 def stress_diameter(d_2: Metre, d_3: Metre) -> Metre:
     return (d_2 + d_3) / 2
 
 
-@formula("τ_M", f"{VDI}: torsion of the shank while it is tightened", unit="MPa")
+@formula("τ_M", Text("{vdi}: torsion of the shank while it is tightened", vdi=VDI), unit="MPa")
 def torsion_stress(M_G: NewtonMetre, d_0: Metre) -> Pascal:
     return 16 * M_G / (pi * d_0**3)
 
 
-@formula("σ_red", f"{VDI}: equivalent stress while it is tightened, von Mises", unit="MPa")
+@formula("σ_red", Text("{vdi}: equivalent stress while it is tightened, von Mises", vdi=VDI), unit="MPa")
 def tightening_stress(sigma_z: Pascal, tau_M: Pascal) -> Pascal:
     return sqrt(sigma_z**2 + 3 * tau_M**2)
 
@@ -198,29 +208,24 @@ class BoltsResult:
     property_class: str
 
 
-def solve(
-    bolts: "Bolts",
-    F_S: PhasorNewton,
-    C_S: PhasorNewtonMetre,
-    bearing_positions: tuple[Metre, ...],
-    support: "Material | None" = None,
-) -> BoltsResult:
+def solve(bolts: "Bolts", F_S: PhasorNewton, C_S: PhasorNewtonMetre, bearing_positions: tuple[Metre, ...],
+    support: "Material | None" = None) -> BoltsResult:  # fmt: skip
     """The bolts of the support of one shaft.  `F_S` and `C_S` are its turning force and couple about mid-shaft, as `shaft_force` and
     `shaft_couple` give them; `support` is the material under the heads, where it is known.
     """
     T, mu, d_w, d_h = bolts.torque, bolts.friction, bolts.head_diameter, bolts.hole_diameter
-    with about("bolts"):
+    with about(Text("bolts")):
         D, p = nominal_diameter(designation=bolts.thread), pitch(designation=bolts.thread)
-    with about("bolts, VDI 2230"):
+    with about(Text("bolts, VDI 2230")):
         d_2 = pitch_diameter(D=D, p=p)
         alpha_h, rho = helix_angle(p=p, d_2=d_2), friction_angle(mu=mu)
         F_vdi = preload(T=T, d_2=d_2, alpha_h=alpha_h, rho=rho, mu=mu, r_h=friction_radius(d_w=d_w, d_h=d_h))
         F_short = preload_short(T=T, p=p, mu=mu, d_2=d_2, D_Km=mean_bearing_diameter(d_w=d_w, d_h=d_h))
-    with about("bolts, source"):
+    with about(Text("bolts, source")):
         d_2s, alpha_s, rho_s = pitch_diameter_source(D=D, p=p), helix_angle_source(p=p, D=D), friction_angle_source(mu=mu)
         F_source = preload(T=T, d_2=d_2s, alpha_h=alpha_s, rho=rho_s, mu=mu, r_h=friction_radius_source(d_w=d_w))
     F_V = F_source if bolts.method == "source" else F_vdi
-    with about("bolts"):
+    with about(Text("bolts")):
         F_min = least_preload(F_V=F_V, alpha_A=ALPHA_A)
         pressure = head_pressure(F_V=F_V, d_w=d_w, d_h=d_h)
         d_3 = root_diameter(D=D, p=p)
@@ -237,12 +242,10 @@ def solve(
             separation = safety_separation(n=n, F_min=F_min, Q=Q)
             across = safety_across(mu_T=bolts.joint_friction, n=n, F_min=F_min, Q=Q)
             slip = safety_slip(n=n, F_min=F_min, Q=Q, mu_T=bolts.joint_friction)
-    return BoltsResult(
-        bolt_preload=F_V, bolt_preload_vdi=F_vdi, bolt_preload_vdi_short=F_short, bolt_preload_source=F_source, bolt_preload_min=F_min,
-        bolt_head_pressure=pressure, bolt_tensile_stress=sigma, bolt_end_force=Q, bolt_separation_safety=separation,
+    return BoltsResult(bolt_preload=F_V, bolt_preload_vdi=F_vdi, bolt_preload_vdi_short=F_short, bolt_preload_source=F_source,
+        bolt_preload_min=F_min, bolt_head_pressure=pressure, bolt_tensile_stress=sigma, bolt_end_force=Q, bolt_separation_safety=separation,
         bolt_slip_across_safety=across, bolt_slip_safety=slip, bolt_tightening_stress=tightened, support=support,
-        property_class=bolts.property_class,
-    )  # fmt: skip
+        property_class=bolts.property_class)  # fmt: skip
 
 
 def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
@@ -250,59 +253,48 @@ def _strength(support: "Material | None") -> tuple[Pascal, str] | None:
     if support is None:
         return None
     if support.tensile_strength is not None:
-        return support.tensile_strength, "tensile strength"
-    return (support.proof_stress, "proof stress") if support.proof_stress is not None else None
+        return support.tensile_strength, Text("tensile strength")
+    return (support.proof_stress, Text("proof stress")) if support.proof_stress is not None else None
 
 
-def checks(found: BoltsResult) -> tuple[Check, ...]:
+def checks(joint: BoltsResult) -> Iterator[Check]:
     """Slip and separation at the least preload, pressure at the largest."""
-    made = []
     for key, name, safety in (
-        ("slip", "Safety against slip of the support while the load turns", found.bolt_slip_safety),
-        ("separation", "Safety against separation of the support", found.bolt_separation_safety),
+        ("slip", Text("Safety against slip of the support while the load turns"), joint.bolt_slip_safety),
+        ("separation", Text("Safety against separation of the support"), joint.bolt_separation_safety),
     ):
         if safety is not None:
-            made.append(
-                check(
-                    f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "",
-                    "rule of this program: the least preload must still hold the joint",
-                    "More or larger bolts, a larger torque, or rows of bolts further apart.",
-                )
-            )  # fmt: skip
-    made.append(
-        check(
-            "countershaft.bolts.strength", f"Stress of a bolt of class {found.property_class} while it is tightened",
-            found.bolt_tightening_stress, "<=", STRENGTH[found.property_class] * 1e6, "MPa",
-            "VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)",
-            "A smaller torque, a larger thread, or a higher property class.",
-        )
-    )  # fmt: skip
-    if (known := _strength(found.support)) is not None and found.support is not None:
-        made.append(
-            check(
-                "countershaft.bolts.pressure", "Pressure under a bolt's head", found.bolt_head_pressure, "<=", known[0], "MPa",
-                f"rule of this program: {known[1]} of {found.support.name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
-                "the tensile strength of an aluminium, and more for cast iron",
-                "A hardened washer or a flanged head: the seat yields and the preload falls with it.", kind="advice",
-            )
-        )  # fmt: skip
-    return tuple(made)
+            yield check(f"countershaft.bolts.{key}", name, safety, ">=", 1.0, "",
+                Text("rule of this program: the least preload must still hold the joint"),
+                Text("More or larger bolts, a larger torque, or rows of bolts further apart."))  # fmt: skip
+    yield check("countershaft.bolts.strength",
+        Text("Stress of a bolt of class {property_class} while it is tightened", property_class=joint.property_class),
+        joint.bolt_tightening_stress, "<=", STRENGTH[joint.property_class] * 1e6, "MPa",
+        Text("VDI 2230-1: it must not yield; Rp0.2 of ISO 898-1 (VDI usually counts on 90 % of it)"),
+        Text("A smaller torque, a larger thread, or a higher property class."))  # fmt: skip
+    if joint.support is not None and (known := _strength(joint.support)) is not None:
+        yield check("countershaft.bolts.pressure", Text("Pressure under a bolt's head"), joint.bolt_head_pressure, "<=", known[0], "MPa",
+            Text("rule of this program: {known} of {name}; limiting pressures in VDI 2230-1 (2003) are 0.76 to 1.52 times "
+                "the tensile strength of an aluminium, and more for cast iron", known=known[1], name=joint.support.name),
+            Text("A hardened washer or a flanged head: the seat yields and the preload falls with it."))  # fmt: skip
 
 
-def notes(bolts: "Bolts", found: BoltsResult) -> tuple[str, ...]:
+def notes(bolts: "Bolts", joint: BoltsResult) -> Iterator[Text]:
     """What was assumed."""
-    made = [
-        f"Bolts: slip and separation are judged at the least preload, F_V/{ALPHA_A:g}: a torque wrench with an estimated coefficient of "
+    yield Text(
+        "Bolts: slip and separation are judged at the least preload, F_V/{alpha_a}: a torque wrench with an estimated coefficient of "
         "friction scatters by 1.6 to 2.0 (VDI 2230-1). Give the smallest friction to be expected; F_V is then the largest preload.",
+        alpha_a=Amount(ALPHA_A, form="g"),
+    )
+    yield Text(
         "Bolts: the support is rigid and its joint in line with the force; embedding, the shaft's height above the joint, its weight, "
-        "the gear force, locating pins and the thread's engagement in the block are left out.",
-    ]
+        "the gear force, locating pins and the thread's engagement in the block are left out."
+    )
     if bolts.row_span is None:
-        made.append("Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do not.")
+        yield Text("Bolts: their rows are taken to stand as far apart as the outer bearings; give row_span_mm where they do not.")
     if bolts.count % 2:
-        made.append(f"Bolts: of {bolts.count} bolts, the end with {bolts.count // 2} is judged.")
-    if found.bolt_slip_safety is None:
-        made.append("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
-    if _strength(found.support) is None:
-        made.append("Bolts: no strength of the support is known, so the pressure under the head is not judged.")
-    return tuple(made)
+        yield Text("Bolts: of {count} bolts, the end with {count2} is judged.", count=bolts.count, count2=bolts.count // 2)
+    if joint.bolt_slip_safety is None:
+        yield Text("Bolts: the shaft puts no force on its support, so slip and separation are not judged.")
+    if _strength(joint.support) is None:
+        yield Text("Bolts: no strength of the support is known, so the pressure under the head is not judged.")

@@ -6,19 +6,22 @@ go over the larger one.  A clamp of the next size up would open far enough where
 """
 
 import tomllib
+from collections.abc import Iterator
 from functools import cache
-from typing import Any
+from typing import Any, cast
 
 from ...catalogue import TABLES
+from ...sheet.arrays import many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
+from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.trace import about
 from ...sheet.units import Metre
 from .inputs import Clamp, OilDrain, Union
 from .thread import thread
 
-RULE = "Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)"
+RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")
 
 
 @cache
@@ -40,34 +43,28 @@ def unions() -> tuple[Union, ...]:
 
 
 # --- formulas ---------------------------------------------------------------------------------------------------------------
-@formula(
-    "D_n", f"{RULE}: the largest that still grips the smaller end of the hose", shows="largest nominal diameter at hand ≤ D_min", unit="mm"
-)
+@formula("D_n", Text("{rule}: the largest that still grips the smaller end of the hose", rule=RULE),
+    shows="largest nominal diameter at hand ≤ D_min", unit="mm")  # fmt: skip
 def nominal(D_n: Metre, D_min: Metre) -> Metre:
     """`D_n`: the nominal diameters at hand.  Meaningful where at least one of them fits."""
-    sizes: Any = D_n
-    return max(size for size in sizes if size <= D_min)
+    return cast(Metre, max(size for size in many(D_n) if size <= D_min))
 
 
-@formula("D_o", f"{RULE}: opening of this clamp", shows="opening beside D_n in the table of clamps", unit="mm")
+@formula("D_o", Text("{rule}: opening of this clamp", rule=RULE), shows="opening beside D_n in the table of clamps", unit="mm")
 def opening(D_n: Metre, nominals: Metre, openings: Metre) -> Metre:
-    sizes: Any = nominals
-    opens: Any = openings
-    return max(o for size, o in zip(sizes, opens) if size == D_n)
+    return cast(Metre, max(o for size, o in zip(many(nominals), many(openings)) if size == D_n))
 
 
-@formula("Δ", f"{RULE}: what the opening exceeds the larger end of the hose by", unit="mm")
+@formula("Δ", Text("{rule}: what the opening exceeds the larger end of the hose by", rule=RULE), unit="mm")
 def margin(D_o: Metre, D_max: Metre) -> Metre:
     return D_o - D_max
 
 
-@formula(
-    "d_u", "Finotti 2013, 4.4: the union with the widest bore among those whose thread fits the block", shows="largest bore", unit="mm"
-)
+@formula("d_u", "Finotti 2013, 4.4: the union with the widest bore among those whose thread fits the block", shows="largest bore",
+    unit="mm")  # fmt: skip
 def widest_bore(bores: Metre, designation: str) -> Metre:
     """`bores`: of the unions at hand with the thread `designation`."""
-    sizes: Any = bores
-    return max(sizes)
+    return cast(Metre, max(many(bores)))
 
 
 # --- results ----------------------------------------------------------------------------------------------------------------
@@ -87,12 +84,12 @@ class DrainResult:
     tried: Metre | None
     tried_din3021: Metre | None
     unions: tuple[Union, ...]  # those that fit
-    reason: str
+    reason: Text
 
 
 def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | None:
     """Nominal diameter and opening of the one clamp that grips and comes closest to the hose; None where each is too large."""
-    sizes: Any = tuple(clamp.nominal for clamp in at_hand)
+    sizes: Any = tuple(clamp.nominal for clamp in at_hand)  # rows of numbers, where the formulas are typed for one
     opens: Any = tuple(clamp.opening for clamp in at_hand)
     if min(sizes) > drain.hose_min:
         return None
@@ -100,93 +97,73 @@ def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | 
     return D_n, opening(D_n=D_n, nominals=sizes, openings=opens)
 
 
-def _mm(x: Metre) -> str:
-    return f"{x * 1e3:g} mm"
+def _mm(x: Metre) -> Text:
+    return Text("{x} mm", x=Amount(x * 1000.0, form="g"))
 
 
 def solve(drain: OilDrain) -> DrainResult:
     """Choose clamp and union from the design's own lists, or else from those that come with the program."""
     at_hand = drain.clamps or clamps()
     hole = thread(drain.thread)
-    with about("oil drain"):
+    with about(Text("oil drain")):
         picked = _pick(drain, at_hand)
         fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
         bores: Any = tuple(union.bore for union in fits)
         bore = widest_bore(bores=bores, designation=drain.thread) if fits else None
         taken = picked if picked is not None and picked[1] >= drain.hose_max else None
         gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
-        with about("oil drain, DIN 3021"):
+        with about(Text("oil drain, DIN 3021")):
             standard = None if drain.clamps else _pick(drain, clamps("din3021"))
             gap_din = margin(D_o=standard[1], D_max=drain.hose_max) if standard else None
     same = standard is not None and taken is not None and standard[0] == taken[0]
-    return DrainResult(
-        clamp_nominal=taken[0] if taken else None,
-        clamp_opening=taken[1] if taken else None,
-        clamp_margin=gap if taken else None,
-        clamp_opening_din3021=standard[1] if standard and same else None,
-        union_bore=bore,
-        drain=drain,
-        smallest=min(clamp.nominal for clamp in at_hand),
-        tried=gap,
-        tried_din3021=gap_din if same else None,
-        unions=fits,
-        reason="" if taken else _reason(drain, picked, standard),
-    )
+    return DrainResult(clamp_nominal=taken[0] if taken else None, clamp_opening=taken[1] if taken else None,
+        clamp_margin=gap if taken else None, clamp_opening_din3021=standard[1] if standard and same else None, union_bore=bore, drain=drain,
+        smallest=min(clamp.nominal for clamp in at_hand), tried=gap, tried_din3021=gap_din if same else None, unions=fits,
+        reason=EMPTY if taken else _reason(drain, picked, standard))  # fmt: skip
 
 
-def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple[Metre, Metre] | None) -> str:
+def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple[Metre, Metre] | None) -> Text:
     """Why no clamp is taken, and whether the standard has one."""
     if picked is None:
-        why = f"no clamp at hand is as small as the hose end of {_mm(drain.hose_min)}, so none grips it"
+        why = Text("no clamp at hand is as small as the hose end of {mm}, so none grips it", mm=_mm(drain.hose_min))
     else:
-        why = (
-            f"the largest clamp that grips the hose end of {_mm(drain.hose_min)} is {_mm(picked[0])} and opens to {_mm(picked[1])}, "
-            f"not over the end of {_mm(drain.hose_max)}; a larger one would not grip"
-        )
+        why = Text(
+            "the largest clamp that grips the hose end of {mm} is {mm2} and opens to {mm3}, not over the end of {mm4}; a larger one would "
+            "not grip", mm=_mm(drain.hose_min), mm2=_mm(picked[0]), mm3=_mm(picked[1]), mm4=_mm(drain.hose_max),
+        )  # fmt: skip
     if standard is not None and standard[1] >= drain.hose_max:
-        why += f". DIN 3021 has one of {_mm(standard[0])} that opens to {_mm(standard[1])}: give it in countershaft.oil_drain.clamps"
+        size, opens = _mm(standard[0]), _mm(standard[1])
+        why += Text(". DIN 3021 has one of {mm} that opens to {mm2}: give it as a clamp of the design", mm=size, mm2=opens)
     return why
 
 
-def checks(found: DrainResult) -> tuple[Check, ...]:
+def checks(choice: DrainResult) -> Iterator[Check]:
     """Whether a clamp goes over both ends, and whether a union fits."""
-    advice = f"Hose ends closer to each other in diameter, or a clamp for each end: {found.reason}." if found.reason else ""
-    if found.tried is None:
-        first = check(
-            "countershaft.drain.clamp", "Smallest clamp at hand on the smaller hose end", found.smallest, "<=", found.drain.hose_min, "mm",
-            RULE, advice,
-        )  # fmt: skip
+    advice = EMPTY
+    if choice.reason:
+        advice = Text("Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason)
+    if choice.tried is None:
+        smallest = Text("Smallest clamp at hand on the smaller hose end")
+        yield check("countershaft.drain.clamp", smallest, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
     else:
-        first = check(
-            "countershaft.drain.clamp", "Opening of the clamp beyond the larger hose end", found.tried, ">=", 0.0, "mm", RULE, advice
-        )
-    made = [first]
-    if found.tried_din3021 is not None:
-        made.append(
-            check(
-                "countershaft.drain.clamp_din3021", "Opening of the clamp by DIN 3021 beyond the larger hose end",
-                found.tried_din3021, ">=", 0.0, "mm", _file("clamps.toml")["din3021"]["source"],
-                "The clamp of the source opens further than the standard asks for: make sure that the one bought does too.", kind="advice",
-            )
-        )  # fmt: skip
-    made.append(
-        check(
-            "countershaft.drain.union", f"Pipe unions at hand with thread {found.drain.thread}", float(len(found.unions)), ">", 0.0, "",
-            "Finotti 2013, 4.4: the union's thread must be that of the hole in the block",
-            "Another thread in the block, or give the union in countershaft.oil_drain.unions.",
-        )
-    )  # fmt: skip
-    return tuple(made)
+        beyond = Text("Opening of the clamp beyond the larger hose end")
+        yield check("countershaft.drain.clamp", beyond, choice.tried, ">=", 0.0, "mm", RULE, advice)
+    if choice.tried_din3021 is not None:
+        yield check("countershaft.drain.clamp_din3021", Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
+            choice.tried_din3021, ">=", 0.0, "mm", Text(_file("clamps.toml")["din3021"]["source"]),
+            Text("The clamp of the source opens further than the standard asks for: make sure that the one bought does too."))  # fmt: skip
+    yield check("countershaft.drain.union", Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
+        float(len(choice.unions)), ">", 0.0, "", Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
+        Text("Another thread in the block, or a union of the design."))  # fmt: skip
 
 
-def notes(found: DrainResult) -> tuple[str, ...]:
+def notes(choice: DrainResult) -> Iterator[Text]:
     """Where the choice comes from, what seals the union, and why there is no clamp."""
-    drain, made = found.drain, []
-    if not drain.clamps:
-        made.append(f"Oil drain: clamps by {_file('clamps.toml')['company']['source']}.")
-    if found.reason:
-        made.append(f"Oil drain: no clamp is taken: {found.reason}.")
+    if not choice.drain.clamps:
+        yield Text("Oil drain: clamps by {source}.", source=Text(_file("clamps.toml")["company"]["source"]))
+    if choice.reason:
+        yield Text("Oil drain: no clamp is taken: {reason}.", reason=choice.reason)
     for row in _file("unions.toml")["seal"]:
-        if found.unions and thread(row["thread"]) == thread(drain.thread):
-            made.append(f"Oil drain: the union {row['thread']} is sealed by {row['parts']} ({row['source']}).")
-    return tuple(made)
+        if choice.unions and thread(row["thread"]) == thread(choice.drain.thread):
+            parts, source = Text(row["parts"]), Text(row["source"])
+            yield Text("Oil drain: the union {thread} is sealed by {parts} ({source}).", thread=row["thread"], parts=parts, source=source)

@@ -7,20 +7,19 @@ in the mean), are left out.
 """
 
 import math
-from typing import Any
 
-import numpy as np
-
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, each
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, pi, total
 from ...sheet.quantity import result, value
+from ...sheet.remedy import by_key, down
+from ...sheet.text import Text
 from ...sheet.trace import about
 from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, NewtonMetre, Number, Radian, RadPerSecond
 from ..inputs import Holes
 
-HOLES = "Finotti 2013, 3.2: calibration holes in the eccentric masses"
+HOLES = Text("Finotti 2013, 3.2: calibration holes in the eccentric masses")
 
 
 @result
@@ -37,17 +36,20 @@ class HolesResult:
     hole_overdesign: Number | None = value("Couple beyond the required one that drilling needs", "%", "x_c", default=None)
 
 
-@formula("m_c", f"{HOLES}: a cylinder of the drill's diameter", unit="g")
+@formula("m_c", Text("{holes}: a cylinder of the drill's diameter", holes=HOLES), unit="g")
 def hole_mass(rho: KilogramPerMetre3, d_c: Metre, h_c: Metre) -> Kilogram:
+    """>>> hole_mass(rho=7860, d_c=0.014, h_c=0.02)
+    0.02419905...
+    """
     return rho * pi * d_c**2 / 4 * h_c
 
 
-@formula("e_c", f"{HOLES}: middle of the depth, from the outer radius", unit="mm")
+@formula("e_c", Text("{holes}: middle of the depth, from the outer radius", holes=HOLES), unit="mm")
 def hole_centroid_radius(R: Metre, h_c: Metre) -> Metre:
     return R - h_c / 2
 
 
-@formula("ΔU", f"{HOLES}: unbalance taken away", unit="g·mm")
+@formula("ΔU", Text("{holes}: unbalance taken away", holes=HOLES), unit="g·mm")
 def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
     return m_c * e_c
 
@@ -82,55 +84,42 @@ def needed_overdesign(q: Number) -> Number:
     return q / 2
 
 
-def calibration(
-    holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, omega: RadPerSecond, C_required: NewtonMetre
-) -> HolesResult:
+def calibration(holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, omega: RadPerSecond,
+    C_required: NewtonMetre) -> HolesResult:  # fmt: skip
     """What the holes take from masses at `z`, of outer radius `R_outer`, on a shaft that turns at `omega`.
 
     `C_required`: modulus of the couple that the shaft must supply; 0 leaves the shares out.
     """
-    arms: Any = np.asarray(z, dtype=float)
-    n = float(arms.size)
-    with about("calibration holes"):
+    n = float(z.size)
+    with about(Text("calibration holes")):
         m_c = hole_mass(rho=rho, d_c=holes.diameter, h_c=holes.depth)
         e_c = hole_centroid_radius(R=R_outer, h_c=holes.depth)
         unbalance = hole_unbalance(m_c=m_c, e_c=e_c)
-        couple = hole_couple(U=unbalance, z_m=mean_arm(z=arms, n=n), omega=omega)
+        couple = hole_couple(U=unbalance, z_m=mean_arm(z=each(z), n=n), omega=omega)
         whole = hole_range(N_c=holes.count, C=couple)
         share = range_share(C_c=whole, C_S=C_required) if C_required else None
-        return HolesResult(
-            hole_mass=m_c,
-            hole_centroid_radius=e_c,
-            hole_unbalance=unbalance,
-            hole_couple=couple,
-            hole_unbalance_of_mass=unbalance_of_mass(N_c=holes.count, U=unbalance, n=n),
-            hole_range=whole,
-            hole_range_share=share,
-            hole_overdesign=needed_overdesign(q=share) if share is not None else None,
-        )
+        return HolesResult(hole_mass=m_c, hole_centroid_radius=e_c, hole_unbalance=unbalance, hole_couple=couple,
+            hole_unbalance_of_mass=unbalance_of_mass(N_c=holes.count, U=unbalance, n=n), hole_range=whole, hole_range_share=share,
+            hole_overdesign=needed_overdesign(q=share) if share is not None else None)  # fmt: skip
 
 
 def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
     """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between them."""
-    return check(
-        "countershaft.holes.depth", "Depth of the calibration holes", holes.depth, "<=", R_outer - core_radius, "mm",
-        "height of the sectors over the core", "Shorter holes, and more of them or wider ones.",
-    )  # fmt: skip
+    return check("countershaft.holes.depth", Text("Depth of the calibration holes"), holes.depth, "<=", R_outer - core_radius, "mm",
+        Text("height of the sectors over the core"), Text("More or wider holes take the rest."),
+        remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="))  # fmt: skip
 
 
 def row_check(holes: Holes, masses: int, length: Metre) -> Check:
     """The holes of a mass stand in a row along the shaft, side by side; `length` of the shortest sector."""
-    return check(
-        "countershaft.holes.row", "Length of the holes of a mass, side by side", math.ceil(holes.count / masses) * holes.diameter, "<=",
-        length, "mm",
-        "rule of this program: holes stand in one row along the sector", "Fewer or narrower holes.",
-    )  # fmt: skip
+    return check("countershaft.holes.row", Text("Length of the holes of a mass, side by side"),
+        math.ceil(holes.count / masses) * holes.diameter, "<=", length, "mm",
+        Text("rule of this program: holes stand in one row along the sector"), Text("Fewer or narrower holes."))  # fmt: skip
 
 
 def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
     """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
     chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
-    return check(
-        "countershaft.holes.width", "Diameter of a hole in the width of its sector", holes.diameter, "<=", chord, "mm",
-        "width of the sector at the bottom of the hole", "Narrower or shorter holes.",
-    )  # fmt: skip
+    return check("countershaft.holes.width", Text("Diameter of a hole in the width of its sector"), holes.diameter, "<=", chord, "mm",
+        Text("width of the sector at the bottom of the hole"), Text("Shorter holes have more room as well."),
+        remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="))  # fmt: skip

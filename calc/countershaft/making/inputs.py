@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 
 from ...sheet.quantity import THUMB, choice, inputs, integer, quantity, tables, text
+from ...sheet.text import Amount, Text
 from .thread import thread, thread_problem
 
 # Rp0.2 (4.6 to 5.8: Rel) of each property class, MPa: ISO 898-1, Table 3
@@ -15,65 +16,45 @@ class Bolts:
     """The bolts that hold the support to the block."""
 
     thread: str = text("Thread", help="Metric, like M10x1.5; the coarse pitch may be left out: M10.")
-    torque: float = quantity(
-        "Tightening torque", "N·m", above=0, high=5000, symbol="T", step=1, source="VDI 2230-1",
-        help="Torque with which each bolt is tightened; thread and head rub most of it away.",
-    )  # fmt: skip
-    friction: float = quantity(
-        "Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01, usual=(0.08, 0.16),
-        source="VDI 2230-1, class B, from memory",
-        help="Give the smallest expected.",
-    )  # fmt: skip
-    head_diameter: float = quantity(
-        "Bearing diameter of the head", "mm", above=0, high=200, symbol="d_w", source="VDI 2230-1",
-        help="Outer diameter of the face under the head: across flats, or of the flange.",
-    )  # fmt: skip
-    hole_diameter: float = quantity(
-        "Clearance hole", "mm", above=0, high=200, symbol="d_h", source="VDI 2230-1",
-        help="Diameter of the hole that the bolt goes through, a little above the thread's.",
-    )  # fmt: skip
+    torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="T", step=1, source="VDI 2230-1",
+        help="Torque with which each bolt is tightened; thread and head rub most of it away.")  # fmt: skip
+    friction: float = quantity("Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01, usual=(0.08, 0.16),
+        source="VDI 2230-1, class B, from memory", help="Give the smallest expected.")  # fmt: skip
+    head_diameter: float = quantity("Bearing diameter of the head", "mm", above=0, high=200, symbol="d_w", source="VDI 2230-1",
+        help="Outer diameter of the face under the head: across flats, or of the flange.")  # fmt: skip
+    hole_diameter: float = quantity("Clearance hole", "mm", above=0, high=200, symbol="d_h", source="VDI 2230-1",
+        help="Diameter of the hole that the bolt goes through, a little above the thread's.")  # fmt: skip
     count: int = integer("Number of bolts", low=2, high=64, symbol="N_b", help="Bolts that hold the support to the block, all alike.")
-    method: str = choice(
-        "Torque to preload", "vdi", "source", default="vdi",
-        help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are shown.",
-    )  # fmt: skip
-    property_class: str = choice(
-        "Property class", *STRENGTH, default="8.8", help="ISO 898-1; its proof strength judges the stress by tightening."
-    )
-    joint_friction: float = quantity(
-        "Coefficient of friction, support on block", default=0.12, low=0.02, high=0.8, symbol="mu_T", step=0.01, usual=(0.1, 0.3),
-        source=THUMB,
-        help="Holds the support against sliding.",
-    )  # fmt: skip
-    row_span: float | None = quantity(
-        "Distance of the bolt rows along the shaft", "mm", optional=True, above=0, high=5000, symbol="l_b",
-        help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.",
-    )  # fmt: skip
+    method: str = choice("Torque to preload", "vdi", "source", default="vdi",
+        help="vdi: flank angle and mean bearing radius, as in VDI 2230. source: Finotti 2013, Table 6.1. Both are shown.")  # fmt: skip
+    property_class: str = choice("Property class", *STRENGTH, default="8.8",
+        help="ISO 898-1; its proof strength judges the stress by tightening.")  # fmt: skip
+    joint_friction: float = quantity("Coefficient of friction, support on block", default=0.12, low=0.02, high=0.8, symbol="mu_T",
+        step=0.01, usual=(0.1, 0.3), source=THUMB, help="Holds the support against sliding.")  # fmt: skip
+    row_span: float | None = quantity("Distance of the bolt rows along the shaft", "mm", default=None, above=0, high=5000, symbol="l_b",
+        help="Between the bolts at the front and those at the rear. Left out: that of the shaft's outer bearings.")  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.hole_diameter >= self.head_diameter:
-            yield "hole_diameter_mm", "must be smaller than head_diameter_mm, or the head bears on nothing"
+            yield "hole_diameter_mm", Text("must be smaller than head_diameter_mm, or the head bears on nothing")
         if (wrong := thread_problem(self.thread)) is not None:
             yield "thread", wrong
         elif self.hole_diameter <= (D := thread(self.thread)[0]):
-            yield "hole_diameter_mm", f"must be larger than the thread, {D * 1e3:g} mm"
+            yield "hole_diameter_mm", Text("must be larger than the thread, {d} mm", d=Amount(D * 1000.0, form="g"))
 
 
 @inputs
 class Clamp:
     """One spring band clamp."""
 
-    nominal: float = quantity(
-        "Nominal diameter", "mm", above=0, high=500, source="DIN 3021",
-        help="Diameter by which the clamp is called; the hose end must not be smaller.",
-    )  # fmt: skip
-    opening: float = quantity(
-        "Largest opening", "mm", above=0, high=500, source="DIN 3021", help="Diameter to which the clamp opens; the hose end must pass."
-    )
+    nominal: float = quantity("Nominal diameter", "mm", above=0, high=500, source="DIN 3021",
+        help="Diameter by which the clamp is called; the hose end must not be smaller.")  # fmt: skip
+    opening: float = quantity("Largest opening", "mm", above=0, high=500, source="DIN 3021",
+        help="Diameter to which the clamp opens; the hose end must pass.")  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.opening <= self.nominal:
-            yield "opening_mm", "must be larger than nominal_mm"
+            yield "opening_mm", Text("must be larger than nominal_mm")
 
 
 @inputs
@@ -81,12 +62,10 @@ class Union:
     """One pipe union."""
 
     thread: str = text("Thread", help="Like M18x1.5.")
-    bore: float = quantity(
-        "Bore", "mm", above=0, high=200, source="Finotti 2013, 4.4",
-        help="Inner diameter; of the unions that fit the one with the widest bore is taken.",
-    )  # fmt: skip
+    bore: float = quantity("Bore", "mm", above=0, high=200, source="Finotti 2013, 4.4",
+        help="Inner diameter; of the unions that fit the one with the widest bore is taken.")  # fmt: skip
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if (wrong := thread_problem(self.thread)) is not None:
             yield "thread", wrong
 
@@ -95,21 +74,17 @@ class Union:
 class OilDrain:
     """The hose and the union through which the support's oil runs back."""
 
-    hose_min: float = quantity(
-        "Hose end, smallest outer diameter", "mm", above=0, high=500, symbol="D_min", source="Finotti 2013, 4.4",
-        help="The clamp must still grip the hose end at this diameter.",
-    )  # fmt: skip
-    hose_max: float = quantity(
-        "Hose end, largest outer diameter", "mm", above=0, high=500, symbol="D_max", source="Finotti 2013, 4.4",
-        help="The clamp must open to this diameter of the hose end.",
-    )  # fmt: skip
+    hose_min: float = quantity("Hose end, smallest outer diameter", "mm", above=0, high=500, symbol="D_min", source="Finotti 2013, 4.4",
+        help="The clamp must still grip the hose end at this diameter.")  # fmt: skip
+    hose_max: float = quantity("Hose end, largest outer diameter", "mm", above=0, high=500, symbol="D_max", source="Finotti 2013, 4.4",
+        help="The clamp must open to this diameter of the hose end.")  # fmt: skip
     thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
-    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, optional=True)
-    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, optional=True)
+    clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=())
+    unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=())
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         if self.hose_max < self.hose_min:
-            yield "hose_max_mm", "must not be below hose_min_mm"
+            yield "hose_max_mm", Text("must not be below hose_min_mm")
         if (wrong := thread_problem(self.thread)) is not None:
             yield "thread", wrong
 
@@ -119,26 +94,16 @@ class Support:
     """The casting that carries the shaft: its wall beside the rear seat, and stresses found elsewhere (finite elements)."""
 
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    wall: float | None = quantity(
-        "Wall beside the largest seat", "mm", optional=True, above=0, high=200, symbol="w", source="Finotti 2013, 4.2",
-        help="Metal left beside the largest seat, with the shaft of this design.",
-    )  # fmt: skip
-    least_wall: float = quantity(
-        "Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", source="Finotti 2013, 4.2",
-        help="What the casting needs; 5 mm in sand-cast aluminium.",
-    )  # fmt: skip
-    bolt_stress: float | None = quantity(
-        "Stress under the bolts' preload, von Mises", "MPa", optional=True, low=0, high=10000, source="Finotti 2013, ch. 6",
-        help="From finite elements; the limit is the proof stress of the material.",
-    )  # fmt: skip
-    load_stress: float | None = quantity(
-        "Stress from the bearing loads alone, von Mises", "MPa", optional=True, low=0, high=10000, source="Finotti 2013, ch. 6",
-        help="From finite elements, without the bolts' preload; it turns with the shaft.",
-    )  # fmt: skip
-    load_stress_limit: float = quantity(
-        "Limit of the stress from the loads", "MPa", default=20e6, above=0, high=10000, source="Finotti 2013, ch. 6",
-        help="What the support endures without end under the turning load.",
-    )  # fmt: skip
+    wall: float | None = quantity("Wall beside the largest seat", "mm", default=None, above=0, high=200, symbol="w",
+        source="Finotti 2013, 4.2", help="Metal left beside the largest seat, with the shaft of this design.")  # fmt: skip
+    least_wall: float = quantity("Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", source="Finotti 2013, 4.2",
+        help="What the casting needs; 5 mm in sand-cast aluminium.")  # fmt: skip
+    bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", default=None, low=0, high=10000,
+        source="Finotti 2013, ch. 6", help="From finite elements; the limit is the proof stress of the material.")  # fmt: skip
+    load_stress: float | None = quantity("Stress from the bearing loads alone, von Mises", "MPa", default=None, low=0, high=10000,
+        source="Finotti 2013, ch. 6", help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
+    load_stress_limit: float = quantity("Limit of the stress from the loads", "MPa", default=20e6, above=0, high=10000,
+        source="Finotti 2013, ch. 6", help="What the support endures without end under the turning load.")  # fmt: skip
 
 
 @inputs
@@ -148,23 +113,19 @@ class Alternative:
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
     tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.1", help="Cost of dies and fixtures, paid once.")
     piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.1", help="Cost of one shaft in this material.")
-    development: float = quantity(
-        "Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.1",
-        help="Cost of research and development, paid once.",
-    )  # fmt: skip
+    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.1",
+        help="Cost of research and development, paid once.")  # fmt: skip
 
 
 @inputs
 class Cost:
     """Yearly volume, and the alternatives to compare."""
 
-    pieces_per_year: int = integer(
-        "Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.1",
-        help="Shafts made in the first year, for which the cost is compared.",
-    )  # fmt: skip
+    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.1",
+        help="Shafts made in the first year, for which the cost is compared.")  # fmt: skip
     alternatives: tuple[Alternative, ...] = tables("Alternatives", Alternative)
 
-    def problems(self) -> Iterable[tuple[str, str]]:
+    def problems(self) -> Iterable[tuple[str, Text]]:
         names = [a.material for a in self.alternatives]
         if len(set(names)) < len(names):
-            yield "alternatives", "name each material once"
+            yield "alternatives", Text("name each material once")

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the shaft's making asks: permitted unbalance, holes, scatter, bolts, support, oil drain.  Each part where it is asked for."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 from typing import Any
 
-import numpy as np
-
 from ...catalogue import Material
+from ...sheet.arrays import column
 from ...sheet.check import Check, check
 from ...sheet.step import Curve, Table
+from ...sheet.text import Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre
+from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import CountershaftInputs, EccentricMass
 from ..outline import TOUCH, Piece
@@ -26,32 +27,30 @@ class Gathered:
     def __init__(self) -> None:
         self.values: dict[str, Any] = {}
         self.checks: list[Check] = []
-        self.notes: list[str] = []
+        self.notes: list[Text] = []
         self.tables: list[Table] = []
         self.curves: list[Curve] = []
 
 
-def making(
-    shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], found: CountershaftResult, R: Metre | None,
-    materials: Mapping[str, Material], to: Gathered,
-) -> None:  # fmt: skip
+def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
+    materials: Mapping[str, Material], to: Gathered) -> None:  # fmt: skip
     """Everything but the bending; `R`: outer radius of the sectors, where it is known."""
     rho = materials[shaft.material].density
-    _permitted(shaft, todo, found, to)
+    _permitted(shaft, todo, result, to)
     if shaft.holes is not None:
-        _holes(shaft, todo, masses, found, rho, R, to)
+        _holes(shaft, todo, masses, result, rho, R, to)
     if shaft.scatter is not None:
-        _scatter(shaft, todo, masses, found, to)
+        _scatter(shaft, todo, masses, result, to)
     if shaft.cost is not None or shaft.mode == "size":
         from ..sizing.alternatives import compared, compared_table
 
-        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, found.eccentric_mass)
+        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass)
         to.tables.append(compared_table(shaft, other))
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
         from . import bolts
 
-        to.values["bolts"] = bolted = bolts.solve(shaft.bolts, found.force_vector, found.couple_vector, shaft.bearing_positions, support)
+        to.values["bolts"] = bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
         to.checks += bolts.checks(bolted)
         to.notes += bolts.notes(shaft.bolts, bolted)
     if shaft.support is not None and support is not None:
@@ -64,58 +63,51 @@ def making(
         to.notes += drain.notes(chosen)
 
 
-def _permitted(shaft: CountershaftInputs, todo: Task, found: CountershaftResult, to: Gathered) -> None:
+def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> None:
     """What the balance quality grade permits; it needs the mass of the whole shaft."""
-    if found.mass is None or found.centre_of_gravity is None:
+    if result.mass is None or result.centre_of_gravity is None:
         return
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
-    asked = found.mass, found.omega, found.centre_of_gravity, z_f, z_r, todo.couple
+    asked = result.mass, result.omega, result.centre_of_gravity, z_f, z_r, todo.couple
     to.values["tolerance"] = permitted = tolerance.permitted(shaft.balance_grade, *asked)
     to.tables.append(tolerance.table(shaft.balance_grade, *asked))
-    to.notes += tolerance.notes(found.centre_of_gravity, z_f, z_r)
+    to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
-        to.checks.append(
-            check(
-                "countershaft.balance_grade", "Couple that the balance quality grade permits", permitted.permitted_couple_error, "<=",
-                LEFT_OVER * todo.couple, "N·m", "rule of this program: 5 % of the couple to be balanced",
-                "A finer grade (a smaller number), or a lighter shaft.", kind="advice",
-            )
-        )  # fmt: skip
+        to.checks.append(check("countershaft.balance_grade", Text("Couple that the balance quality grade permits"),
+            permitted.permitted_couple_error, "<=", LEFT_OVER * todo.couple, "N·m",
+            Text("rule of this program: 5 % of the couple to be balanced"),
+            Text("A finer grade (a smaller number), or a lighter shaft.")))  # fmt: skip
 
 
-def _holes(
-    shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], found: CountershaftResult, rho: KilogramPerMetre3,
-    R: Metre | None, to: Gathered,
-) -> None:  # fmt: skip
+def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, rho: KilogramPerMetre3,
+    R: Metre | None, to: Gathered) -> None:  # fmt: skip
     """The calibration holes, and whether the shaft as drawn leaves them something to take."""
     assert shaft.holes is not None
     if R is None:
-        to.notes.append("Calibration holes are not computed: give outer_radius_mm, from which they are drilled.")
+        to.notes.append(Text("Calibration holes are not computed: give outer_radius_mm, from which they are drilled."))
         return
-    z: Any = np.array([m.z for m in masses])
-    to.values["holes"] = drilled = holes.calibration(shaft.holes, rho, R, z, found.omega, todo.couple)
+    z = column(masses, "z")
+    to.values["holes"] = drilled = holes.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
     if masses and shaft.holes.count % len(masses):
-        to.notes.append(f"Calibration holes: {shaft.holes.count} holes on {len(masses)} masses are counted as an equal share for each.")
+        shared = Text("Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",
+            count=shaft.holes.count, count2=len(masses))  # fmt: skip
+        to.notes.append(shared)
     if shaft.core_radius is not None:
         to.checks.append(holes.depth_check(shaft.holes, R, shaft.core_radius))
     else:
-        to.notes.append("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm.")
-    sectors = [p for p in found.outline.pieces if p.half_angle is not None] if found.outline is not None else []
+        to.notes.append(Text("Calibration holes: whether they end in the sectors is not judged: give core_radius_mm."))
+    sectors = [p for p in result.outline.pieces if p.half_angle is not None] if result.outline is not None else []
     if sectors and masses:
         to.checks.append(holes.row_check(shaft.holes, len(masses), _shortest(sectors)))
         to.checks.append(holes.width_check(shaft.holes, R, min(p.half_angle or 0.0 for p in sectors)))
     else:
-        to.notes.append("Calibration holes: whether they fit into the sectors is not judged: the outline has none.")
+        to.notes.append(Text("Calibration holes: whether they fit into the sectors is not judged: the outline has none."))
     if todo.couple:
-        over = f.couple_beyond(C_S=found.couple_vector, C_req=-todo.C)
-        to.checks.append(
-            check(
-                "countershaft.holes.range", "Couple beyond the required one, for drilling to take away", round(over, 9), "in",
-                (0.0, drilled.hole_range), "N·m",
-                "drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than the holes take",
-                f"Aim at {drilled.hole_range / 2:.1f} N·m beyond, half of the range (overdesign_percent in mode size).", kind="advice",
-            )
-        )  # fmt: skip
+        over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C))
+        to.checks.append(check("countershaft.holes.range", Text("Couple beyond the required one, for drilling to take away"),
+            round(over, 9), "in", (0.0, drilled.hole_range), "N·m",
+            Text("drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than the holes take"),
+            Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=Amount(drilled.hole_range / 2, form=".1f"))))  # fmt: skip
 
 
 def _shortest(sectors: list[Piece]) -> Metre:
@@ -129,18 +121,18 @@ def _shortest(sectors: list[Piece]) -> Metre:
     return min(lengths)
 
 
-def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], found: CountershaftResult, to: Gathered) -> None:
+def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, to: Gathered) -> None:
     assert shaft.scatter is not None
     permitted = to.values.get("tolerance")
     if permitted is None:
-        to.notes.append("Scatter is not computed: what is permitted needs the mass of the whole shaft.")
+        to.notes.append(Text("Scatter is not computed: what is permitted needs the mass of the whole shaft."))
         return
     from . import scatter
 
     target = scatter.Target(
-        omega=found.omega, couple=-todo.C, force=-todo.F, couple_left=found.couple_against, z_f=shaft.bearing_positions[0],
-        z_r=shaft.bearing_positions[-1], permitted_front=permitted.residual_unbalance_permitted_front,
-        permitted_rear=permitted.residual_unbalance_permitted_rear,
+        omega=result.omega, couple=based_on(-todo.C, todo.C), force=based_on(-todo.F, todo.F), couple_left=result.couple_against,
+        z_f=shaft.bearing_positions[0], z_r=shaft.bearing_positions[-1],
+        permitted_front=permitted.residual_unbalance_permitted_front, permitted_rear=permitted.residual_unbalance_permitted_rear,
     )  # fmt: skip
     limit = todo.may_leave
     to.values["scatter"] = spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, to.values.get("holes"))
@@ -150,28 +142,17 @@ def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
     to.notes += scatter.notes(shaft.scatter, spread)
 
 
-def _support(support: Support, material: Material) -> list[Check]:
+def _support(support: Support, material: Material) -> Iterator[Check]:
     """The casting's wall, and its stresses as they were found elsewhere."""
-    made = []
     if support.wall is not None:
-        made.append(
-            check(
-                "countershaft.support.wall", "Wall of the support beside the largest seat", support.wall, ">=", support.least_wall, "mm",
-                "Finotti 2013, 4.2: sand-cast aluminium needs 5 mm", "A smaller seat, or a larger casting.",
-            )
-        )  # fmt: skip
+        yield check("countershaft.support.wall", Text("Wall of the support beside the largest seat"), support.wall, ">=",
+            support.least_wall, "mm", Text("Finotti 2013, 4.2: sand-cast aluminium needs 5 mm"),
+            Text("A smaller seat, or a larger casting."))  # fmt: skip
     if support.bolt_stress is not None and material.proof_stress is not None:
-        made.append(
-            check(
-                "countershaft.support.bolt_stress", "Stress of the support under the bolts' preload", support.bolt_stress, "<",
-                material.proof_stress, "MPa", f"Finotti 2013, ch. 6: proof stress of {material.name}", "More metal under the bolt heads.",
-            )
-        )  # fmt: skip
+        yield check("countershaft.support.bolt_stress", Text("Stress of the support under the bolts' preload"), support.bolt_stress, "<",
+            material.proof_stress, "MPa", Text("Finotti 2013, ch. 6: proof stress of {name}", name=material.name),
+            Text("More metal under the bolt heads."))  # fmt: skip
     if support.load_stress is not None:
-        made.append(
-            check(
-                "countershaft.support.load_stress", "Stress of the support from the bearing loads", support.load_stress, "<",
-                support.load_stress_limit, "MPa", "Finotti 2013, ch. 6: turning load, endless life", "Ribs between seat and flange.",
-            )
-        )  # fmt: skip
-    return made
+        yield check("countershaft.support.load_stress", Text("Stress of the support from the bearing loads"), support.load_stress, "<",
+            support.load_stress_limit, "MPa", Text("Finotti 2013, ch. 6: turning load, endless life"),
+            Text("Ribs between seat and flange."))  # fmt: skip

@@ -9,58 +9,65 @@ plane (over what it is permitted) comes as low as the holes allow.  That may cos
 """
 
 import math
-from typing import Any
+from collections.abc import Iterator
+from typing import Any, cast
 
 import numpy as np
 
-from ...sheet.arrays import Array, BoolArray, ComplexArray, column
+from ...sheet.arrays import Array, ComplexArray, column, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table
+from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
 from ...sheet.units import Kilogram, KilogramMetre, Metre, NewtonMetre, Number, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
+from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
 from .holes import HolesResult
 
 BLOCK = 5_000  # shafts at once: what stays in the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights
-PROPAGATION = "first-order propagation of independent errors"
+PROPAGATION = Text("first-order propagation of independent errors")
 NAMES = ("mass", "radius", "angle", "z")
+PARTS = {
+    "mass": Text("mass"), "radius": Text("radius"), "angle": Text("angle"), "position": Text("position"), "timing": Text("timing"),
+}  # fmt: skip
 PERCENTILES = {"median": 0.5, "95": 0.95, "99": 0.99, "largest": 1.0}
 SHARES = ("share_within", "share_drilled_within", "share_too_light", "share_beyond_drilling")
 SHOWN = 201  # points of the curve
 
 
-@formula("σ_C,m", f"{PROPAGATION}: mass", names={"s": "σ_m"})
+@formula("σ_C,m", Text("{propagation}: mass", propagation=PROPAGATION), names={"s": "σ_m"})
 def couple_error_by_mass(omega: RadPerSecond, e: Metre, z: Metre, s: Kilogram) -> NewtonMetre:
     return omega**2 * rss(e * z) * s
 
 
-@formula("σ_C,e", f"{PROPAGATION}: radius", names={"s": "σ_e"})
+@formula("σ_C,e", Text("{propagation}: radius", propagation=PROPAGATION), names={"s": "σ_e"})
 def couple_error_by_radius(omega: RadPerSecond, m: Kilogram, z: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * z) * s
 
 
-@formula("σ_C,γ", f"{PROPAGATION}: angle", names={"s": "σ_γ"})
+@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names={"s": "σ_γ"})
 def couple_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, s: Radian) -> NewtonMetre:
     return omega**2 * rss(m * e * z) * s
 
 
-@formula("σ_C,z", f"{PROPAGATION}: position", names={"s": "σ_z"})
+@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names={"s": "σ_z"})
 def couple_error_by_position(omega: RadPerSecond, m: Kilogram, e: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * e) * s
 
 
-@formula("σ_C,t", f"{PROPAGATION}: timing", names={"s": "σ_t"})
+@formula("σ_C,t", Text("{propagation}: timing", propagation=PROPAGATION), names={"s": "σ_t"})
 def couple_error_by_timing(C_S: PhasorNewtonMetre, s: Radian) -> NewtonMetre:
     return modulus(C_S) * s
 
 
-@formula("σ_C", f"{PROPAGATION}: root mean square", names={"m": "σ_C,m", "e": "σ_C,e", "gamma": "σ_C,γ", "z": "σ_C,z", "t": "σ_C,t"})
+@formula("σ_C", Text("{propagation}: root mean square", propagation=PROPAGATION),
+    names={"m": "σ_C,m", "e": "σ_C,e", "gamma": "σ_C,γ", "z": "σ_C,z", "t": "σ_C,t"})  # fmt: skip
 def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMetre, t: NewtonMetre) -> NewtonMetre:
     """Length of the error vector, whatever its direction."""
     return sqrt(m**2 + e**2 + gamma**2 + z**2 + t**2)
@@ -69,8 +76,8 @@ def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMe
 @formula("C_1,p", "order statistics of the shafts tried", shows="the smallest couple that the share p of the shafts does not exceed")
 def percentile(C: NewtonMetre, p: Number) -> NewtonMetre:
     """`C` in rising order."""
-    ordered: Any = C
-    return ordered[max(math.ceil(p * ordered.size) - 1, 0)].item()
+    ordered = many(C)
+    return float(ordered[max(math.ceil(p * ordered.size) - 1, 0)].item())
 
 
 @result
@@ -131,32 +138,34 @@ class Target:
         """What a unit of unbalance at each mass (second axis) is in the two planes, over what is permitted there."""
         z, gamma = (column(masses, name) for name in ("z", "angle"))
         span = self.z_r - self.z_f
-        return np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear]) * np.exp(1j * gamma)
+        return cast(
+            ComplexArray,
+            np.stack([(self.z_r - z) / span / self.permitted_front, (z - self.z_f) / span / self.permitted_rear]) * np.exp(1j * gamma),
+        )
 
 
-def sample(
-    scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond, random: Any, count: int
-) -> tuple[ComplexArray, ComplexArray, ComplexArray, int]:
+def sample(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond, random: Any,
+    count: int) -> tuple[ComplexArray, ComplexArray, ComplexArray, int]:  # fmt: skip
     """Shafts from a generator of random numbers: force and couple before timing, the turn e^{iδ} of their timing; and how many of them have
     a mass below zero.  Extras are exact.
 
     The numbers are drawn whatever the deviations are, so that with one seed two designs meet the same luck.
     """
     luck = random.standard_normal((4, count, len(masses)))
-    delta: Any = scatter.timing * random.standard_normal(count)
+    delta = scatter.timing * random.standard_normal(count)
     m, e, gamma, z = (column(masses, name) + getattr(scatter, name) * chance for name, chance in zip(NAMES, luck))
     impossible = int((m < 0).any(1).sum())
     if extras:
         fixed = [np.broadcast_to(column(extras, name), (count, len(extras))) for name in NAMES]
         m, e, gamma, z = (np.hstack(pair) for pair in zip((m, e, gamma, z), fixed))
-    force: Any = f.shaft_force(omega=omega, m=m, e=e, gamma=gamma)
-    couple: Any = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)
+    force = phasors(f.shaft_force(omega=omega, m=m, e=e, gamma=gamma))
+    couple = phasors(f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma))
     return force, couple, np.exp(1j * delta), impossible
 
 
 def worse(deviation: ComplexArray) -> Array:
     """The worse of the two planes, over what is permitted there."""
-    return np.abs(deviation).max(0)
+    return cast(Array, np.abs(deviation).max(0))
 
 
 def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: float) -> Array:
@@ -167,14 +176,14 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     off nothing is one of them: drilling never makes a shaft worse.
     """
     masses, shafts = influence.shape[1], deviation.shape[1]
-    own: Any = np.einsum("ji,jk->jik", influence.conj(), influence).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
-    pull: Any = np.einsum("ji,js->jis", influence.conj(), deviation).real
+    own = np.einsum("ji,jk->jik", influence.conj(), influence).real  # |left|² of plane j = |deviation|² − 2·pull·x + x·own·x
+    pull = np.einsum("ji,js->jis", influence.conj(), deviation).real
     square = np.abs(deviation) ** 2
     x, best, lowest = np.zeros((masses, shafts)), np.zeros((masses, shafts)), square.max(0)
     weight, step = np.full(shafts, 0.5), 0.25  # of the front plane
     for sweep in range(2 * SWEEPS):
         if not 0 < sweep < SWEEPS:
-            pulls: Any = pull[1] + weight * (pull[0] - pull[1])
+            pulls = pull[1] + weight * (pull[0] - pull[1])
         for i in range(masses):
             back, more = own[1, i], own[0, i] - own[1, i]
             wanted = x[i] + (pulls[i] - back @ x - weight * (more @ x)) / (back[i] + weight * more[i])
@@ -187,16 +196,15 @@ def drill(deviation: ComplexArray, influence: ComplexArray, least: float, most: 
     return best
 
 
-def scattered(
-    scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], target: Target, holes: HolesResult | None
-) -> ScatterResult:
+def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], target: Target,
+    holes: HolesResult | None) -> ScatterResult:  # fmt: skip
     """Many shafts by chance, what they leave over and how many drilling mends."""
     from numpy.random import default_rng  # here, since it costs a start-up 25 ms
 
-    with about("scatter of production"):
+    with about(Text("scatter of production")):
         parts = _parts(scatter, masses, extras, target.omega)
     random, influence = default_rng(scatter.seed), target.influence(masses)
-    arms: Any = column(masses, "z") * np.exp(1j * column(masses, "angle"))
+    arms = column(masses, "z") * np.exp(1j * column(masses, "angle"))
     before, after, counts, impossible = [], [], np.zeros(4, int), 0  # counts: in the order of SHARES
     for start in range(0, scatter.shafts, BLOCK):
         with untraced():
@@ -204,26 +212,29 @@ def scattered(
             impossible += odd
             before.append(target.residual(couple, timing))
             deviation = target.deviation(force, couple)
-            out: BoolArray = worse(deviation) > 1
+            out = worse(deviation) > 1
             counts[0] += int((~out).sum())
             if holes is None:
                 continue
             deviation, most = deviation[:, out], holes.hole_unbalance_of_mass
-            found = drill(deviation, influence, 0.0, most)
-            mended: BoolArray = worse(deviation - _joint(influence, found)) <= 1
-            bare = deviation[:, ~mended & (found == 0).any(0)]  # beyond drilling, and a mass is not drilled at all
-            light: BoolArray = worse(bare - _joint(influence, drill(bare, influence, -math.inf, most))) <= 1
+            drilled_off = drill(deviation, influence, 0.0, most)
+            mended = worse(deviation - _joint(influence, drilled_off)) <= 1
+            bare = deviation[:, ~mended & (drilled_off == 0).any(0)]  # beyond drilling, and a mass is not drilled at all
+            light = worse(bare - _joint(influence, drill(bare, influence, -math.inf, most))) <= 1
             counts[1:] += int(mended.sum()), int(light.sum()), int((~mended).sum() - light.sum())
-            taken: Any = np.zeros_like(couple)
-            taken[out] = target.omega**2 * _joint(arms, found)
+            taken = np.zeros_like(couple)
+            taken[out] = target.omega**2 * _joint(arms, drilled_off)
             after.append(target.residual(couple - taken, timing))
-    shares = [int(count) / scatter.shafts for count in counts]
-    residual, drilled = np.sort(np.concatenate(before)), np.sort(np.concatenate(after)) if after else None
-    parts |= _percentiles("residual_couple", "as made", residual, tuple(PERCENTILES))
+    of = (scatter, masses, extras, target)
+    shares = [based_on(int(count) / scatter.shafts, *of, holes) for count in counts]
+    residual, drilled = based_on(np.sort(np.concatenate(before)), *of), np.sort(np.concatenate(after)) if after else None
+    drilled = based_on(drilled, *of, holes) if drilled is not None else None
+    parts |= _percentiles("residual_couple", Text("as made"), residual, tuple(PERCENTILES))
     parts |= dict(zip(SHARES if holes is not None else SHARES[:1], shares))
     if holes is not None:
-        parts |= _percentiles("drilled_couple", "after drilling", drilled, ("median", "95"))
-    return ScatterResult(**parts, share_to_drill=1 - shares[0], residual=residual, drilled=drilled, impossible=impossible)
+        parts |= _percentiles("drilled_couple", Text("after drilling"), drilled, ("median", "95"))
+    to_drill = based_on(1 - shares[0], shares[0])
+    return ScatterResult(**parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible)
 
 
 def _joint(influence: ComplexArray, taken: Array) -> Any:
@@ -235,59 +246,57 @@ def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Ex
     """The error of the couple to first order, in all and by what it comes of."""
     m, e, _, z = (column(masses, name) for name in NAMES)
     whole = {symbol: column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
-    parts = dict(
-        mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
+    parts = dict(mass=couple_error_by_mass(omega=omega, e=e, z=z, s=scatter.mass),
         radius=couple_error_by_radius(omega=omega, m=m, z=z, s=scatter.radius),
         angle=couple_error_by_angle(omega=omega, m=m, e=e, z=z, s=scatter.angle),
         position=couple_error_by_position(omega=omega, m=m, e=e, s=scatter.z),
-        timing=couple_error_by_timing(C_S=f.shaft_couple(omega=omega, **whole), s=scatter.timing),
-    )
+        timing=couple_error_by_timing(C_S=f.shaft_couple(omega=omega, **whole), s=scatter.timing))  # fmt: skip
     error = couple_error(m=parts["mass"], e=parts["radius"], gamma=parts["angle"], z=parts["position"], t=parts["timing"])
     return {"couple_error": error} | {f"couple_error_by_{word}": part for word, part in parts.items()}
 
 
 def _percentiles(name: str, when: str, ordered: Any, words: tuple[str, ...]) -> dict[str, Any]:
-    found = {}
+    couples = {}
     for word in words:
-        with about(f"shafts {when}, p = {PERCENTILES[word]:g}"):
-            found[f"{name}_{word}"] = percentile(C=ordered, p=PERCENTILES[word])
-    return found
+        with about(Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))):
+            couples[f"{name}_{word}"] = percentile(C=ordered, p=PERCENTILES[word])
+    return couples
 
 
-def checks(found: ScatterResult, limit: NewtonMetre) -> tuple[Check, ...]:
+def checks(spread: ScatterResult, limit: NewtonMetre) -> Iterator[Check]:
     """`limit`: what a shaft of the drawing may leave over."""
-    judged = found.residual_couple_95 if found.drilled_couple_95 is None else found.drilled_couple_95  # what leaves the factory
-    name, source = "Couple that 95 % of the shafts stay below", "rule of this program: 95 % of the shafts within the limit of the drawing"
-    advice = "The table of the couple's error says which deviation counts most."
-    return (check("countershaft.scatter.residual", name, judged, "<=", limit, "N·m", source, advice, kind="advice"),)
+    couple = spread.residual_couple_95 if spread.drilled_couple_95 is None else spread.drilled_couple_95  # what leaves the factory
+    yield check("countershaft.scatter.residual", Text("Couple that 95 % of the shafts stay below"), couple, "<=", limit, "N·m",
+        Text("rule of this program: 95 % of the shafts within the limit of the drawing"),
+        Text("The table of the couple's error says which deviation counts most."))  # fmt: skip
 
 
-def curves(found: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:
+def curves(spread: ScatterResult, limit: NewtonMetre) -> tuple[Curve, ...]:
     """The cumulative distribution of the couple that is left over, lying: couple over the share of shafts that stay below it."""
     share = np.linspace(0, 1, SHOWN)
-    at = np.maximum(np.ceil(share * found.residual.size).astype(int) - 1, 0)
-    rows = (("as made", found.residual), ("after drilling", found.drilled))
+    at = np.maximum(np.ceil(share * spread.residual.size).astype(int) - 1, 0)
+    rows = ((Text("as made"), spread.residual), (Text("after drilling"), spread.drilled))
     series = tuple(Series(label, 100 * share, ordered[at]) for label, ordered in rows if ordered is not None)
-    words = "Couple left over, as production scatters", "share of shafts that stay below, %", "couple, N·m"
-    return (Curve("scatter", *words, series, limits=(("limit", limit),)),)
+    words = Text("Couple left over, as production scatters"), Text("share of shafts that stay below, %"), Text("couple, N·m")
+    return (Curve("scatter", *words, series, limits=((Text("limit"), limit),)),)
 
 
-def tables(found: ScatterResult) -> tuple[Table, ...]:
+def tables(spread: ScatterResult) -> tuple[Table, ...]:
     """What the error of the couple comes of."""
-    parts = {word: getattr(found, f"couple_error_by_{word}") for word in ("mass", "radius", "angle", "position", "timing")}
-    whole = found.couple_error
+    whole = spread.couple_error
+    parts = {word: getattr(spread, f"couple_error_by_{name}") for name, word in PARTS.items()}
     rows = tuple((word, error, 100 * (error / whole) ** 2 if whole else None) for word, error in parts.items())
-    columns = ("of", ""), ("error", "N·m"), ("share", "%")
-    return (Table("couple_error", "What the error of the couple comes of", columns, rows, "Root mean squares; their squares add up."),)
+    columns = (Text("of"), ""), (Text("error"), "N·m"), (Text("share"), Text("%"))
+    note = Text("Root mean squares; their squares add up.")
+    return (Table("couple_error", Text("What the error of the couple comes of"), columns, rows, note),)
 
 
-def notes(scatter: Scatter, found: ScatterResult) -> tuple[str, ...]:
-    said = [
-        f"Scatter: {scatter.shafts} shafts by chance (seed {scatter.seed}), normal and independent deviations; further elements are exact.",
-        "Scatter: timing is left out of the shaft's balance; it counts in the couple that is left over.",
-    ]
-    if found.drilled is not None:
-        said.append("Scatter: the balancing machine is taken as exact, and each hole is drilled as deep as it helps.")
-    if found.impossible:
-        said.append(f"Scatter: {found.impossible} shafts have a mass below zero: its standard deviation is too large.")
-    return tuple(said)
+def notes(scatter: Scatter, spread: ScatterResult) -> Iterator[Text]:
+    yield Text("Scatter: {shafts} shafts by chance (seed {seed}), normal and independent deviations; further elements are exact.",
+        shafts=scatter.shafts, seed=scatter.seed)  # fmt: skip
+    yield Text("Scatter: timing is left out of the shaft's balance; it counts in the couple that is left over.")
+    if spread.drilled is not None:
+        yield Text("Scatter: the balancing machine is taken as exact, and each hole is drilled as deep as it helps.")
+    if spread.impossible:
+        count = spread.impossible
+        yield Text("Scatter: {impossible} shafts have a mass below zero: its standard deviation is too large.", impossible=count)

@@ -4,7 +4,9 @@
 import re
 from math import pi
 
+from ...sheet.errors import text_of
 from ...sheet.formula import formula
+from ...sheet.text import Text
 from ...sheet.units import Metre, SquareMetre
 
 # Coarse pitch of each nominal diameter, mm (ISO 261); of the pitches of a diameter it is the largest.
@@ -21,10 +23,10 @@ DESIGNATION = re.compile(r"M *([0-9]+(?:\.[0-9]+)?)(?: *[x×] *([0-9]+(?:\.[0-9]
 
 def thread(text: str) -> tuple[Metre, Metre]:
     """Nominal diameter and pitch of a metric thread: "M10", "M10x1.5", "M10×1.5".  Raises ValueError, which says what is allowed."""
-    found = DESIGNATION.fullmatch(text.strip())
-    if found is None:
+    match = DESIGNATION.fullmatch(text.strip())
+    if match is None:
         raise ValueError("must be a metric thread like M10 (coarse pitch of ISO 261) or M10x1.25, in mm")
-    D, given = float(found[1]), found[2]
+    D, given = float(match[1]), match[2]
     if not DIAMETERS[0] <= D <= DIAMETERS[1]:
         raise ValueError(f"must be from M{DIAMETERS[0]:g} to M{DIAMETERS[1]:g} (ISO 261)")
     if given is None and D not in COARSE:
@@ -40,25 +42,23 @@ def _coarsest(D: float) -> float:
     return next((pitch for size, pitch in COARSE.items() if size >= D), LARGEST)
 
 
-def thread_problem(text: str) -> str | None:
+def thread_problem(text: str) -> Text | None:
     """What is wrong with a thread's designation; None where it can be read."""
     try:
         thread(text)
     except ValueError as e:
-        return str(e)
+        return text_of(e)
     return None
 
 
-@formula(
-    "D", "ISO 261: nominal diameter, the first number of the thread's designation", shows="number behind M in the designation", unit="mm"
-)
+@formula("D", "ISO 261: nominal diameter, the first number of the thread's designation", shows="number behind M in the designation",
+    unit="mm")  # fmt: skip
 def nominal_diameter(designation: str) -> Metre:
     return thread(designation)[0]
 
 
-@formula(
-    "p", "ISO 261: pitch, given in the thread's designation or else the coarse one", shows="number behind ×, or coarse pitch", unit="mm"
-)
+@formula("p", "ISO 261: pitch, given in the thread's designation or else the coarse one", shows="number behind ×, or coarse pitch",
+    unit="mm")  # fmt: skip
 def pitch(designation: str) -> Metre:
     return thread(designation)[1]
 

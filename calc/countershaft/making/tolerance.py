@@ -5,15 +5,18 @@ It applies to the deviation of a finished shaft from its drawing: a balance shaf
 the outer bearings.
 """
 
+from collections.abc import Iterator
+
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, smallest
 from ...sheet.quantity import result, value
 from ...sheet.step import Table
+from ...sheet.text import Text
 from ...sheet.trace import about, untraced
 from ...sheet.units import UNITS, Kilogram, KilogramMetre, Metre, MetrePerSecond, NewtonMetre, Number, RadPerSecond
 
-ISO = "ISO 21940-11"
-PLANES = f"{ISO}, allocation to the tolerance planes"
+ISO = Text("ISO 21940-11")
+PLANES = Text("{iso}, allocation to the tolerance planes", iso=ISO)
 TABLED = ("G2.5", "G6.3", "G16", "G40")
 LEAST = 0.3  # of U_per, the smaller share of a plane
 MOST_INBOARD, MOST_OUTBOARD = 0.7, 1.3  # the larger one: centre of gravity between the planes, beyond one of them
@@ -30,22 +33,26 @@ class ToleranceResult:
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
-@formula("U_per", f"{ISO}, permissible residual unbalance; G = e_per·ω", unit="g·mm")
+@formula("U_per", Text("{iso}, permissible residual unbalance; G = e_per·ω", iso=ISO), unit="g·mm")
 def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
+    """>>> permitted_unbalance(G=0.0063, m_S=9.034, omega=272.3)
+    0.0002090128...
+    """
     return G * m_S / omega
 
 
-@formula("q_f", f"{PLANES}: as the static load of the front bearing")
+@formula("q_f", Text("{planes}: as the static load of the front bearing", planes=PLANES))
 def lever_front(z_r: Metre, z_S: Metre, z_f: Metre) -> Number:
     return modulus(z_r - z_S) / (z_r - z_f)
 
 
-@formula("q_r", f"{PLANES}: as the static load of the rear bearing")
+@formula("q_r", Text("{planes}: as the static load of the rear bearing", planes=PLANES))
 def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
     return modulus(z_S - z_f) / (z_r - z_f)
 
 
-@formula("U_per,p", f"{PLANES}: not below 0.3, nor above 0.7 of U_per (1.3 near an overhung mass)", unit="g·mm", names={"U": "U_per"})
+@formula("U_per,p", Text("{planes}: not below 0.3, nor above 0.7 of U_per (1.3 near an overhung mass)", planes=PLANES), unit="g·mm",
+    names={"U": "U_per"})  # fmt: skip
 def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre:
     return U * smallest(largest(q, LEAST), q_max)
 
@@ -61,35 +68,30 @@ def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
 
 
-@formula("G", f"{ISO}, balance quality grade: e_per·ω", shows="number of the grade, in mm/s")
+@formula("G", Text("{iso}, balance quality grade: e_per·ω", iso=ISO), shows="number of the grade, in mm/s")
 def grade_number(grade: str) -> MetrePerSecond:
     """G of a grade: "G6.3" is 6.3 mm/s."""
     return float(grade[1:]) / 1000
 
 
-def permitted(
-    grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre
-) -> ToleranceResult:
+def permitted(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre,
+    C_required: NewtonMetre) -> ToleranceResult:  # fmt: skip
     """What `grade` permits a shaft of that mass, its centre of gravity at `z_S`, in the planes of the outer bearings `z_f` < `z_r`.
 
     `C_required`: modulus of the couple that the shaft must supply; 0 leaves the share out.
     """
     most = MOST_INBOARD if z_f <= z_S <= z_r else MOST_OUTBOARD
-    with about(f"balance quality {grade}"):
+    with about(Text("balance quality {grade}", grade=grade)):
         U = permitted_unbalance(G=grade_number(grade=grade), m_S=mass, omega=omega)
-    with about(f"balance quality {grade}, front bearing"):
+    with about(Text("balance quality {grade}, front bearing", grade=grade)):
         front = plane_unbalance(U=U, q=lever_front(z_r=z_r, z_S=z_S, z_f=z_f), q_max=most)
-    with about(f"balance quality {grade}, rear bearing"):
+    with about(Text("balance quality {grade}, rear bearing", grade=grade)):
         rear = plane_unbalance(U=U, q=lever_rear(z_S=z_S, z_f=z_f, z_r=z_r), q_max=most)
-    with about(f"balance quality {grade}"):
+    with about(Text("balance quality {grade}", grade=grade)):
         error = couple_error(U_f=front, z_f=z_f, U_r=rear, z_r=z_r, omega=omega)
-        return ToleranceResult(
-            residual_unbalance_permitted=U,
-            residual_unbalance_permitted_front=front,
-            residual_unbalance_permitted_rear=rear,
-            permitted_couple_error=error,
-            permitted_couple_error_share=error_share(C_per=error, C_S=C_required) if C_required else None,
-        )
+        return ToleranceResult(residual_unbalance_permitted=U, residual_unbalance_permitted_front=front,
+            residual_unbalance_permitted_rear=rear, permitted_couple_error=error,
+            permitted_couple_error_share=error_share(C_per=error, C_S=C_required) if C_required else None)  # fmt: skip
 
 
 def table(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre, C_required: NewtonMetre) -> Table:
@@ -97,32 +99,26 @@ def table(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metr
     rows: list[tuple[str | float | None, ...]] = []
     gram, percent = UNITS["g·mm"].factor, UNITS["%"].factor
     with untraced():
-        for one in sorted({*TABLED, grade}, key=grade_number):
-            r = permitted(one, mass, omega, z_S, z_f, z_r, C_required)
+        for row_grade in sorted({*TABLED, grade}, key=grade_number):
+            r = permitted(row_grade, mass, omega, z_S, z_f, z_r, C_required)
+            unbalances = (r.residual_unbalance_permitted, r.residual_unbalance_permitted_front, r.residual_unbalance_permitted_rear)
             share = r.permitted_couple_error_share
-            rows.append(
-                (
-                    f"{one}, chosen" if one == grade else one, r.residual_unbalance_permitted / gram,
-                    r.residual_unbalance_permitted_front / gram, r.residual_unbalance_permitted_rear / gram,
-                    r.permitted_couple_error, None if share is None else share / percent,
-                )
-            )  # fmt: skip
-    return Table(
-        "balance_grades", "Balance quality grades",
-        (("grade", ""), ("U_per", "g·mm"), ("front", "g·mm"), ("rear", "g·mm"), ("couple error", "N·m"), ("of the required", "%")),
-        tuple(rows), "Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed.",
+            label = Text("{one}, chosen", one=row_grade) if row_grade == grade else row_grade
+            rows.append((label, *(U / gram for U in unbalances), r.permitted_couple_error, None if share is None else share / percent))
+    columns = (
+        (Text("grade"), ""), (Text("U_per"), "g·mm"), (Text("front"), "g·mm"), (Text("rear"), "g·mm"), (Text("couple error"), "N·m"),
+        (Text("of the required"), "%"),
     )  # fmt: skip
+    note = Text("Permitted deviation from the drawing, in all and in each bearing plane; couple error: both planes opposed.")
+    return Table("balance_grades", Text("Balance quality grades"), columns, tuple(rows), note)
 
 
-def notes(z_S: Metre, z_f: Metre, z_r: Metre) -> tuple[str, ...]:
+def notes(z_S: Metre, z_f: Metre, z_r: Metre) -> Iterator[Text]:
     """What is said about the grade, and where the centre of gravity is near a bearing or beyond one."""
-    said = ["The balance quality grade is the designer's choice: the table of ISO 21940-11 does not list balance shafts."]
+    yield Text("The balance quality grade is the designer's choice: the table of ISO 21940-11 does not list balance shafts.")
     if not z_f <= z_S <= z_r:
-        where = "rear" if z_S > z_r else "front"
-        said.append(
-            f"The shaft's centre of gravity overhangs the {where} bearing: its plane is permitted up to 1.3 of U_per, as its bearing "
-            "is made for that load, the other at least 0.3 (ISO 21940-11)."
-        )
+        yield Text("The shaft's centre of gravity overhangs the {where} bearing: its plane is permitted up to 1.3 of U_per, "
+            "as its bearing is made for that load, the other at least 0.3 (ISO 21940-11).",
+            where=Text("rear") if z_S > z_r else Text("front"))  # fmt: skip
     elif min(z_S - z_f, z_r - z_S) < LEAST * (z_r - z_f):
-        said.append("The centre of gravity stands near one bearing: the planes share U_per 0.7 to 0.3, not as their loads (ISO 21940-11).")
-    return tuple(said)
+        yield Text("The centre of gravity stands near one bearing: the planes share U_per 0.7 to 0.3, not as their loads (ISO 21940-11).")

@@ -2,15 +2,17 @@
 """What another material changes: the sectors' radius, mass and wall, and the cost."""
 
 from ...sheet.formula import formula
+from ...sheet.functions import power
+from ...sheet.text import Text
 from ...sheet.units import Euro, Kilogram, KilogramPerMetre3, Metre, Number
 
-SAME = "same couple at the same length and half-angle: density times the difference of the cubed radii stays"
-COST = "Finotti 2013, 4.1: cost of the first year"
+SAME = Text("same couple at the same length and half-angle: density times the difference of the cubed radii stays")
+COST = Text("Finotti 2013, 4.1: cost of the first year")
 
 
 @formula("R'", SAME, unit="mm", names={"rho_m": "ρ'"})
 def radius_for(R: Metre, r_0: Metre, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3) -> Metre:
-    return (r_0**3 + rho / rho_m * (R**3 - r_0**3)) ** (1 / 3)
+    return power(r_0**3 + rho / rho_m * (R**3 - r_0**3), 1 / 3)
 
 
 @formula("ΔD", "the seat through which the shaft is threaded grows with the sectors", unit="mm", names={"R_m": "R'"})
@@ -28,7 +30,7 @@ def wall_left(w: Metre, R_m: Metre, R: Metre) -> Metre:
     return w - (R_m - R)
 
 
-@formula("K_1", f"{COST}: tooling, development and pieces")
+@formula("K_1", Text("{cost}: tooling, development and pieces", cost=COST))
 def first_year(K_T: Euro, K_D: Euro, N: Number, c: Euro) -> Euro:
     return K_T + K_D + N * c
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where they do not fit."""
 
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ...sheet.formula import formula
-from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, resultant, sin, smallest, sqrt
+from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, power, resultant, sin, smallest, sqrt
+from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -24,10 +25,10 @@ from ...sheet.units import (
 )  # fmt: skip
 from .lengths import one
 
-LEAST = "least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b"
-MOMENTS = "equilibrium of unbalances and of their moments about mid-shaft"
-SCALE = "the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii"
-FACES = "sector with its outer face at the end of the envelope"
+LEAST = Text("least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
+MOMENTS = Text("equilibrium of unbalances and of their moments about mid-shaft")
+SCALE = Text("the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii")
+FACES = Text("sector with its outer face at the end of the envelope")
 
 
 # --- what is asked of the sectors --------------------------------------------------------------------------------------------
@@ -57,12 +58,12 @@ def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
 
-@formula("K", f"{LEAST}: b·(z_max − b/2)·sin γ that the couple asks for", unit="mm²")
+@formula("K", Text("{least}: b·(z_max − b/2)·sin γ that the couple asks for", least=LEAST), unit="mm²")
 def couple_number(C: NewtonMetre, rho: KilogramPerMetre3, omega: RadPerSecond, R: Metre, r_0: Metre) -> SquareMetre:
     return C / (4 / 3 * rho * omega**2 * (R**3 - r_0**3))
 
 
-@formula("u", f"{LEAST}: K over its limit, at 90° and b = z_max")
+@formula("u", Text("{least}: K over its limit, at 90° and b = z_max", least=LEAST))
 def pair_utilisation(K: SquareMetre, z_max: Metre) -> Number:
     return 2 * K / z_max**2
 
@@ -80,7 +81,7 @@ def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
     arcsin of the cube root of the left side (doubled) is nearly a straight line in γ, with a slope between 0.86 and 1.11: the
     difference itself is then a good step, also at the limit, where the left side is level.
     """
-    u: Any = np.minimum(2 * np.asarray(K, dtype=float) / z_max**2, 1.0)
+    u = np.minimum(2 * np.asarray(K, dtype=float) / z_max**2, 1.0)
     wanted = np.arcsin(np.cbrt(u))
     gamma = np.maximum(wanted, 1e-300)
     for _ in range(60):
@@ -88,8 +89,8 @@ def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
         gamma = np.minimum(gamma + step, np.pi / 2)
         if not np.any(np.abs(step) > 1e-15):
             break
-    found: Any = gamma if np.ndim(gamma) else float(gamma)
-    return found
+    half_angles = gamma if np.ndim(gamma) else float(gamma)
+    return cast(Radian, half_angles)
 
 
 @formula("q", LEAST)
@@ -102,7 +103,7 @@ def pair_length(z_max: Metre, q: Number) -> Metre:
     return z_max * 2 * q / (1 + q)
 
 
-@formula("z_c", f"{FACES}: its middle", unit="mm")
+@formula("z_c", Text("{faces}: its middle", faces=FACES), unit="mm")
 def pair_arm(z_max: Metre, b: Metre) -> Metre:
     return z_max - b / 2
 
@@ -138,12 +139,11 @@ def product_number(P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> Phasor
     return P / (k * z_max**2)
 
 
-SEARCH = "least mass of two sectors together, by search over both their lengths"
+SEARCH = Text("least mass of two sectors together, by search over both their lengths")
 
 
-@formula(
-    "u", "rule of this program: the least sin γ that the more loaded sector needs", shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)"
-)
+@formula("u", "rule of this program: the least sin γ that the more loaded sector needs",
+    shows="u = min over b_f, b_r of max(sin γ_f, sin γ_r)")  # fmt: skip
 def utilisation(alpha: PhasorNumber, product: PhasorNumber) -> Number:
     return one(alpha, product)[2]
 
@@ -158,12 +158,12 @@ def rear_length(alpha: PhasorNumber, product: PhasorNumber, z_max: Metre) -> Met
     return one(alpha, product)[1] * z_max
 
 
-@formula("z_f", f"{FACES}: its middle", unit="mm")
+@formula("z_f", Text("{faces}: its middle", faces=FACES), unit="mm")
 def front_place(b: Metre, z_max: Metre) -> Metre:
     return b / 2 - z_max
 
 
-@formula("z_r", f"{FACES}: its middle", unit="mm")
+@formula("z_r", Text("{faces}: its middle", faces=FACES), unit="mm")
 def rear_place(b: Metre, z_max: Metre) -> Metre:
     return z_max - b / 2
 
@@ -194,7 +194,7 @@ def both_masses(m_f: Kilogram, m_r: Kilogram) -> Kilogram:
 
 
 # --- what would be needed -----------------------------------------------------------------------------------------------------------
-@formula("C_max", f"{LEAST}: the couple at 90° and b = z_max")
+@formula("C_max", Text("{least}: the couple at 90° and b = z_max", least=LEAST))
 def possible_couple(C: NewtonMetre, u: Number) -> NewtonMetre:
     return C / u
 
@@ -202,7 +202,7 @@ def possible_couple(C: NewtonMetre, u: Number) -> NewtonMetre:
 @formula("R_min", SCALE, unit="mm")
 def radius_needed(R: Metre, r_0: Metre, u: Number) -> Metre:
     """The outer radius at which the envelope is just used up."""
-    return (r_0**3 + u * (R**3 - r_0**3)) ** (1 / 3)
+    return power(r_0**3 + u * (R**3 - r_0**3), 1 / 3)
 
 
 @formula("z_min", "the largest couple goes with the square of the half-length", unit="mm")

@@ -17,7 +17,7 @@ All functions take arrays of tasks, a row each.
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -36,8 +36,8 @@ Task = tuple[Array, Array, Array]
 def task(alpha: Any, product: Any) -> Task:
     """α turned onto the real axis: |α|, and the parts of Π along and across it; arrays of one axis."""
     a, p = np.broadcast_arrays(np.atleast_1d(alpha), np.atleast_1d(product))
-    size: Any = np.abs(a)
-    turned: Any = p * np.where(size > 0, np.conj(a) / np.maximum(size, TINY), 1.0)
+    size = np.abs(a)
+    turned = p * np.where(size > 0, np.conj(a) / np.maximum(size, TINY), 1.0)
     return size, turned.real + 0.0, turned.imag + 0.0
 
 
@@ -58,16 +58,16 @@ def amount(asked: Task, front: Array, rear: Array) -> Array:
 
 def utilisation(alpha: Any, product: Any) -> Array:
     """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple together."""
-    return _edge_minima(task(alpha, product))[1].min(-1)
+    return cast(Array, _edge_minima(task(alpha, product))[1].min(-1))
 
 
 def lengths(alpha: Any, product: Any) -> tuple[Array, Array, Array]:
     """β_f and β_r of least mass together, NaN where the envelope is too small; the utilisation."""
     asked = task(alpha, product)
     best, worst = _edge_minima(asked)
-    fits: Any = worst <= 1
+    fits = worst <= 1
     rows = np.flatnonzero(fits.any(-1))
-    front: Any = np.full(len(best), np.nan)
+    front = np.full(len(best), np.nan)
     rear = front.copy()
     if rows.size:
         front[rows], rear[rows] = _least((asked[0][rows], asked[1][rows], asked[2][rows]), best[rows], fits[rows])
@@ -99,7 +99,7 @@ def _edge_minima(asked: Task) -> tuple[Array, Array]:
     while True:
         t = start[..., None] + width[..., None] * LINE
         w = _worst(asked, t)
-        i: Any = w.argmin(-1)
+        i = w.argmin(-1)
         if width[0, 0] < 1e-13:
             return _taken(t, i), _taken(w, i)
         start = _taken(t, np.minimum(np.maximum(i - 1, 0), len(LINE) - 3))
@@ -116,9 +116,9 @@ def _reach(inside: Array, outside: Array, serves: Callable[[Array], Any], steps:
     """How far from `inside`, which serves, towards `outside` it still does."""
     for _ in range(rounds):
         t = inside[..., None] + (outside - inside)[..., None] * steps
-        good: BoolArray = serves(t)
+        good = serves(t)
         good[..., 0] = True
-        i: Any = np.logical_and.accumulate(good, -1).sum(-1)
+        i = np.logical_and.accumulate(good, -1).sum(-1)
         inside, outside = _taken(t, i - 1), _taken(t, np.minimum(i, len(steps) - 1))
     return inside
 
@@ -138,7 +138,7 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     f, r = front[..., None] - x, rear[..., None] - x
     n, N = len(best), len(ROW)
     mass = np.where(fits[..., None, None], amount(asked, f, r), np.inf)
-    starts: Any = np.stack([  # a sector that does next to nothing makes a second minimum, mostly on an edge
+    starts = np.stack([  # a sector that does next to nothing makes a second minimum, mostly on an edge
         mass.reshape(n, -1).argmin(-1), mass[:, 0, :, 0].argmin(-1) * N, N * N + mass[:, 1, :, 0].argmin(-1) * N,
     ], -1)  # fmt: skip
     every = np.arange(n)[:, None]
@@ -149,7 +149,7 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     across = np.clip((to - from_)[every, edge] / short, 1e-6, 1)
     many = np.repeat(asked[0], 3), np.repeat(asked[1], 3), np.repeat(asked[2], 3)
     f, r = (x.reshape(n, 3) for x in _closer(many, f.ravel(), r.ravel(), along.ravel(), across.ravel()))
-    i: Any = amount(asked, f, r).argmin(-1)
+    i = amount(asked, f, r).argmin(-1)
     return _taken(f, i), _taken(r, i)
 
 
@@ -159,13 +159,13 @@ def _closer(asked: Task, f: Array, r: Array, along: Array, across: Array) -> tup
     It becomes smaller where the best lies well inside, larger where it lies at the rim.
     """
     n, every, middle = len(f), np.arange(len(f)), len(WINDOW) // 2
-    before: Any = np.full(n, np.inf)
+    before = np.full(n, np.inf)
     for _ in range(ROUNDS):
         d, o = np.exp(along[:, None] * WINDOW)[:, :, None], np.exp(across[:, None] * WINDOW)[:, None, :]
         front = np.minimum(f[:, None, None] * d * o, 1)
         rear = np.minimum(r[:, None, None] * d / o, 1)
         mass = amount(asked, front, rear).reshape(n, -1)
-        i: Any = mass.argmin(-1)
+        i = mass.argmin(-1)
         f, r = front.reshape(n, -1)[every, i], rear.reshape(n, -1)[every, i]
         row, column = np.divmod(i, len(WINDOW))
         level = mass[every, i] >= before * (1 - LEVEL)  # it wanders where a length does not matter

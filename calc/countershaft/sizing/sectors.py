@@ -8,14 +8,15 @@ Vectors: real up, imaginary 90° further in the sense of crank rotation, cylinde
 """
 
 import math
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from ...root import root
-from ...sheet.arrays import Array, column
+from ...sheet.arrays import Array, column, each
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import group, result, value
+from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
 from ...sheet.units import (
     Kilogram,
@@ -36,6 +37,7 @@ from ..outline import Piece, around
 from . import formulas as f
 from . import lengths
 
+Asked = tuple[PhasorKilogramMetre, PhasorKilogramMetre2]  # unbalance U, and unbalance times position P
 DUST = 1e-12  # of what the envelope can do: a force or an unbalance below it is none
 
 
@@ -104,22 +106,21 @@ def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, 
     b = f.pair_length(z_max=z_max, q=q)
     z_c = f.pair_arm(z_max=z_max, b=b)
     A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-    return Pair(
-        utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A), mass=s.sector_mass(rho=rho, A=A, b=b),
-        couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega),
-    )  # fmt: skip
+    return Pair(utilisation=u, half_angle=gamma, length=b, arm=z_c, radius=s.centre_of_gravity(S=S, A=A),
+        mass=s.sector_mass(rho=rho, A=A, b=b),
+        couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega))  # fmt: skip
 
 
 def pair_masses(C: Any, omega: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
     """The mass of both sectors for arrays of any of the arguments; NaN where the envelope is too small."""
     with untraced(), np.errstate(invalid="ignore", divide="ignore"):
         rho, R, r_0, z_max = (np.asarray(x, dtype=float) for x in (rho, R, r_0, z_max))
-        K: Any = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
+        K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
         fits = f.pair_utilisation(K=K, z_max=z_max) <= 1
-        possible: Any = np.where(fits, K, np.nan)
+        possible = each(np.where(fits, K, np.nan))
         gamma = f.pair_half_angle(K=possible, z_max=z_max)
         b = f.pair_length(z_max=z_max, q=f.pair_ratio(gamma=gamma))
-        masses: Any = 2 * s.sector_mass(rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0), b=b)
+        masses = 2 * s.sector_mass(rho=rho, A=s.sector_area(gamma=gamma, R=R, r_0=r_0), b=b)
         return np.where(K == 0, 0.0, masses)
 
 
@@ -131,16 +132,14 @@ def masses(U: Any, P: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
     if np.all(np.abs(U) * z_max <= DUST * np.abs(P)):
         return pair_masses(np.abs(P), 1.0, rho, R, r_0, z_max)
     with untraced():
-        k: Any = np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0))
+        k = np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0))
     front, rear, _ = lengths.lengths(U / (k * z_max), P / (k * z_max**2))
     amount = lengths.amount(lengths.task(U / (k * z_max), P / (k * z_max**2)), front, rear)
-    return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
+    return cast(Array, rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount))
 
 
-def size(
-    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
-    extras: tuple[Extra, ...] = (),
-) -> Sized:  # fmt: skip
+def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
+    extras: tuple[Extra, ...] = ()) -> Sized:  # fmt: skip
     """The lightest two sectors that, with the extras, have the unbalance U and the product of unbalance and position P.
 
     U = F/ω² and P = C/ω² of the whole shaft.  Raises TooSmall where the envelope can not hold them, NoSolution where nothing is asked.
@@ -149,18 +148,15 @@ def size(
     with untraced():
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
     if max(abs(U), abs(P) / z_max) <= DUST * k * z_max:
-        raise NoSolution(
-            "there is nothing for the sectors to balance", "force and couple asked of the shaft, less its further elements",
-            "leave the counter-shaft out, or the further elements that do all its work",
-        )  # fmt: skip
+        raise NoSolution(Text("there is nothing for the sectors to balance"),
+            Text("force and couple asked of the shaft, less its further elements"),
+            Text("leave the counter-shaft out, or the further elements that do all its work"))  # fmt: skip
     if abs(U) * z_max <= DUST * abs(P):
         return _of_pair(P, omega, rho, R, r_0, z_max)
     return _of_search(U, P, omega, rho, R, r_0, z_max)
 
 
-def remainder(
-    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]
-) -> tuple[PhasorKilogramMetre, PhasorKilogramMetre2]:
+def remainder(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, extras: tuple[Extra, ...]) -> Asked:
     """What is left for the sectors once the further elements have done their part."""
     if not extras:
         return U, P
@@ -170,25 +166,20 @@ def remainder(
     return f.unbalance_left(U=U, U_x=U_x), f.product_left(P=P, P_x=P_x)
 
 
-def _of_pair(
-    P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
-) -> Sized:  # fmt: skip
-    with about("sectors"):
-        found = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max)
+def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Sized:
+    with about(Text("sectors")):
+        half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max)
         rear = f.couple_direction(P=P)
-        common: dict[str, Any] = dict(length=found.length, half_angle=found.half_angle, mass=found.mass, radius=found.radius)
-        return Sized(
-            mass=f.both_masses(m_f=found.mass, m_r=found.mass), utilisation=found.utilisation, sector_length=found.length,
-            sector_half_angle=found.half_angle, couple=found.couple, outer_radius=R, core_radius=r_0,
-            front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=found.length, z_max=z_max)),
-            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=found.length, z_max=z_max)),
-        )  # fmt: skip
+        common: dict[str, Any] = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
+        return Sized(mass=f.both_masses(m_f=half.mass, m_r=half.mass), utilisation=half.utilisation, sector_length=half.length,
+            sector_half_angle=half.half_angle, couple=half.couple, outer_radius=R, core_radius=r_0,
+            front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=half.length, z_max=z_max)),
+            rear=SizedSector(**common, angle=rear, z=f.rear_place(b=half.length, z_max=z_max)))  # fmt: skip
 
 
-def _of_search(
-    U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
-) -> Sized:  # fmt: skip
-    with about("sectors"):
+def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
+    z_max: Metre) -> Sized:  # fmt: skip
+    with about(Text("sectors")):
         k = f.unbalance_per_length(rho=rho, R=R, r_0=r_0)
         alpha, product = f.force_number(U=U, k=k, z_max=z_max), f.product_number(P=P, k=k, z_max=z_max)
         u = f.utilisation(alpha=alpha, product=product)
@@ -200,49 +191,43 @@ def _of_search(
         U_f = f.front_unbalance(U=U, U_r=U_r)
     front = _sector("front", U_f, b_f, z_f, k, rho, R, r_0, z_max)
     rear = _sector("rear", U_r, b_r, z_r, k, rho, R, r_0, z_max)
-    return Sized(
-        mass=f.both_masses(m_f=front.mass, m_r=rear.mass), utilisation=u, outer_radius=R, core_radius=r_0, front=front, rear=rear,
-        sector_length=max(front.length, rear.length), sector_half_angle=max(front.half_angle, rear.half_angle),
-    )  # fmt: skip
+    return Sized(mass=f.both_masses(m_f=front.mass, m_r=rear.mass), utilisation=u, outer_radius=R, core_radius=r_0, front=front, rear=rear,
+        sector_length=max(front.length, rear.length), sector_half_angle=max(front.half_angle, rear.half_angle))  # fmt: skip
 
 
-def _sector(
-    name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Any, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre
-) -> SizedSector:
+def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Any, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
+    z_max: Metre) -> SizedSector:  # fmt: skip
     if abs(U) <= DUST * k * z_max:  # the other one does all
         return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
-    with about(f"{name} sector"):
+    with about(Text("{name} sector", name=name)):
         gamma = f.sector_half_angle(U=U, k=k, b=b)
         A, S = s.sector_area(gamma=gamma, R=R, r_0=r_0), s.sector_moment(gamma=gamma, R=R, r_0=r_0)
-        return SizedSector(
-            length=b, half_angle=gamma, mass=s.sector_mass(rho=rho, A=A, b=b), radius=s.centre_of_gravity(S=S, A=A),
-            angle=f.direction(U=U), z=z,
-        )  # fmt: skip
+        return SizedSector(length=b, half_angle=gamma, mass=s.sector_mass(rho=rho, A=A, b=b), radius=s.centre_of_gravity(S=S, A=A),
+            angle=f.direction(U=U), z=z)  # fmt: skip
 
 
-def eccentric_masses(found: Sized) -> tuple[EccentricMass, ...]:
+def eccentric_masses(sized: Sized) -> tuple[EccentricMass, ...]:
     """The sectors as the eccentric masses of a shaft, "front" and "rear"."""
-    return tuple(
-        EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z)
-        for name, one in (("front", found.front), ("rear", found.rear))
-    )
+    sides = (("front", sized.front), ("rear", sized.rear))
+    return tuple(EccentricMass(name=name, mass=one.mass, radius=one.radius, angle=one.angle, z=one.z) for name, one in sides)
 
 
-def pieces(found: Sized) -> list[Piece]:
+def pieces(sized: Sized) -> list[Piece]:
     """The sectors as pieces of the outline; one without mass is left out."""
-    return [
-        Piece(*around(one.z, one.length, f"{name} sector"), found.outer_radius, found.core_radius, one.half_angle, one.angle, "sector")
-        for name, one in (("front", found.front), ("rear", found.rear))
-        if one.mass
-    ]
+    sectors = []
+    for name, side in (("front", sized.front), ("rear", sized.rear)):
+        if side.mass:
+            faces = around(side.z, side.length, Text("{name} sector", name=name))
+            sectors.append(Piece(*faces, sized.outer_radius, sized.core_radius, side.half_angle, side.angle, "sector"))
+    return sectors
 
 
 # --- where it does not fit -------------------------------------------------------------------------------------------------
 def _too_small_pair(C: NewtonMetre, u: Number, omega: RadPerSecond, R: Metre, r_0: Metre, z_max: Metre) -> TooSmall:
     most = f.possible_couple(C=C, u=u)
     product = f.product_missing(C=C, C_max=most, omega=omega)
-    needed = f.radius_needed(R=R, r_0=r_0, u=u), f.half_length_needed(z_max=z_max, u=u)
-    return _said(u, f"a couple of {C:.4g} N·m", most, needed, product, (R, r_0, z_max))
+    asked = Text("a couple of {c} N·m", c=Amount(C, form=".4g"))
+    return _refusal(u, asked, most, f.half_length_needed(z_max=z_max, u=u), product, R, r_0, z_max)
 
 
 def _too_small(
@@ -258,33 +243,33 @@ def _too_small(
         if _load(alpha, 0j) < 1:
             missing = root(lambda x: _load(alpha, product * (1 - x)) - 1, 0.0, 1.0) * abs(product) * k * z_max**2
     force, couple = abs(alpha) * k * z_max * omega**2, abs(product) * k * z_max**2 * omega**2
-    asked = f"a force of {force:.4g} N with a couple of {couple:.4g} N·m" if couple > DUST * force * z_max else f"a force of {force:.4g} N"
-    needed = f.radius_needed(R=R, r_0=r_0, u=u), longer * z_max
-    return _said(u, asked, None, needed, missing, (R, r_0, z_max))
+    newton, newton_metre = Amount(force, form=".4g"), Amount(couple, form=".4g")
+    asked = Text("a force of {force} N", force=newton)
+    if couple > DUST * force * z_max:
+        asked = Text("a force of {force} N with a couple of {couple} N·m", force=newton, couple=newton_metre)
+    return _refusal(u, asked, None, longer * z_max, missing, R, r_0, z_max)
 
 
 def _load(alpha: PhasorNumber, product: PhasorNumber) -> float:
     return float(lengths.utilisation(alpha, product)[0])
 
 
-def _said(
-    u: Number, asked: str, most: NewtonMetre | None, needed: tuple[Metre, Metre], product: KilogramMetre2 | None,
-    envelope: tuple[Metre, Metre, Metre],
-) -> TooSmall:  # fmt: skip
-    """The numbers of the advice are rounded up: with them it does fit."""
-    (radius, length), (R, r_0, z_max) = needed, envelope
-    reach = f"{most:.1f} N·m" if most is not None else f"{100 / u:.1f} % of that"
-    ways = [
-        f"an outer radius of {_up(radius * 1e3, 2)} mm at this core and length",
-        f"a half-length of {_up(length * 1e3, 1)} mm at this radius",
-    ]
+def _refusal(
+    u: Number, asked: Text, most: NewtonMetre | None, length: Metre, product: KilogramMetre2 | None, R: Metre, r_0: Metre, z_max: Metre
+) -> TooSmall:
+    """`most`: the couple that the envelope holds; `length`: the half-length needed.  The advice is rounded up: with it it does fit."""
+    radius = f.radius_needed(R=R, r_0=r_0, u=u)
+    reach = Amount(most, "N·m", form=".1f") if most is not None else Text("{u} % of that", u=Amount(100 / u, form=".1f"))
+    what = Text("{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u})",
+        asked=asked, reach=reach, u=Amount(u, form=".3f"))  # fmt: skip
+    tried = Text("two sectors from {r_0} to {r} mm up to ±{z_max} mm, half-angle up to 90°",
+        r_0=Amount(r_0 * 1000.0, form="g"), r=Amount(R * 1000.0, form="g"), z_max=Amount(z_max * 1000.0, form="g"))  # fmt: skip
+    ways = [Text("an outer radius of {up} mm at this core and length", up=_up(radius * 1000.0, 2))]
+    ways.append(Text("a half-length of {up} mm at this radius", up=_up(length * 1000.0, 1)))
     if product is not None:
-        ways.append(f"further elements (extras) that bring {_up(product * 1e6, 1)} kg·mm² of unbalance times distance in its direction")
-    error = TooSmall(
-        f"{asked} does not fit into the envelope: it holds {reach} at most (utilisation {u:.3f})",
-        f"two sectors from {r_0 * 1e3:g} to {R * 1e3:g} mm up to ±{z_max * 1e3:g} mm, half-angle up to 90°",
-        f"it takes {', or '.join(ways)}",
-    )
+        missing = _up(product * 1000000.0, 1)
+        ways.append(Text("further elements (extras) that bring {up} kg·mm² of unbalance times distance in its direction", up=missing))
+    error = TooSmall(what, tried, Text("it takes {ways}", ways=Text(", or ").join(ways)))
     error.possible, error.possible_couple = 1 / u, most
     error.outer_radius, error.half_length, error.product = radius, length, product
     return error

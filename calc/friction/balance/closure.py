@@ -17,16 +17,18 @@ import numpy as np
 from ...contact.teeth import LUBRICATION_FACTOR, ohlendorf_loss_factor, ohlendorf_loss_factor_high
 from ...lubricant import Lubricant
 from ...sheet.errors import NoSolution
-from ...sheet.number import short
+from ...sheet.formula import formula
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
 from ...sheet.units import Celsius, Newton, RevPerSecond, Watt
+from ...sheet.value import based_on, converged, unlinked
 from ..inputs import FrictionInputs
 from ..losses import sums
 from ..losses.wheels import WheelResult, carrying, has_bearings, unloaded
 from ..mesh.film import Oil, oil_at
 from ..mesh.geometry import MeshGeometry, column, require
-from ..mesh.loss import Case, Warming, case, solve_mesh, warming_of
+from ..mesh.loss import Case, Warming, case, power_lost, solve_mesh, warming_of
 from ..mesh.motion import driver_speed
 from ..mesh.path import transverse_force
 from ..models import regressions
@@ -83,8 +85,7 @@ class Drive:
         return carrying(self.friction, self.wheels, self.last, self.lubricant, self.T_oil, forces)
 
     def loss(self, name: str, P: Watt) -> Watt:
-        found = solve_mesh(self.cases[name], P, self.friction.film == "judged")
-        return found.loss if self.rolling else found.sliding_loss
+        return power_lost(self.cases[name], P, self.friction.film == "judged", rolling=self.rolling)
 
 
 def drive(
@@ -96,15 +97,15 @@ def drive(
     `assumed`: what `oil_at` takes besides the temperature, of many operating points as columns.
     """
     if not meshes:
-        raise NoSolution("power balance of the train", "there is no mesh", "give at least one [[gears.meshes]]")
+        raise NoSolution(Text("power balance of the train"), Text("there is no mesh"), Text("give at least one [[gears.meshes]]"))
     T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
-    with about("oil"):
+    with about(Text("oil")):
         oil = oil_at(lubricant, T_b, **(assumed or {}))
     wheels = unloaded(friction, meshes, lubricant, require_temperature(T_oil), first_speed)
     warming = Warming(column(T_oil), LUBRICATION_FACTOR[lubrication], friction.tip_relief_factor)
     cases = {}
     for name, mesh in meshes.items():
-        with about(f"mesh {mesh.title}"):
+        with about(Text("mesh {title}", title=mesh.title)):
             cases[name] = case(friction, mesh, oil, wheels[mesh.driver.name].speed, warming, **fineness)
     return Drive(
         friction=friction, meshes=meshes, cases=cases, wheels=wheels, lubricant=lubricant, T_oil=T_oil, oil=oil, shaft=shaft,
@@ -116,7 +117,9 @@ def require_temperature(T: Celsius) -> Celsius:
     good = (np.asarray(T) > -60) & (np.asarray(T) < 400)  # NaN is not
     if not np.all(good):
         wrong = float(np.ravel(T)[int(np.argmin(np.ravel(good)))])
-        raise NoSolution("temperature of the oil", f"is {short(wrong)} °C", "a temperature of a liquid oil is needed")
+        raise NoSolution(
+            Text("temperature of the oil"), Text("is {wrong} °C", wrong=Amount(wrong)), Text("a temperature of a liquid oil is needed")
+        )
     return T
 
 
@@ -145,14 +148,14 @@ def loads_of(d: Drive, power: Watt | None = None) -> tuple[dict[str, Watt], dict
         for name, wheel in d.wheels.items():
             needed[name] = sum(wheel.parts()) + (bearings[name][1] if name in bearings else 0.0)
         if d.shaft is not None:
-            needed[d.last] += require("losses of the counter-shaft's bearings", shaft_loss(d.shaft, before), zero=True)
+            needed[d.last] += require(Text("losses of the counter-shaft's bearings"), shaft_loss(d.shaft, before), zero=True)
         return dict(needed)
 
     if d.shaft is None:
         if power is None:
-            unknown = "neither the losses of a counter-shaft nor the power of the first driver is known"
-            raise NoSolution("power balance of the train", unknown, "give gears.power_kW")
-        return downstream(d.meshes, d.loss, needs, require("power of the first driver", power)), needed
+            unknown = Text("neither the losses of a counter-shaft nor the power of the first driver is known")
+            raise NoSolution(Text("power balance of the train"), unknown, Text("give gears.power_kW"))
+        return downstream(d.meshes, d.loss, needs, require(Text("power of the first driver"), power)), needed
     return upstream(d.meshes, d.loss, needs), needed
 
 
@@ -188,26 +191,37 @@ def total_losses(d: Drive, power: Watt | None = None) -> Watt:
 def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
     """The closed balance of one operating point, with every line that leads to it."""
     with untraced():
-        loads, needed = loads_of(d, power)
+        loads, needed = loads_of(unlinked(d), unlinked(power))
+    if power is not None:
+        loads[next(iter(d.meshes))] = power
     at_gear = needed[d.last]  # what the last mesh passes on, where a counter-shaft is driven
+    if has_bearings(d.friction):
+        of = (d.friction, d.meshes, d.wheels, d.lubricant.oil, d.T_oil, power)
+        loads = {name: based_on(P, *of) for name, P in loads.items()}
     bearings = d.bearings(loads)
     wheels = {
         name: replace(wheel, bearing_force=bearings[name][0], bearing_loss=bearings[name][1]) if name in bearings else wheel
         for name, wheel in d.wheels.items()
     }
     for name, wheel in wheels.items():
-        with about(f"wheel {name}"):
+        with about(Text("wheel {name}", name=name)):
             needed[name] = reduce(lambda P, P_i: and_need(P=P, P_i=P_i), wheel.parts())
-    P_B, journals = None, {}
+    P_B: Watt | None = None
+    journals: dict[str, JournalResult] = {}
     if d.shaft is not None:
-        journals = d.shaft.journals(at_gear)
-        P_B = d.shaft.sum(journals)
-        with about(f"wheel {d.last}"):
-            needed[d.last] = with_bearings(P=needed[d.last], P_B=P_B)
+        shaft, own = d.shaft, needed[d.last]
+
+        def last(P: Watt) -> tuple[dict[str, JournalResult], Watt, Watt]:
+            journals = shaft.journals(P)
+            P_B = shaft.sum(journals)
+            with about(Text("wheel {last}", last=d.last)):
+                return journals, P_B, with_bearings(P=own, P_B=P_B)
+
+        journals, P_B, needed[d.last] = converged(closing_power, at_gear, last, lambda found: found[2])
         meshes, P_1, P_2 = *_up(d, needed, loads), None
     else:
         meshes, P_1, P_2 = _down(d, needed, loads)
-    with about("train"):
+    with about(Text("train")):
         P_VZ = _total(sums.meshes, [mesh.judged.loss for mesh in meshes.values()])
         P_W = _total(sums.windage, [wheel.windage for wheel in wheels.values()])
         P_C = _total(sums.churning, [wheel.churning for wheel in wheels.values()])
@@ -224,8 +238,16 @@ def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
     return FrictionResult(
         meshes=meshes, wheels=wheels, journals=journals, oil_viscosity=d.oil.eta_0, bearing_loss=P_B, mesh_loss=P_VZ, windage_loss=P_W,
         churning_loss=P_C, thrown_oil_loss=P_J, seal_loss=P_D, wheel_bearing_loss=P_L, other_loss=P_X, total_loss=P, crank_power=P_1,
-        crank_torque=T_1, delivered_power=P_2, fuel=m_B, co2=m_CO2, residual=P_1 - P - (P_2 or 0.0),
+        crank_torque=T_1, delivered_power=P_2, fuel=m_B, co2=m_CO2, residual=based_on(P_1 - P - (P_2 or 0.0), P_1, P, P_2),
     )  # fmt: skip
+
+
+@formula(
+    "P", "power balance: what comes in is what is lost and what goes out", shows="P that is passed on together with the loss which it makes"
+)
+def closing_power(P: Watt) -> Watt:
+    """The power itself, found from all that the losses depend on."""
+    return P
 
 
 def _total(adding: Any, parts: list[Watt | None]) -> Any:
@@ -239,9 +261,10 @@ def _up(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tupl
     carried = dict(needed)
     found: dict[str, MeshResult] = {}
     for name, mesh in reversed(list(d.meshes.items())):
-        with about(f"mesh {mesh.title}"):
-            found[name] = _mesh(d, name, loads[name], carried[mesh.driven.name])
-        with about(f"wheel {mesh.driver.name}"):
+        with about(Text("mesh {title}", title=mesh.title)):
+            P_out = carried[mesh.driven.name]
+            found[name] = converged(closing_power, loads[name], partial(_mesh, d, name, P_out=P_out), lambda one: one.power_in)
+        with about(Text("wheel {name}", name=mesh.driver.name)):
             carried[mesh.driver.name] = with_mesh(P=carried[mesh.driver.name], P_in=found[name].power_in)
     return {name: found[name] for name in d.meshes}, carried[d.first]
 
@@ -250,16 +273,16 @@ def _down(d: Drive, needed: Mapping[str, Watt], loads: Mapping[str, Watt]) -> tu
     """The same along the flow, of one chain whose first mesh has the power that is given; and what is delivered at its end."""
     found: dict[str, MeshResult] = {}
     P = loads[next(iter(d.meshes))]
-    with about(f"wheel {d.first}"):
+    with about(Text("wheel {first}", first=d.first)):
         P_1 = with_mesh(P=needed[d.first], P_in=P)
     for name, mesh in d.meshes.items():
         if found:
-            with about(f"wheel {mesh.driver.name}"):
+            with about(Text("wheel {name}", name=mesh.driver.name)):
                 P = passed_on(P_out=P, P=needed[mesh.driver.name])
-        with about(f"mesh {mesh.title}"):
+        with about(Text("mesh {title}", title=mesh.title)):
             found[name] = _mesh(d, name, P, None)
         P = found[name].power_out
-    with about(f"wheel {d.last}"):
+    with about(Text("wheel {last}", last=d.last)):
         return found, P_1, delivered_power(P_out=P, P=needed[d.last])
 
 
@@ -280,9 +303,9 @@ def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
         )  # fmt: skip
     else:
         H_V = ohlendorf_loss_factor_high(eps_alpha=way.epsilon_alpha, z_1=z_1, z_2=z_2, beta_b=mesh.base_helix_angle)
-    with about(f"mesh {mesh.title}, {'source model' if regimes else 'by regime'}"):
+    with about(Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))):
         beside = solve_mesh(c, P, not regimes)
-    with about(f"mesh {mesh.title}, regressions"):
+    with about(Text("mesh {title}, regressions", title=mesh.title)):
         published = regressions.beside(c, P, H_V)
         losses = [judged.loss, beside.loss, *(one.loss for one in published.values() if one is not None)]
         apart = spread_of(losses)

@@ -15,13 +15,14 @@ import numpy as np
 
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
+from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
 from ...sheet.units import Number, Watt
 from ..mesh.geometry import MeshGeometry, require
 
 TOLERANCE = 1e-9  # of the power
 PASSES = 40
-MORE_POWER = "give more gears.power_kW, less speed, a narrower face, or a thinner oil"
+MORE_POWER = Text("give more gears.power_kW, less speed, a narrower face, or a thinner oil")
 LEFT: Number = 1e-2  # of the power: what a jump of the loss may leave between the power that loads a mesh and the one it takes in
 FINE = 1e-9  # of the power: steps below it say nothing about a slope
 
@@ -106,8 +107,8 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
         for _ in range(PASSES):
             carried, off, moved = needs(loads), {}, 0.0
             for name, mesh in reversed(list(meshes.items())):
-                P_out = require(f"mesh {mesh.title}: power", carried[mesh.driven.name])
-                P = require(f"mesh {mesh.title}: power", guesses[name].at(P_out))
+                P_out = require(Text("mesh {title}: power", title=mesh.title), carried[mesh.driven.name])
+                P = require(Text("mesh {title}: power", title=mesh.title), guesses[name].at(P_out))
                 lost = loss(name, P)
                 off[name] = float(np.max(np.abs(P_out + lost - P) / P))
                 moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
@@ -119,8 +120,13 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
     name, worst = max(off.items(), key=lambda item: item[1])
     if worst <= LEFT:
         return {name: _number(loads[name]) for name in meshes}
-    tried = f"off by {worst * 100:.3g} % of {float(np.max(loads[name])):.6g} W after {PASSES} passes"
-    raise NoSolution(f"power balance of mesh {name}", tried, "less friction, or more power")
+    tried = Text(
+        "off by {worst} % of {max} W after {passes} passes",
+        worst=Amount(worst * 100, form=".3g"),
+        max=Amount(float(np.max(loads[name])), form=".6g"),
+        passes=PASSES,
+    )
+    raise NoSolution(Text("power balance of mesh {name}", name=name), tried, Text("less friction, or more power"))
 
 
 def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: Watt) -> dict[str, Watt]:
@@ -132,7 +138,7 @@ def downstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs, P: 
             if all(np.all(np.abs(loads[name] - before.get(name, np.nan)) <= TOLERANCE * P) for name in meshes):
                 return loads
             before = loads
-    raise NoSolution("power balance of the train", f"not settled after {PASSES} passes", MORE_POWER)
+    raise NoSolution(Text("power balance of the train"), Text("not settled after {passes} passes", passes=PASSES), MORE_POWER)
 
 
 def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, Watt], P: Watt) -> dict[str, Watt]:
@@ -140,12 +146,12 @@ def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, W
     loads: dict[str, Watt] = {}
     for name, mesh in meshes.items():
         if mesh.driver.name != wheel:
-            branches = "the train branches, and the power of its first driver does not say how it divides"
-            raise NoSolution(f"mesh {mesh.title}", branches, "give one chain of wheels")
+            branches = Text("the train branches, and the power of its first driver does not say how it divides")
+            raise NoSolution(Text("mesh {title}", title=mesh.title), branches, Text("give one chain of wheels"))
         if np.any(P <= 0):
-            nothing = f"{float(np.min(P)):.4g} W come in: what lies before it loses more than it gets"
-            raise NoSolution(f"mesh {mesh.title}: power", nothing, MORE_POWER)
-        loads[name] = require(f"mesh {mesh.title}: power", P)
+            nothing = Text("{min} W come in: what lies before it loses more than it gets", min=Amount(float(np.min(P)), form=".4g"))
+            raise NoSolution(Text("mesh {title}: power", title=mesh.title), nothing, MORE_POWER)
+        loads[name] = require(Text("mesh {title}: power", title=mesh.title), P)
         wheel = mesh.driven.name
         P = loads[name] - loss(name, loads[name]) - needed[wheel]
     return loads

@@ -13,12 +13,13 @@ from ...bearings.film.table import eccentricity_from, film_at
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import largest, pi, sin, sqrt
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, Number, PascalSecond, Radian, RevPerSecond, Watt
 from ..inputs import PlainBearing
 from ..mesh.path import array
 
 NOTHING: Newton = 1e-9  # a load that no film feels
-TABLE = "Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated"
+TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
 
 
 @formula("ε", TABLE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted; lighter loads: 0")
@@ -41,16 +42,25 @@ def friction_power(u: MetrePerSecond, eta: PascalSecond, d: Metre, l: Metre, psi
 def power(bearing: PlainBearing, F: Newton, n: RevPerSecond, eta: PascalSecond) -> Watt:
     """The friction of one bush under the load F, one or many.  NoSolution where no film carries it."""
     d, l = bearing.diameter, bearing.length
-    where = f"plain bearing {bearing.name}"
+    where = Text("plain bearing {name}", name=bearing.name)
     b, psi = f.length_ratio(l=l, d=d), f.relative_clearance(g=bearing.clearance, d=d)
     if not 0.1 <= b <= 2:
-        raise NoSolution(where, f"its length is {b:.3g} diameters", "choose a length between 0.1 and 2 diameters")
+        raise NoSolution(
+            where, Text("its length is {b} diameters", b=Amount(b, form=".3g")), Text("choose a length between 0.1 and 2 diameters")
+        )
     u = f.surface_speed(d=d, n=n)
     p = f.specific_load(F=largest(F, NOTHING), d=d, l=l)
     S = f.sommerfeld(mu=eta, n_h=n, p=p, psi=psi)
     least = film_at(0.98, b).sommerfeld
     if np.any(np.asarray(S) < least):
-        tried = f"S = {float(np.min(S)):.3g} under {float(np.max(F)):.4g} N, the table ends at {least:.3g} (ε = 0.98)"
-        raise NoSolution(f"{where}: no film carries its load", tried, "a larger bush, less clearance, or a thicker oil")
+        tried = Text(
+            "S = {min} under {max} N, the table ends at {least} (ε = 0.98)",
+            min=Amount(float(np.min(S)), form=".3g"),
+            max=Amount(float(np.max(F)), form=".4g"),
+            least=Amount(least, form=".3g"),
+        )
+        raise NoSolution(
+            Text("{where}: no film carries its load", where=where), tried, Text("a larger bush, less clearance, or a thicker oil")
+        )
     eps = eccentricity(S=S, b=b)
     return friction_power(u=u, eta=eta, d=d, l=l, psi=psi, eps=eps, F=F, phi=attitude(eps=eps, b=b))

@@ -10,11 +10,12 @@ public code that quotes the catalogue of 2013.
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import exp, largest, pi, sqrt
+from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, RevPerSecond, SquareMetrePerSecond, Watt
 from ..inputs import RollingBearing
 
-PALMGREN = "Palmgren 1957, as generally published (SKF catalogues to 1989, ISO/TR 14179-2)"
-SKF = "SKF, Rolling bearings, catalogue 10000 EN 2013, as in public code"
+PALMGREN = Text("Palmgren 1957, as generally published (SKF catalogues to 1989, ISO/TR 14179-2)")
+SKF = Text("SKF, Rolling bearings, catalogue 10000 EN 2013, as in public code")
 MILLIMETRE: Metre = 1e-3
 CENTISTOKE: SquareMetrePerSecond = 1e-6
 ONE_RPM: RevPerSecond = 1 / 60
@@ -47,58 +48,58 @@ def mean_diameter(d: Metre, D: Metre) -> Metre:
 
 
 # --- Palmgren ----------------------------------------------------------------------------------------------------------------
-@formula("M_0", f"{PALMGREN}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)")
+@formula("M_0", Text("{palmgren}: torque without load; ν·n no less than 2000 mm²/s·rpm (160 for its power 2/3)", palmgren=PALMGREN))
 def torque_of_oil(f_0: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d_m: Metre) -> NewtonMetre:
     return 1e-7 * f_0 * largest((nu / CENTISTOKE * n / ONE_RPM) ** (2 / 3), 160.0) * (d_m / MILLIMETRE) ** 3 * NEWTON_MILLIMETRE
 
 
-@formula("M_1", f"{PALMGREN}: torque of the load, here radial")
+@formula("M_1", Text("{palmgren}: torque of the load, here radial", palmgren=PALMGREN))
 def torque_of_load(f_1: Number, F: Newton, d_m: Metre) -> NewtonMetre:
     return f_1 * F * d_m
 
 
 # --- SKF ---------------------------------------------------------------------------------------------------------------------
-@formula("G_rr", f"{SKF}: rolling, deep-groove ball bearing under radial load")
+@formula("G_rr", Text("{skf}: rolling, deep-groove ball bearing under radial load", skf=SKF))
 def rolling_of_balls(R_1: Number, d_m: Metre, F: Newton) -> Number:
     return R_1 * (d_m / MILLIMETRE) ** 1.96 * (F / ONE_NEWTON) ** 0.54
 
 
-@formula("G_sl", f"{SKF}: sliding, deep-groove ball bearing under radial load")
+@formula("G_sl", Text("{skf}: sliding, deep-groove ball bearing under radial load", skf=SKF))
 def sliding_of_balls(S_1: Number, d_m: Metre, F: Newton) -> Number:
     return S_1 * (d_m / MILLIMETRE) ** -0.26 * (F / ONE_NEWTON) ** (5 / 3)
 
 
-@formula("G_rr", f"{SKF}: rolling, cylindrical roller bearing under radial load")
+@formula("G_rr", Text("{skf}: rolling, cylindrical roller bearing under radial load", skf=SKF))
 def rolling_of_rollers(R_1: Number, d_m: Metre, F: Newton) -> Number:
     return R_1 * (d_m / MILLIMETRE) ** 2.41 * (F / ONE_NEWTON) ** 0.31
 
 
-@formula("G_sl", f"{SKF}: sliding, cylindrical roller bearing under radial load", names={"S_1": "S_2"})
+@formula("G_sl", Text("{skf}: sliding, cylindrical roller bearing under radial load", skf=SKF), names={"S_1": "S_2"})
 def sliding_of_rollers(S_1: Number, d_m: Metre, F: Newton) -> Number:
     return S_1 * d_m / MILLIMETRE * F / ONE_NEWTON
 
 
-@formula("φ_ish", f"{SKF}: heat of the sheared inlet")
+@formula("φ_ish", Text("{skf}: heat of the sheared inlet", skf=SKF))
 def inlet_heat(n: RevPerSecond, d_m: Metre, nu: SquareMetrePerSecond) -> Number:
     return 1 / (1 + 1.84e-9 * (n / ONE_RPM * d_m / MILLIMETRE) ** 1.28 * (nu / CENTISTOKE) ** 0.64)
 
 
-@formula("φ_rs", f"{SKF}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist")
+@formula("φ_rs", Text("{skf}: oil pushed aside and starved; K_rs 3·10⁻⁸ in a bath of low level or a jet, 6·10⁻⁸ in mist", skf=SKF))
 def starvation(K_rs: Number, nu: SquareMetrePerSecond, n: RevPerSecond, d: Metre, D: Metre, K_Z: Number) -> Number:
     return exp(-K_rs * nu / CENTISTOKE * n / ONE_RPM * (d + D) / MILLIMETRE * sqrt(K_Z / 2 * MILLIMETRE / (D - d)))
 
 
-@formula("φ_bl", f"{SKF}: share of boundary lubrication")
+@formula("φ_bl", Text("{skf}: share of boundary lubrication", skf=SKF))
 def boundary_share(n: RevPerSecond, nu: SquareMetrePerSecond, d_m: Metre) -> Number:
     return exp(-2.6e-8 * (n / ONE_RPM * nu / CENTISTOKE) ** 1.4 * d_m / MILLIMETRE)
 
 
-@formula("μ_sl", f"{SKF}: friction of sliding, 0.12 at the boundary")
+@formula("μ_sl", Text("{skf}: friction of sliding, 0.12 at the boundary", skf=SKF))
 def sliding_friction(phi_bl: Number, mu_EHL: Number) -> Number:
     return phi_bl * 0.12 + (1 - phi_bl) * mu_EHL
 
 
-@formula("M", f"{SKF}: rolling and sliding")
+@formula("M", Text("{skf}: rolling and sliding", skf=SKF))
 def torque_by_skf(
     phi_ish: Number, phi_rs: Number, G_rr: Number, nu: SquareMetrePerSecond, n: RevPerSecond, G_sl: Number, mu_sl: Number
 ) -> NewtonMetre:
@@ -110,7 +111,7 @@ def bearing_power(N: Number, M: NewtonMetre, n: RevPerSecond) -> Watt:
     return N * M * 2 * pi * n
 
 
-@formula("M", f"{PALMGREN}: both parts")
+@formula("M", Text("{palmgren}: both parts", palmgren=PALMGREN))
 def torque_by_palmgren(M_0: NewtonMetre, M_1: NewtonMetre) -> NewtonMetre:
     return M_0 + M_1
 
@@ -133,10 +134,14 @@ def power(bearing: RollingBearing, F: Newton, n: RevPerSecond, nu: SquareMetrePe
     balls = bearing.kind == "deep-groove-ball"
     known = BALLS if balls else ROLLERS if bearing.kind == "cylindrical-roller" else {}
     if bearing.series not in known:
-        listed = f"deep-groove-ball {', '.join(BALLS)}; cylindrical-roller {', '.join(ROLLERS)}"
-        tried = f"its constants for {bearing.kind} of series {bearing.series or 'not given'} could not be read"
+        listed = Text("deep-groove-ball {balls}; cylindrical-roller {rollers}", balls=", ".join(BALLS), rollers=", ".join(ROLLERS))
+        tried = Text(
+            "its constants for {kind} of series {series} could not be read", kind=bearing.kind, series=bearing.series or Text("not given")
+        )
         raise NoSolution(
-            f"rolling bearing {bearing.name}: SKF's model", tried, f'take method = "palmgren", or one of these series: {listed}'
+            Text("rolling bearing {name}: SKF's model", name=bearing.name),
+            tried,
+            Text('take method = "palmgren", or one of these series: {listed}', listed=listed),
         )
     R_1, S_1 = known[bearing.series]
     mu_EHL = SYNTHETIC if balls and base != "mineral" else MU_EHL[bearing.kind]

@@ -2,10 +2,11 @@
 """The sums over losses of one kind, one after the other: of the entries on a wheel, and of all wheels and meshes."""
 
 from ...sheet.formula import formula
+from ...sheet.text import Text
 from ...sheet.units import Watt
 
-ON = "sum over what a wheel carries of it, one after the other"
-OVER = "sum over the wheels, one after the other"
+ON = Text("sum over what a wheel carries of it, one after the other")
+OVER = Text("sum over the wheels, one after the other")
 
 
 @formula("P_C", ON, names={"P": "P_C,0"})
@@ -30,7 +31,7 @@ def bearings_on_wheel(P: Watt, P_i: Watt) -> Watt:
 
 @formula("P_X", "no other loss is carried by the wheel", shows="0")
 def no_other_loss() -> Watt:
-    return float("0")
+    return 0.0
 
 
 @formula("P_X", ON, names={"P": "P_X,0"})

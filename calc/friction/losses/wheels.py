@@ -15,6 +15,7 @@ from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, tan
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.trace import about
 from ...sheet.units import (
     Celsius,
@@ -70,7 +71,7 @@ def normal_module(r: Metre, beta: Radian, z: Number) -> Metre:
 
 
 @record
-class Around:
+class Surroundings:
     """The oil around the wheels, and the mist."""
 
     lubricant: Lubricant
@@ -82,11 +83,15 @@ class Around:
 
 def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> dict[str, RevPerSecond]:
     """The speed of every wheel, all positive."""
-    speeds = {next(iter(meshes.values())).driver.name: require("speed of the first driver", first_speed)}
+    speeds = {next(iter(meshes.values())).driver.name: require(Text("speed of the first driver"), first_speed)}
     for mesh in meshes.values():
         if mesh.driver.name not in speeds:
-            raise NoSolution(f"mesh {mesh.title}", f"nothing drives {mesh.driver.name}", "list the meshes along the flow of power")
-        with about(f"wheel {mesh.driven.name}"):
+            raise NoSolution(
+                Text("mesh {title}", title=mesh.title),
+                Text("nothing drives {name}", name=mesh.driver.name),
+                Text("list the meshes along the flow of power"),
+            )
+        with about(Text("wheel {name}", name=mesh.driven.name)):
             speeds[mesh.driven.name] = wheel_speed(n=speeds[mesh.driver.name], z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
     return speeds
 
@@ -108,20 +113,20 @@ def unloaded(
     bodies = {wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)}
     others = carried_by(friction, speeds, last, "other_losses")
     dips, thrown, sealed = (carried_by(friction, speeds, last, kind) for kind in ("dips", "jets", "seals"))
-    with about("mist"):
+    with about(Text("mist")):
         state = lubricant.at(T)
-        around = Around(lubricant, T, state.rho, state.nu, state.mu)
-        rho_m = require("density of the mist", friction.mist_density)
+        around = Surroundings(lubricant, T, state.rho, state.nu, state.mu)
+        rho_m = require(Text("density of the mist"), friction.mist_density)
         rho_0 = mist_of_the_tests(rho_oil=state.rho)
         eta_m = mist_viscosity(s_oil=oil_share(rho_m=rho_m, rho_oil=state.rho), eta_oil=state.mu, eta_air=AIR_VISCOSITY)
     found: dict[str, WheelResult] = {}
     for name, n in speeds.items():
         wheel, beta_b = bodies[name]
-        with about(f"wheel {name}"):
+        with about(Text("wheel {name}", name=name)):
             P_X = sums.no_other_loss()
             for other in others.get(name, ()):
-                with about(f"wheel {name}, {other.name}"):
-                    P_X = sums.other_losses_on_wheel(P=P_X, P_i=require(f"other loss {other.name}", other.power, zero=True))
+                with about(Text("wheel {name}, {name2}", name=name, name2=other.name)):
+                    P_X = sums.other_losses_on_wheel(P=P_X, P_i=require(Text("other loss {name}", name=other.name), other.power, zero=True))
             P_W = windage(b=wheel.face_width, r=wheel.reference_radius, n=n, eta_m=eta_m, rho_m=rho_m, rho_0=rho_0)
         found[name] = WheelResult(
             speed=n, windage=P_W, other_loss=P_X,
@@ -136,13 +141,13 @@ def _sum(name: str, entries: Sequence[Any], adding: Any, power: Callable[..., Wa
     """The losses of several entries of one kind on one wheel; None where there is none."""
     total: Watt | None = None
     for entry in entries:
-        with about(f"wheel {name}, {entry.name}"):
+        with about(Text("wheel {name}, {name2}", name=name, name2=entry.name)):
             P = power(entry, *asked)
             total = P if total is None else adding(P=total, P_i=P)
     return total
 
 
-def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Around) -> Watt:
+def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
     r, b = wheel.reference_radius, wheel.face_width
     h = churning.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
     alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
@@ -158,11 +163,11 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
     return churning.churning(T_C=churning.churning_torque(rho=oil.rho, omega=omega, r=r, S_m=S_m, C_m=C_m), omega=omega)
 
 
-def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Around) -> Watt:
+def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
     return jets.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed)
 
 
-def _sealed(seal: Seal, n: RevPerSecond, oil: Around) -> Watt:
+def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
     if seal.method == "simrit":
         one = seals.simrit(d_sh=seal.diameter, n=n)
     else:
@@ -181,7 +186,7 @@ def carrying(
     rolling, plain = (carried_by(friction, wheels, last, kind) for kind in ("rolling_bearings", "plain_bearings"))
     if not rolling and not plain:
         return {}
-    with about("oil of the wheels' bearings"):
+    with about(Text("oil of the wheels' bearings")):
         state = lubricant.at(T)
     found: dict[str, tuple[Newton, Watt]] = {}
     for name, wheel in wheels.items():

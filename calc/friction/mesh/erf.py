@@ -5,6 +5,8 @@ import math
 
 import numpy as np
 
+from ...sheet.value import LinkedFloat
+
 STEPS = 1024  # per unit
 LAST = 6  # erf(6) is 1 to the last digit
 
@@ -15,7 +17,7 @@ _SLOPE = 2 / math.sqrt(math.pi) * np.exp(-(_GRID**2)) / STEPS  # per step
 
 def erf(x: float) -> float:
     """erf x; a float by `math`, an array by interpolation.  NaN stays NaN."""
-    if type(x) is float:
+    if type(x) in (float, LinkedFloat):
         return math.erf(x)
     size = np.abs(np.asarray(x, dtype=np.float64))
     place = np.fmin(size, LAST) * STEPS

@@ -18,6 +18,7 @@ from ...lubricant import Lubricant
 from ...sheet.formula import formula
 from ...sheet.functions import largest, sqrt
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import (
     Celsius,
     Metre,
@@ -30,6 +31,7 @@ from ...sheet.units import (
     PerPascal,
     WattPerMetreKelvin,
 )  # fmt: skip
+from ...sheet.value import based_on
 from .cells import Cells
 from .motion import Motion
 from .path import array
@@ -38,62 +40,62 @@ EXPONENT: Number = 0.56  # of the materials' parameter, line contact
 ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
 LEAST_FACTOR: Number = 0.05  # of the thermal reduction: below, its formula has left its range
 
-JOHNSON = "Johnson 1970, regimes of fluid-film lubrication of line contacts, as generally published"
-TOYODA = "Dowson and Toyoda 1978, central film of line contacts"
-GUPTA = "Gupta et al. 1992, as generally published"
+JOHNSON = Text("Johnson 1970, regimes of fluid-film lubrication of line contacts, as generally published")
+TOYODA = Text("Dowson and Toyoda 1978, central film of line contacts")
+GUPTA = Text("Gupta et al. 1992, as generally published")
 
 
-@formula("U", f"{TOYODA}: speed parameter")
+@formula("U", Text("{toyoda}: speed parameter", toyoda=TOYODA))
 def speed_parameter(eta_0: PascalSecond, u_e: MetrePerSecond, E_r: Pascal, R: Metre) -> Number:
     return eta_0 * u_e / (E_r * R)
 
 
-@formula("G", f"{TOYODA}: materials parameter")
+@formula("G", Text("{toyoda}: materials parameter", toyoda=TOYODA))
 def materials_parameter(alpha: PerPascal, E_r: Pascal) -> Number:
     return alpha * E_r
 
 
-@formula("W", f"{TOYODA}: load parameter")
+@formula("W", Text("{toyoda}: load parameter", toyoda=TOYODA))
 def load_parameter(w: NewtonPerMetre, E_r: Pascal, R: Metre) -> Number:
     return w / (E_r * R)
 
 
-@formula("g_V", f"{JOHNSON}: viscosity parameter")
+@formula("g_V", Text("{johnson}: viscosity parameter", johnson=JOHNSON))
 def viscosity_group(W: Number, G: Number, U: Number) -> Number:
     return W**1.5 * G / sqrt(U)
 
 
-@formula("g_E", f"{JOHNSON}: elasticity parameter")
+@formula("g_E", Text("{johnson}: elasticity parameter", johnson=JOHNSON))
 def elasticity_group(W: Number, U: Number) -> Number:
     return W / sqrt(U)
 
 
-@formula("H_IR", f"{JOHNSON}: rigid bodies, constant viscosity (Martin 1916)", governs="min")
+@formula("H_IR", Text("{johnson}: rigid bodies, constant viscosity (Martin 1916)", johnson=JOHNSON), governs="min")
 def film_rigid_isoviscous(U: Number, W: Number) -> Number:
     return 4.896 * U / W
 
 
-@formula("H_VR", f"{JOHNSON}: rigid bodies, viscosity rising with pressure (Blok)", governs="min")
+@formula("H_VR", Text("{johnson}: rigid bodies, viscosity rising with pressure (Blok)", johnson=JOHNSON), governs="min")
 def film_rigid_piezoviscous(g_V: Number, U: Number, W: Number) -> Number:
     return 1.66 * g_V ** (2 / 3) * U / W
 
 
-@formula("H_IE", f"{JOHNSON}: elastic bodies, constant viscosity (Herrebrugh)", governs="min")
+@formula("H_IE", Text("{johnson}: elastic bodies, constant viscosity (Herrebrugh)", johnson=JOHNSON), governs="min")
 def film_elastic_isoviscous(g_E: Number, U: Number, W: Number) -> Number:
     return 3.10 * g_E**0.8 * U / W
 
 
-@formula("H_VE", f"{TOYODA} (the friction source credits Hamrock and Dowson)", governs="min", names={"e": "n_G"})
+@formula("H_VE", Text("{toyoda} (the friction source credits Hamrock and Dowson)", toyoda=TOYODA), governs="min", names={"e": "n_G"})
 def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Number:
     return 3.06 * G**e * U**0.69 * W**-0.10
 
 
-@formula("L", f"{GUPTA}: thermal loading parameter, with the mean speed squared")
+@formula("L", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA))
 def thermal_loading(eta_0: PascalSecond, beta: PerKelvin, u_e: MetrePerSecond, k_f: WattPerMetreKelvin) -> Number:
     return eta_0 * beta * u_e**2 / k_f
 
 
-@formula("Φ_T", f"{GUPTA}: reduction by the heat of the sheared inlet", governs="min")
+@formula("Φ_T", Text("{gupta}: reduction by the heat of the sheared inlet", gupta=GUPTA), governs="min")
 def thermal_reduction(p_H: Pascal, E_r: Pascal, L: Number, S: Number) -> Number:
     return (1 - 13.2 * p_H / E_r * L**0.42) / (1 + 0.213 * (1 + 2.23 * S**0.83) * L**0.64)
 
@@ -149,7 +151,7 @@ def oil_at(lubricant: Lubricant, T_m: Celsius, Lambda: Number | None = None, thi
     eta_0 = lubricant.at(T_m).mu
     alpha = lubricant.alpha(eta_0)
     return Oil(
-        lubricant=lubricant, T_m=T_m, eta_0=eta_0, alpha=alpha if thickening is None else alpha * thickening,
+        lubricant=lubricant, T_m=T_m, eta_0=eta_0, alpha=alpha if thickening is None else based_on(alpha * thickening, alpha, thickening),
         beta=lubricant.beta(T_m), k_f=lubricant.oil.conductivity, Lambda=lubricant.limiting_shear if Lambda is None else Lambda,
         thickening=thickening,
     )  # fmt: skip
@@ -183,8 +185,10 @@ def film(by_regime: bool, oil: Oil, motion: Motion, w: NewtonPerMetre, p_H: Pasc
         H_IE = film_elastic_isoviscous(g_E=elasticity_group(W=W, U=U), U=U, W=W)
         H = governing_film(H_IR=H_IR, H_VR=H_VR, H_IE=H_IE, H_VE=H_VE)
         h_0 = rigid_film(H_IR=H_IR, R=motion.R)
+        regimes = H_IR, H_VR, H_IE, H_VE
         lead = largest(largest(H_VR, H_IE), H_VE) / H_IR
-        rigid = array(cells.below_zero(np.log(np.asarray(lead))))
+        rigid = based_on(array(cells.below_zero(np.log(np.asarray(lead)))), *regimes)
+        lead = based_on(lead, *regimes)
     L = thermal_loading(eta_0=oil.eta_0, beta=oil.beta, u_e=motion.u_e, k_f=oil.k_f)
     Phi_T = thermal_reduction(p_H=p_H, E_r=motion.E_r, L=L, S=motion.S)
     Phi = bounded_reduction(Phi_T=Phi_T)

@@ -16,7 +16,9 @@ import numpy as np
 from ...sheet.errors import NoSolution
 from ...sheet.number import short
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre, Number, Pascal, Radian
+from ...sheet.value import LinkedFloat
 
 MAY_BE_ZERO = ("base_helix_angle", "poisson")
 
@@ -68,18 +70,20 @@ def sound(mesh: MeshGeometry) -> None:
         for field in fields(part):
             number = getattr(part, field.name)
             if isinstance(number, (int, float)):
-                require(f"mesh {mesh.title}: {field.name}", number, zero=field.name in MAY_BE_ZERO)
+                require(Text("mesh {title}: {name}", title=mesh.title, name=field.name), number, zero=field.name in MAY_BE_ZERO)
 
 
-def require(what: str, number: float, *, zero: bool = False) -> float:
+def require(what: Text, number: float, *, zero: bool = False) -> float:
     """The number, or the array of numbers, if all are finite and positive (or zero, where zero has a meaning)."""
+    if type(number) in (float, LinkedFloat) and 0 < number < math.inf:
+        return number
     good = np.isfinite(number) & ((number >= 0) if zero else (number > 0))
     if not np.all(good):
         wrong = float(np.ravel(number)[int(np.argmin(np.ravel(good)))])
         raise NoSolution(
             what,
-            f"is {wrong if math.isfinite(wrong) else short(wrong)}",
-            "a finite number " + ("of zero or more" if zero else "above zero") + " is needed",
+            Text("is {wrong}", wrong=wrong if math.isfinite(wrong) else short(wrong)),
+            Text("a finite number ") + (Text("of zero or more") if zero else Text("above zero")) + Text(" is needed"),
         )
     return number
 

@@ -18,11 +18,12 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along
-from ...sheet.number import short
 from ...sheet.quantity import result, value
 from ...sheet.record import record
+from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.trace import untraced
 from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, RevPerSecond, Watt, WattPerMetre
+from ...sheet.value import converged, unlinked
 from ..inputs import FrictionInputs
 from .film import EXPONENT, Film, Oil, film
 from .geometry import MeshGeometry, column, flat, require
@@ -34,11 +35,11 @@ from .traction import HOTTEST, THESIS, Surfaces, Traction, body_resistance, comb
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
 PASSES = 100
-HOTTER_TEETH = "give friction.bulk_temperature_C, less power or speed, or a wider face"
+HOTTER_TEETH = Text("give friction.bulk_temperature_C, less power or speed, or a wider face")
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
 
 
-@formula("P_s", f"{THESIS}: mean over a mesh cycle of the friction power of all lines in contact", names={"s": "Δs"})
+@formula("P_s", Text("{thesis}: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS), names={"s": "Δs"})
 def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
     """s is the length of line for which a position stands; w is the load without its floor."""
     return along(s * mu * w * V_s)
@@ -63,7 +64,7 @@ def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
     return P_s + P_R
 
 
-@formula("H_VL", f"{THESIS}: loss factor, the load shared along the path", names={"s": "Δs"})
+@formula("H_VL", Text("{thesis}: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
 def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
     return along(s * w * V_s) / P
 
@@ -73,15 +74,18 @@ def mean_friction(P_s: Watt, P: Watt, H_VL: Number) -> Number:
     return P_s / (P * H_VL)
 
 
-@formula("η_Z", f"definition of the efficiency ({THESIS}, eq. 1, prints the loss ratio under this name)")
+@formula("η_Z", Text("definition of the efficiency ({thesis}, eq. 1, prints the loss ratio under this name)", thesis=THESIS))
 def efficiency(P_VZ: Watt, P: Watt) -> Number:
+    """>>> efficiency(P_VZ=4.55, P=224.8)
+    0.9797597...
+    """
     return 1 - P_VZ / P
 
 
 # --- single numbers of a whole path ------------------------------------------------------------------------------------------
 @formula("P_R", "without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film")
 def no_rolling_loss() -> Watt:
-    return float("0")
+    return 0.0
 
 
 @formula("h_min", "definition: smallest along the path", unit="µm", shows="smallest h along the path")
@@ -155,12 +159,12 @@ def case(
     way = path(mesh, friction.load_sharing, **fineness)
     Ra_1, Ra_2 = friction.flank_roughness[0], friction.flank_roughness[-1]
     for Ra in (Ra_1, Ra_2):
-        require("flank roughness", Ra)
+        require(Text("flank roughness"), Ra)
     sigma = combined_roughness(Ra_1=Ra_1, Ra_2=Ra_2)
     if np.any(sigma == 0):
-        smooth = f"{short(Ra_1 / MICROMETRE)} µm is so small that its square is 0"
-        raise NoSolution("flank roughness", smooth, "give friction.flank_roughness_um of a real flank: 0.1 to 2 µm")
-    mu_s = require("friction of the solids", friction.solid_friction, zero=True)
+        smooth = Text("{ra_1} µm is so small that its square is 0", ra_1=Amount(Ra_1 / MICROMETRE))
+        raise NoSolution(Text("flank roughness"), smooth, Text("give friction.flank_roughness_um of a real flank: 0.1 to 2 µm"))
+    mu_s = require(Text("friction of the solids"), friction.solid_friction, zero=True)
     M_1 = M_2 = 0.0
     if (bodies := friction.body_resistance) is not None:
         M_1, M_2 = (body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1]))
@@ -219,15 +223,28 @@ class MeshLoss:
     thermal_reduction_min: Number
 
 
+@formula(
+    "Θ_M", "heat of the mesh: the loss warms the teeth, whose oil rubs less", shows="Θ_M at which the mesh's loss warms its teeth to Θ_M"
+)
+def closing_tooth_temperature(T: Celsius) -> Celsius:
+    """The temperature itself, found from all that the loss depends on."""
+    return T
+
+
 def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
     """The loss of a mesh that takes in the power P, one or many."""
-    require(f"mesh {c.mesh.title}: power", P)
+    require(Text("mesh {title}: power", title=c.mesh.title), P)
     if not c.estimated:
         return _solved(c, P, by_regime, exponent)
     with untraced():
-        found, T_b = _warmed(c, P, by_regime, exponent)
-    T_M = bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=warming_of(c, P, found.friction_mean, found.loss_factor))
-    return replace(_solved(replace(c, oil=c.oil.at(T_b)), P, by_regime, exponent), bulk_temperature=T_M)
+        _, T_b = _warmed(unlinked(c), unlinked(P), by_regime, exponent)
+
+    def last(T: Celsius) -> tuple[MeshLoss, Celsius]:
+        found = _solved(replace(c, oil=c.oil.at(T)), P, by_regime, exponent)
+        return found, warming_of(c, P, found.friction_mean, found.loss_factor)
+
+    found, rise = converged(closing_tooth_temperature, T_b, last, lambda both: both[1])
+    return replace(found, bulk_temperature=bulk_temperature(T_oil=flat(c.warming.T_oil), Delta_T=rise))
 
 
 def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
@@ -253,9 +270,9 @@ def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Calla
         before = T, gap
         T = T + gap / (1 - slope)
         if not np.all(np.asarray(T) < HOTTEST):
-            raise fail(gap, f"above {HOTTEST:g} °C, where the laws of the oil end")
+            raise fail(gap, Text("above {hottest} °C, where the laws of the oil end", hottest=Amount(HOTTEST, form="g")))
         T = T if np.ndim(T) else float(T)
-    raise fail(gap, f"off by {float(np.max(np.abs(gap))):.3g} K after {PASSES} passes")
+    raise fail(gap, Text("off by {max} K after {passes} passes", max=Amount(float(np.max(np.abs(gap))), form=".3g"), passes=PASSES))
 
 
 def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
@@ -269,16 +286,39 @@ def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLo
         return T_oil + warming_of(c, P, found.friction_mean, found.loss_factor) - T
 
     def fail(gap: Any, reason: str) -> NoSolution:
-        point = f"operating point {int(np.argmax(np.abs(gap)))}: " if np.ndim(gap) else ""
-        return NoSolution(f"mesh {c.mesh.title}: temperature of the teeth", point + reason, HOTTER_TEETH)
+        point = Text("operating point {argmax}: ", argmax=int(np.argmax(np.abs(gap)))) if np.ndim(gap) else EMPTY
+        return NoSolution(Text("mesh {title}: temperature of the teeth", title=c.mesh.title), point + reason, HOTTER_TEETH)
 
     _steadied(gap_at, T_oil + 0.0 * P, 0.9, fail)
     return last[0], last[1]
 
 
-def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
-    """The loss with teeth of the oil's temperature T_m."""
-    s, m, name = c.path.weight, c.motion, f"mesh {c.mesh.title}"
+def power_lost(c: Case, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
+    """The loss alone, for iterations: the power lost of `solve_mesh`, or that by sliding where rolling does not count."""
+    if c.estimated:
+        whole = solve_mesh(c, P, by_regime)
+        return whole.loss if rolling else whole.sliding_loss
+    require(Text("mesh {title}: power", title=c.mesh.title), P)
+    lost = _lost(c, P, by_regime, EXPONENT)
+    return mesh_loss(P_s=lost.P_s, P_R=lost.P_R) if rolling else lost.P_s
+
+
+@record
+class Lost:
+    """The two parts of the loss, with load, pressure, film and friction at every position, which they come of."""
+
+    P_s: Watt
+    P_R: Watt
+    w: NewtonPerMetre
+    p_H: Pascal
+    oil: Oil
+    f: Film
+    t: Traction
+
+
+def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
+    """Sliding and rolling with teeth of the oil's temperature T_m."""
+    s, m, name = c.path.weight, c.motion, Text("mesh {title}", title=c.mesh.title)
     w, w_f = line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=m.omega_1, r_b1=c.mesh.driver.base_radius))
     b_H = half_width(w=w_f, rho_n=m.R, E_r=m.E_r)
     p_H = hertz_pressure(w=w_f, E_r=m.E_r, rho_n=m.R)
@@ -291,11 +331,19 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)
     P_s = sliding_loss(s=s, mu=t.mu, w=w, V_s=m.V_s)
-    estimate = None
     if not np.any(f.rigid):
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
+    return Lost(P_s=P_s, P_R=P_R, w=w, p_H=p_H, oil=oil, f=f, t=t)
+
+
+def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
+    """The loss with teeth of the oil's temperature T_m, and all that is shown beside it."""
+    lost = _lost(c, P, by_regime, exponent)
+    s, m = c.path.weight, c.motion
+    P_s, P_R, w, p_H, oil, f, t = lost.P_s, lost.P_R, lost.w, lost.p_H, lost.oil, lost.f, lost.t
+    estimate = None
     if not np.all(np.asarray(f.rigid) == 1):
         q_E = ehl_rolling_power(alpha=oil.alpha, G=f.G, U=f.U, W=f.W, R=m.R, Phi=f.Phi, u_e=m.u_e)
         estimate = rolling_estimate(s=s, q_E=q_E, r=f.rigid)
@@ -323,14 +371,18 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
     last: list[Any] = []
 
     def gap_at(T: Any) -> Any:
-        oil = c.oil if T is T_b else c.oil.at(T)
+        oil = c.oil.at(T) if last else c.oil
         _, t = rubbing(oil)
         last[:] = oil, t
         return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
 
     def fail(gap: Any, reason: str) -> NoSolution:
-        where = f"{place(c.path.x, gap, int(np.argmax(np.abs(gap))))}: {reason}"
-        return NoSolution(f"mesh {c.mesh.title}: temperature of the skins", where, "less friction.body_resistance_K_W, power or speed")
+        where = Text("{place}: {reason}", place=place(c.path.x, gap, int(np.argmax(np.abs(gap)))), reason=reason)
+        return NoSolution(
+            Text("mesh {title}: temperature of the skins", title=c.mesh.title),
+            where,
+            Text("less friction.body_resistance_K_W, power or speed"),
+        )
 
     with untraced():
         _steadied(gap_at, T_b, 0.5, fail)

@@ -12,6 +12,7 @@ import numpy as np
 
 from ...lubricant import Lubricant
 from ...sheet.errors import NoSolution
+from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
 from ...sheet.units import Celsius, RevPerSecond, Watt
 from ..inputs import FrictionInputs
@@ -39,7 +40,11 @@ def losses(
     points = points or (SPUR_POINTS if mesh.spur else HELICAL_POINTS)
     if not np.all((T_all > COLDEST) & (T_all < HOTTEST)):  # NaN is not
         wrong = float(T_all[~((T_all > COLDEST) & (T_all < HOTTEST))][0])
-        raise NoSolution(f"mesh {mesh.title}: temperature of the teeth", f"is {wrong:g} °C", "a temperature of a liquid oil is needed")
+        raise NoSolution(
+            Text("mesh {title}: temperature of the teeth", title=mesh.title),
+            Text("is {wrong} °C", wrong=Amount(wrong, form="g")),
+            Text("a temperature of a liquid oil is needed"),
+        )
     friction = replace(friction, bulk="oil")  # the teeth have the temperature that is asked for
     parts = []
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
@@ -50,7 +55,7 @@ def losses(
             try:
                 parts.append(solve_mesh(c, at[2], by_regime))
             except NoSolution as none:
-                among = f"{none.tried} (counted from operating point {start})" if start else none.tried
+                among = Text("{tried} (counted from operating point {start})", tried=none.tried, start=start) if start else none.tried
                 raise NoSolution(none.what, among, none.advice) from None
     return _joined(parts)
 

@@ -10,6 +10,7 @@ from ...contact.line import driven_curvature, normal_relative_radius, relative_r
 from ...sheet.formula import formula
 from ...sheet.functions import pi
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre, MetrePerSecond, Number, Pascal, RadPerSecond, RevPerSecond
 from .geometry import MeshGeometry, column, require
 from .path import AGMA, Path
@@ -35,7 +36,7 @@ def sliding_speed(omega_1: RadPerSecond, omega_2: RadPerSecond, x: Metre, rho_C:
     return (omega_1 + omega_2) * abs(x - rho_C)
 
 
-@formula("u_e", f"{AGMA}: entrainment speed, the mean of both surfaces")
+@formula("u_e", Text("{agma}: entrainment speed, the mean of both surfaces", agma=AGMA))
 def entrainment_speed(u_1: MetrePerSecond, u_2: MetrePerSecond) -> MetrePerSecond:
     return (u_1 + u_2) / 2
 
@@ -61,7 +62,7 @@ class Motion:
 
 def motion(mesh: MeshGeometry, path: Path, n_1: RevPerSecond) -> Motion:
     """The kinematics of a mesh whose driver turns at n_1, one speed or many."""
-    n = column(require(f"mesh {mesh.title}: speed", n_1))
+    n = column(require(Text("mesh {title}: speed", title=mesh.title), n_1))
     omega_1 = driver_speed(n_1=n)
     n_2 = wheel_speed(n=n, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)
     omega_2 = driven_speed(omega_1=omega_1, z_1=mesh.driver.teeth, z_2=mesh.driven.teeth)

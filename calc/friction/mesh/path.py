@@ -26,7 +26,9 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import acos, cos, largest, pi, sin, sqrt, tan
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Newton, NewtonPerMetre, Number, Radian, RadPerSecond, Watt
+from ...sheet.value import based_on
 from .cells import Cells, cells
 from .geometry import MeshGeometry, require, sound
 
@@ -35,16 +37,16 @@ HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
 STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
 FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
 
-AGMA = "AGMA 925-A03, as generally published"
+AGMA = Text("AGMA 925-A03, as generally published")
 
 
 def array(x: Any) -> float:
     """The one door by which arrays enter the formulas, which are typed float → float."""
-    return cast(float, np.asarray(x, dtype=np.float64))
+    return cast(float, np.asanyarray(x, dtype=np.float64))
 
 
 # --- the line of action ----------------------------------------------------------------------------------------------------
-@formula("α_wt", f"{AGMA}: working pressure angle, transverse")
+@formula("α_wt", Text("{agma}: working pressure angle, transverse", agma=AGMA))
 def working_pressure_angle(r_b1: Metre, r_b2: Metre, a_w: Metre) -> Radian:
     return acos((r_b1 + r_b2) / a_w)
 
@@ -54,17 +56,17 @@ def base_pitch(r_b1: Metre, z_1: Number) -> Metre:
     return 2 * pi * r_b1 / z_1
 
 
-@formula("T_1T_2", f"{AGMA}: C_F, between the points where the line of action touches the base circles", unit="mm")
+@formula("T_1T_2", Text("{agma}: C_F, between the points where the line of action touches the base circles", agma=AGMA), unit="mm")
 def line_of_action(a_w: Metre, alpha_wt: Radian) -> Metre:
     return a_w * sin(alpha_wt)
 
 
-@formula("ρ_A", f"{AGMA}: C_A, start of contact at the tip of the driven wheel", unit="mm", names={"T": "T_1T_2"})
+@formula("ρ_A", Text("{agma}: C_A, start of contact at the tip of the driven wheel", agma=AGMA), unit="mm", names={"T": "T_1T_2"})
 def start_of_contact(T: Metre, r_a2: Metre, r_b2: Metre) -> Metre:
     return T - sqrt(r_a2**2 - r_b2**2)
 
 
-@formula("ρ_E", f"{AGMA}: C_E, end of contact at the tip of the driver", unit="mm")
+@formula("ρ_E", Text("{agma}: C_E, end of contact at the tip of the driver", agma=AGMA), unit="mm")
 def end_of_contact(r_a1: Metre, r_b1: Metre) -> Metre:
     return sqrt(r_a1**2 - r_b1**2)
 
@@ -169,7 +171,7 @@ class Path:
     def at_pitch_point(self, x: float) -> float:
         """The value that an array has at C: a float, or one for each of many operating points."""
         found = np.asarray(x)[..., self.per_strip - 3]
-        return cast(float, found if found.ndim else float(found))
+        return based_on(cast(float, found if found.ndim else float(found)), x)
 
 
 @cache
@@ -196,12 +198,18 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
     """The path of contact of a mesh.  NoSolution where the teeth do not mesh, or a spur pair can not share its load as assumed."""
     sound(mesh)
     one, two = mesh.driver, mesh.driven
-    where = f"mesh {mesh.title}: path of contact"
+    where = Text("mesh {title}: path of contact", title=mesh.title)
     if mesh.centre_distance <= one.base_radius + two.base_radius:
-        raise NoSolution(where, f"the base circles overlap at a_w = {mesh.centre_distance * 1e3:.6g} mm", "more centre distance")
+        raise NoSolution(
+            where,
+            Text(
+                "the base circles overlap at a_w = {centre_distance} mm", centre_distance=Amount(mesh.centre_distance * 1000.0, form=".6g")
+            ),
+            Text("more centre distance"),
+        )
     for wheel in (one, two):
         if wheel.tip_radius <= wheel.base_radius:
-            raise NoSolution(where, f"the tip of {wheel.name} lies inside its base circle", "a larger tip diameter")
+            raise NoSolution(where, Text("the tip of {name} lies inside its base circle", name=wheel.name), Text("a larger tip diameter"))
     alpha_wt = working_pressure_angle(r_b1=one.base_radius, r_b2=two.base_radius, a_w=mesh.centre_distance)
     p_bt = base_pitch(r_b1=one.base_radius, z_1=one.teeth)
     C_F = line_of_action(a_w=mesh.centre_distance, alpha_wt=alpha_wt)
@@ -211,36 +219,52 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
     C_D = sole_contact_ends(rho_A=C_A, p_bt=p_bt)
     C_C = pitch_point(T=C_F, z_1=one.teeth, z_2=two.teeth)
     if not 0 < C_A < C_C < C_E < C_F:
-        order = f"0 < A {C_A:.4g} < C {C_C:.4g} < E {C_E:.4g} < F {C_F:.4g} m does not hold"
-        raise NoSolution(where, order, "smaller tip diameters, or more centre distance")
+        order = Text(
+            "0 < A {c_a} < C {c_c} < E {c_e} < F {c_f} m does not hold",
+            c_a=Amount(C_A, form=".4g"),
+            c_c=Amount(C_C, form=".4g"),
+            c_e=Amount(C_E, form=".4g"),
+            c_f=Amount(C_F, form=".4g"),
+        )
+        raise NoSolution(where, order, Text("smaller tip diameters, or more centre distance"))
     epsilon_1 = recess_contact_ratio(rho_E=C_E, rho_C=C_C, p_bt=p_bt)
     epsilon_2 = approach_contact_ratio(rho_C=C_C, rho_A=C_A, p_bt=p_bt)
     epsilon_alpha = transverse_contact_ratio(epsilon_1=epsilon_1, epsilon_2=epsilon_2)
     epsilon_beta = overlap_ratio(b=mesh.face_width, beta_b=mesh.base_helix_angle, p_bt=p_bt)
     if mesh.spur and not 1 <= epsilon_alpha <= 2:
-        raise NoSolution(where, f"ε_α = {epsilon_alpha:.12g}", "the load sharing of a spur pair needs a contact ratio from 1 to 2")
+        raise NoSolution(
+            where,
+            Text("ε_α = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha, form=".12g")),
+            Text("the load sharing of a spur pair needs a contact ratio from 1 to 2"),
+        )
     if epsilon_alpha + epsilon_beta < 1:
-        ratios = f"ε_α + ε_β = {epsilon_alpha + epsilon_beta:.4g}"
-        raise NoSolution(where, ratios, "below 1 the teeth lose contact: a wider face or higher teeth")
+        ratios = Text("ε_α + ε_β = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha + epsilon_beta, form=".4g"))
+        raise NoSolution(where, ratios, Text("below 1 the teeth lose contact: a wider face or higher teeth"))
     marks = np.clip([C_A, C_B, C_C, C_D, C_E], C_A, C_E)
+    places: tuple[Any, ...] = (C_A, C_B, C_C, C_D, C_E)
     if mesh.spur:
         points = points or POINTS
         x, width = _gauss(np.sort(marks)[None, :], points)
         x, weight = np.hstack((x, marks[None, :])), width * mesh.face_width / p_bt
         share = linear_load_sharing if load_sharing == "linear" else smooth_load_sharing
         with np.errstate(divide="ignore", invalid="ignore"):  # at ε_α = 1 or 2 two of the points are one
-            carried = share(x=array(x.ravel()), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
+            carried = share(x=based_on(array(x.ravel()), *places), C_A=C_A, C_B=C_B, C_D=C_D, C_E=C_E)
     else:
-        g_alpha, g_beta = epsilon_alpha * p_bt, epsilon_beta * p_bt
+        g_alpha, g_beta = based_on(epsilon_alpha * p_bt, epsilon_alpha, p_bt), based_on(epsilon_beta * p_bt, epsilon_beta, p_bt)
+        places = (C_A, C_C, C_E, g_alpha, g_beta, p_bt)
         points = points or HELICAL_POINTS
         x, width, part, s = _strips(marks, g_alpha, g_beta, p_bt, points, strips)
         weight = width * part * mesh.face_width / (math.cos(mesh.base_helix_angle) * p_bt)
-        carried = contact_length(s=array(s.ravel()), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle)
+        carried = contact_length(
+            s=based_on(array(s.ravel()), *places), g_alpha=g_alpha, g_beta=g_beta, p_bt=p_bt, beta_b=mesh.base_helix_angle
+        )
     parts = cells(x, width, points, marks.size)
     weight = np.hstack((weight, np.zeros((len(x), marks.size))))
+    of_weight = (*places, p_bt, mesh.face_width, mesh.base_helix_angle)
     return Path(
         C_A=C_A, C_B=C_B, C_C=C_C, C_D=C_D, C_E=C_E, C_F=C_F, p_bt=p_bt, epsilon_1=epsilon_1, epsilon_2=epsilon_2,
-        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=array(x.ravel()), weight=array(weight.ravel()), carried=carried,
+        epsilon_alpha=epsilon_alpha, epsilon_beta=epsilon_beta, x=based_on(array(x.ravel()), *places),
+        weight=based_on(array(weight.ravel()), *of_weight), carried=carried,
         per_strip=x.shape[-1], cells=parts,
     )  # fmt: skip
 
@@ -261,9 +285,9 @@ def _strips(marks: Array, g_alpha: Metre, g_beta: Metre, p_bt: Metre, points: in
 
 def line_load(mesh: MeshGeometry, path: Path, F_bt: Newton) -> tuple[NewtonPerMetre, NewtonPerMetre]:
     """The load per length at every position, and the same with its floor for film and pressure."""
-    require(f"mesh {mesh.title}: force", F_bt)
+    require(Text("mesh {title}: force", title=mesh.title), F_bt)
     if mesh.spur:
         w = spur_line_load(X_Gamma=path.carried, F_bt=F_bt, b=mesh.face_width)
-        return w, floored_line_load(w=w, w_max=F_bt / mesh.face_width)
+        return w, floored_line_load(w=w, w_max=based_on(F_bt / mesh.face_width, F_bt, mesh.face_width))
     w = helical_line_load(F_bt=F_bt, beta_b=mesh.base_helix_angle, L=path.carried)
     return w, w

@@ -19,6 +19,7 @@ from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import asinh, cos, exp, ln, smallest, sqrt
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
 from ...sheet.units import (
     Celsius,
@@ -35,6 +36,7 @@ from ...sheet.units import (
     WattPerMetre,
     WattPerMetreKelvin,
 )  # fmt: skip
+from ...sheet.value import based_on, converged
 from .erf import erf
 from .film import Film, Oil
 from .motion import Motion
@@ -55,27 +57,30 @@ SLACK = 1e-7  # K, above the highest temperature that can come out
 HOTTEST: Celsius = 1500.0  # above, the law of the oil's density ends: it comes to 0 at 1553 °C
 PASSES = 60
 
-THESIS = "gear friction thesis"
-OLVER = "Olver 1991, Olver and Spikes 1998, as generally published"
+THESIS = Text("gear friction thesis")
+OLVER = Text("Olver 1991, Olver and Spikes 1998, as generally published")
 
 
 # --- how the load is carried ----------------------------------------------------------------------------------------------
-@formula("σ", f"{THESIS}: both roughnesses together", unit="µm")
+@formula("σ", Text("{thesis}: both roughnesses together", thesis=THESIS), unit="µm")
 def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
+    """>>> combined_roughness(Ra_1=8e-07, Ra_2=8e-07)
+    1.131370...e-06
+    """
     return sqrt(Ra_1**2 + Ra_2**2)
 
 
-@formula("λ", f"{THESIS}: film over roughness", governs="min")
+@formula("λ", Text("{thesis}: film over roughness", thesis=THESIS), governs="min")
 def film_ratio(h: Metre, sigma: Metre) -> Number:
     return h / sigma
 
 
-@formula("ξ", f"{THESIS}, after Diab: share of the load on the roughness; it fades at λ = 2", names={"lam": "λ"})
+@formula("ξ", Text("{thesis}, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"})
 def solid_share(lam: Number) -> Number:
     return 1 - erf(lam)
 
 
-@formula("μ", f"{THESIS}: mixed friction")
+@formula("μ", Text("{thesis}: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
 
@@ -96,12 +101,14 @@ def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> Pascal
     return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
 
 
-@formula("τ_E", f"{THESIS}: Eyring stress, 2·Λ/α", unit="MPa")
+@formula("τ_E", Text("{thesis}: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
 def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
     return 2 * Lambda / alpha_f
 
 
-@formula("μ_EHL", f"{THESIS}, eq. 32 (misprinted there): Eyring's law, no more than the limiting shear Λ of Bair and Winer")
+@formula(
+    "μ_EHL", Text("{thesis}, eq. 32 (misprinted there): Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS)
+)
 def fluid_friction(tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number) -> Number:
     return smallest(tau_E / p_m * asinh(eta * V_s / (tau_E * h)), Lambda)
 
@@ -116,7 +123,7 @@ def sheared_half_width(R: Metre, h_0: Metre) -> Metre:
     return sqrt(2 * R * h_0)
 
 
-@formula("De", f"{THESIS}: Deborah number, relaxation time over time in the contact; G = 1 GPa")
+@formula("De", Text("{thesis}: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
 def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
     """a: half width of the zone that is sheared, b_H of an elastic contact."""
     return eta * u_e / (SHEAR_MODULUS * 2 * a)
@@ -128,12 +135,15 @@ def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPe
     return mu * w * V_s
 
 
-@formula("B", f"{OLVER}: resistance of a moving surface to heat, per length")
+@formula("B", Text("{olver}: resistance of a moving surface to heat, per length", olver=OLVER))
 def transient_resistance(a_th: SquareMetrePerSecond, a: Metre, u: MetrePerSecond, k_s: WattPerMetreKelvin) -> KelvinMetrePerWatt:
     return sqrt(a_th * a / u) / (2 * a * k_s)
 
 
-@formula("ε", f"{OLVER}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless given")
+@formula(
+    "ε",
+    Text("{olver}: share of the heat that enters the driver; M, resistance of the bodies behind their skins, 0 unless given", olver=OLVER),
+)
 def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: KelvinMetrePerWatt, M_2: KelvinMetrePerWatt) -> Number:
     return (1.06 * B_2 + M_2) / (1.06 * (B_1 + B_2) + M_1 + M_2)
 
@@ -143,7 +153,7 @@ def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetre
     return R_K * b / cos(beta_b)
 
 
-@formula("T_m", f"{OLVER}: mean temperature of both skins, weighted by their speeds", names={"epsilon": "ε"})
+@formula("T_m", Text("{olver}: mean temperature of both skins, weighted by their speeds", olver=OLVER), names={"epsilon": "ε"})
 def skin_temperature(
     T_b: Celsius,
     q: WattPerMetre,
@@ -156,17 +166,27 @@ def skin_temperature(
     return T_b + q * (u_1 * epsilon * M_1 + u_2 * (1 - epsilon) * M_2) / (u_1 + u_2)
 
 
-@formula("R_th", f"{OLVER}: flash temperature of the surfaces and mean temperature across the film, per heat")
+@formula("R_th", Text("{olver}: flash temperature of the surfaces and mean temperature across the film, per heat", olver=OLVER))
 def film_resistance(epsilon: Number, B_1: KelvinMetrePerWatt, h: Metre, a: Metre, k_f: WattPerMetreKelvin) -> KelvinMetrePerWatt:
     return 1.06 * epsilon * B_1 + h / (16 * a * k_f)
 
 
-@formula("T_f", f"{OLVER}: temperature of the film")
+@formula("T_f", Text("{olver}: temperature of the film", olver=OLVER))
 def film_temperature(T_m: Celsius, q: WattPerMetre, R_th: KelvinMetrePerWatt) -> Celsius:
     return T_m + q * R_th
 
 
-ADVICE = 'less power or speed, wider or smoother flanks, or another oil in this mesh; pressure_law = "barus", less body_resistance_K_W'
+@formula(
+    "T_f", Text("{olver}: temperature of the film", olver=OLVER), shows="T_f at which the film rubs so much that it has T_f, secant steps"
+)
+def closing_film_temperature(T_f: Celsius) -> Celsius:
+    """The temperature itself, found from all that the friction depends on."""
+    return T_f
+
+
+ADVICE = Text(
+    'less power or speed, wider or smoother flanks, or another oil in this mesh; pressure_law = "barus", less body_resistance_K_W'
+)
 
 
 def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius, x: Metre, subject: str) -> Celsius:
@@ -193,21 +213,27 @@ def settled(warmed: Callable[[Celsius], Celsius], T_m: Celsius, highest: Celsius
         T = np.where((T >= low) & (T <= high), T, (low + high) / 2)
     worst = int(np.nanargmax(np.where(np.isnan(gap), np.inf, np.abs(gap))))
     left = float(np.ravel(gap)[worst])
-    off = f"off by {left:.3g} K after {PASSES} passes" if np.isfinite(left) else "the formulas give no number there"
-    raise NoSolution(f"{subject}: temperature of the film", f"{place(x, gap, worst)}: {off}", ADVICE)
+    off = (
+        Text("off by {left} K after {passes} passes", left=Amount(left, form=".3g"), passes=PASSES)
+        if np.isfinite(left)
+        else Text("the formulas give no number there")
+    )
+    raise NoSolution(
+        Text("{subject}: temperature of the film", subject=subject), Text("{place}: {off}", place=place(x, gap, worst), off=off), ADVICE
+    )
 
 
 def _beyond(x: Metre, gap: Array, subject: str) -> NoSolution:
     where = place(x, gap, int(np.argmax(gap)))
-    tried = f"{where} it would be above {HOTTEST:g} °C, where the laws of the oil end"
-    return NoSolution(f"{subject}: temperature of the film", tried, ADVICE)
+    tried = Text("{where} it would be above {hottest} °C, where the laws of the oil end", where=where, hottest=Amount(HOTTEST, form="g"))
+    return NoSolution(Text("{subject}: temperature of the film", subject=subject), tried, ADVICE)
 
 
 def place(x: Metre, gap: Array, worst: int) -> str:
     """The position of one element, and of many operating points which it is."""
     point, position = divmod(worst, np.size(x))
-    which = f"operating point {point}, " if gap.ndim > 1 else ""
-    return f"{which}{float(np.ravel(x)[position]) * 1e3:.4g} mm from T₁"
+    which = Text("operating point {point}, ", point=point) if gap.ndim > 1 else ""
+    return Text("{which}{ravel} mm from T₁", which=which, ravel=Amount(float(np.ravel(x)[position]) * 1000.0, form=".4g"))
 
 
 # --- together --------------------------------------------------------------------------------------------------------------
@@ -279,7 +305,10 @@ def traction(
     if not (rigid < 1).any():
         return Traction(lam=lam, xi=xi, **vars(thin))
     thick = _elastic(at, array(np.where(rigid < 1, 1.0, 0.0)), x, subject)
-    both = {name: array(rigid * one + (1 - rigid) * getattr(thick, name)) for name, one in vars(thin).items()}
+    both = {
+        name: based_on(array(rigid * one + (1 - rigid) * getattr(thick, name)), film.rigid, one, getattr(thick, name))
+        for name, one in vars(thin).items()
+    }
     return Traction(lam=lam, xi=xi, **both)
 
 
@@ -318,7 +347,7 @@ def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
         most = friction(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)
         highest = oil.T_m + there * most * c.w * m.V_s * R_th
         T_f = settled(lambda T: oil.T_m + there * (at(T).T_f - oil.T_m), oil.T_m, highest, x, subject)
-    return at(T_f)
+    return converged(closing_film_temperature, T_f, at, lambda rubs: rubs.T_f)
 
 
 def _heat(c: Contact, a: Metre) -> tuple[Number, KelvinMetrePerWatt]:

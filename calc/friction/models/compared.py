@@ -4,30 +4,38 @@
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.step import Table
+from ...sheet.text import Amount, Text
 from ...sheet.units import Number, Watt
 from ..mesh.loss import MeshLoss
 from .regressions import FASTEST, LOWEST_LINE_LOAD, RUNS, SMOOTH, Regression
 
-TESTS = f"line load from {LOWEST_LINE_LOAD / 1e3:g} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {FASTEST:g} m/s"
+TESTS = Text(
+    "line load from {lowest_line_load} N/mm (held there below), sum of speeds from 1 m/s, pitch line to {fastest} m/s",
+    lowest_line_load=Amount(LOWEST_LINE_LOAD / 1000.0, form="g"),
+    fastest=Amount(FASTEST, form="g"),
+)
+INTEGRATED, OHLENDORF = Text("integrated"), Text("× Ohlendorf")
 
 
 @record
 class Model:
     """A published model: who made it, how its loss is found here, and where it holds."""
 
-    authors: str
-    how: str
-    range: str
+    authors: Text
+    how: Text
+    range: Text
 
 
 MODELS = {
-    "schlenk": Model("Schlenk", "× Ohlendorf", TESTS),
-    "niemann": Model("Niemann and Winter, Michaelis", "× Ohlendorf", TESTS),
+    "schlenk": Model(Text("Schlenk"), OHLENDORF, TESTS),
+    "niemann": Model(Text("Niemann and Winter, Michaelis"), OHLENDORF, TESTS),
     "xu_kahraman": Model(
-        "Xu and Kahraman", "integrated",
-        f"{RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g} MPa, roughness to {SMOOTH * 1e6:g} µm (from memory); one gear oil, 75W-90",
+        Text("Xu and Kahraman"), INTEGRATED,
+        Text("{runs} to {runs2} MPa, roughness to {smooth} µm (from memory); one gear oil, 75W-90",
+            runs=Amount(RUNS[0] / 1000000.0, form="g"), runs2=Amount(RUNS[1] / 1000000.0, form="g"),
+            smooth=Amount(SMOOTH * 1000000.0, form="g")),
     ),
-    "benedict_kelley": Model("Benedict and Kelley", "integrated", "μ from 0.01 to 0.2 (held there)"),
+    "benedict_kelley": Model(Text("Benedict and Kelley"), INTEGRATED, Text("μ from 0.01 to 0.2 (held there)")),
 }  # fmt: skip
 
 
@@ -47,22 +55,26 @@ def table(
     """`key` of the mesh; the own models integrate with the local film."""
     rigid = by_regime.lead_at_pitch < 1
     rows: list[tuple[str | float | None, ...]] = [
-        ("by regime, integrated", by_regime.loss, by_regime.friction_mean, by_regime.loss_factor, "any load; rolling an upper bound", ""),
-        ("EHL film, integrated (source)", source.loss, source.friction_mean, source.loss_factor, "EHL film thicker than a rigid one",
-         "outside: a rigid isoviscous film governs" if rigid else ""),
+        (Text("by regime, integrated"), by_regime.loss, by_regime.friction_mean, by_regime.loss_factor,
+            Text("any load; rolling an upper bound"), ""),
+        (Text("EHL film, integrated (source)"), source.loss, source.friction_mean, source.loss_factor,
+            Text("EHL film thicker than a rigid one"),
+         Text("outside: a rigid isoviscous film governs") if rigid else ""),
     ]  # fmt: skip
     for name, model in MODELS.items():
-        one, named = published[name], f"{model.authors} {model.how}"
+        one, named = published[name], Text("{authors} {how}", authors=model.authors, how=model.how)
         if one is None:
-            rows.append((named, None, None, None, model.range, "runs away: not shown"))
+            rows.append((named, None, None, None, model.range, Text("runs away: not shown")))
             continue
-        H = H_V if model.how == "× Ohlendorf" else by_regime.loss_factor
-        rows.append((named, one.loss, one.friction_mean, H, model.range, f"outside: {one.outside}" if one.outside else ""))
-    columns = (("Model", ""), ("P_VZ", "W"), ("μ_m", ""), ("H", ""), ("Range", ""), ("Here", ""))
-    note = "μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film."
+        H = H_V if model.how is OHLENDORF else by_regime.loss_factor
+        rows.append(
+            (named, one.loss, one.friction_mean, H, model.range, Text("outside: {outside}", outside=one.outside) if one.outside else "")
+        )
+    columns = ((Text("Model"), ""), (Text("P_VZ"), "W"), (Text("μ_m"), ""), (Text("H"), ""), (Text("Range"), ""), (Text("Here"), ""))
+    note = Text("μ_m is that of sliding; the first line also counts rolling in its loss. Only the first two know the local film.")
     return Table(
         f"models_{key}",
-        f"Mesh {title}: models of friction side by side",
+        Text("Mesh {title}: models of friction side by side", title=title),
         columns,
         tuple(rows),
         note,

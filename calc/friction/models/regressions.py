@@ -16,11 +16,13 @@ import numpy as np
 
 from ...contact.hertz import hertz_pressure
 from ...contact.teeth import LUBRICANT_FACTOR, mean_friction, roughness_factor, sum_of_speeds
+from ...sheet.arrays import each
 from ...sheet.formula import formula
 from ...sheet.functions import along, exp, largest, log10, smallest
-from ...sheet.number import short
 from ...sheet.quantity import result, value
+from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Watt
+from ...sheet.value import based_on
 from ..mesh.geometry import column, flat
 from ..mesh.loss import Case, loss_factor, sliding_loss
 from ..mesh.loss import mean_friction as mean_friction_of
@@ -42,7 +44,7 @@ SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, ISO/TR 13989-2, as in public code
 HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 
-XU = "Xu and Kahraman 2005, as generally published"
+XU = Text("Xu and Kahraman 2005, as generally published")
 
 
 @formula(
@@ -51,13 +53,16 @@ XU = "Xu and Kahraman 2005, as generally published"
     names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
 )
 def schlenk(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number) -> Number:
+    """>>> schlenk(w_t=150000, v_SumC=5.19, rho_C=0.006201, eta_0=0.007413, Ra=8e-07, X_L=1)
+    0.05587357...
+    """
     return (
         0.048 * (w_t / NEWTON_PER_MILLIMETRE / (v_SumC / METRE_PER_SECOND * rho_C / MILLIMETRE)) ** 0.2
         * (eta_0 / MILLIPASCAL_SECOND) ** -0.05 * (Ra / MICROMETRE) ** 0.25 * X_L
     )  # fmt: skip
 
 
-@formula("f", f"{XU}: exponent", names={"S": "SR", "sigma": "σ"})
+@formula("f", Text("{xu}: exponent", xu=XU), names={"S": "SR", "sigma": "σ"})
 def xu_kahraman_exponent(S: Number, p_H: Pascal, eta_0: PascalSecond, sigma: Metre) -> Number:
     return (
         -8.916465 - 0.354068 * S * p_H / GIGAPASCAL * log10(eta_0 / MILLIPASCAL_SECOND)
@@ -108,7 +113,7 @@ class Regression:
 
     loss: Watt = value("Power lost in the mesh", "W", "P_VZ")
     friction_mean: Number = value("Mean coefficient of friction", "", "μ_m")
-    outside: str = ""
+    outside: Text = EMPTY
 
 
 def beside(c: Case, P: Watt, H_V: Number) -> dict[str, Any]:
@@ -139,25 +144,26 @@ def of_niemann(c: Case, P: Watt, H_V: Number) -> Regression:
 
 def _eta(c: Case) -> PascalSecond:
     """Viscosity of the oil as it comes, which all of them take, also where the teeth are warmer."""
-    same = c.warming.T_oil is c.oil.T_m or np.array_equal(c.warming.T_oil, c.oil.T_m)
+    same = np.array_equal(c.warming.T_oil, c.oil.T_m)
     return c.oil.eta_0 if same else c.oil.lubricant.at(c.warming.T_oil).mu
 
 
 def _X_L(c: Case) -> Number:
-    return LUBRICANT_FACTOR.get(c.oil.lubricant.oil.base, 1.0)
+    base = c.oil.lubricant.oil.base
+    return based_on(LUBRICANT_FACTOR.get(base, 1.0), base)
 
 
-def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> str:
+def _outside_tests(c: Case, w_bt: NewtonPerMetre, u_C: MetrePerSecond) -> Text:
     """Line load from 150 N/mm, sum of the speeds from 1 m/s, pitch line up to 50 m/s."""
     found = []
     v_t = u_C * c.mesh.centre_distance / c.path.C_F  # C rolls with the part of the pitch line's speed along the line of action
     if np.any(w_bt < LOWEST_LINE_LOAD):
-        found.append(f"line load {short(float(np.min(w_bt)) / 1e3)} N/mm, tests from 150")
+        found.append(Text("line load {min} N/mm, tests from 150", min=Amount(float(np.min(w_bt)) / 1000.0)))
     if np.any(2 * u_C < 1.0):
-        found.append(f"sum of speeds {short(2 * float(np.min(u_C)))} m/s, tests from 1")
+        found.append(Text("sum of speeds {min} m/s, tests from 1", min=Amount(2 * float(np.min(u_C)))))
     if np.any(v_t > FASTEST):
-        found.append(f"pitch line {short(float(np.max(v_t)))} m/s, tests up to {FASTEST:g}")
-    return "; ".join(found)
+        found.append(Text("pitch line {max} m/s, tests up to {fastest}", max=Amount(float(np.max(v_t))), fastest=Amount(FASTEST, form="g")))
+    return SEMICOLON.join(found) if found else EMPTY
 
 
 # --- integrated along the path --------------------------------------------------------------------------------------------------
@@ -173,19 +179,33 @@ def of_xu_kahraman(c: Case, P: Watt) -> Regression | None:
     mu = xu_kahraman(f=f, p_H=p_H, S=c.motion.S, u_e=c.motion.u_e, eta_0=eta_0, R=c.motion.R)
     highest, outside = float(np.max(p_H)), []
     if not RUNS[0] <= highest <= RUNS[1]:
-        outside.append(f"pressure up to {short(highest / 1e6)} MPa, runs from {RUNS[0] / 1e6:g} to {RUNS[1] / 1e6:g}")
+        outside.append(
+            Text(
+                "pressure up to {highest} MPa, runs from {runs} to {runs2}",
+                highest=Amount(highest / 1000000.0),
+                runs=Amount(RUNS[0] / 1000000.0, form="g"),
+                runs2=Amount(RUNS[1] / 1000000.0, form="g"),
+            )
+        )
     if np.any(sigma > SMOOTH):
-        outside.append(f"roughness {short(float(np.max(sigma)) * 1e6)} µm, runs up to {SMOOTH * 1e6:g}")
-    found = _summed(c, P, w, mu, "; ".join(outside))
+        outside.append(
+            Text(
+                "roughness {max} µm, runs up to {smooth}",
+                max=Amount(float(np.max(sigma)) * 1000000.0),
+                smooth=Amount(SMOOTH * 1000000.0, form="g"),
+            )
+        )
+    found = _summed(c, P, w, mu, SEMICOLON.join(outside) if outside else EMPTY)
     return found if np.all(np.isfinite(found.loss)) else None
 
 
 def of_benedict_kelley(c: Case, P: Watt) -> Regression:
     w, w_f = _load(c, P)
-    mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=2 * c.motion.u_e)
+    mu = benedict_kelley(w=w_f, eta_0=_eta(c), V_s=c.motion.V_s, V_T=based_on(2 * c.motion.u_e, c.motion.u_e))
     bounded = (np.asarray(mu) <= 0.01) | (np.asarray(mu) >= 0.2)
-    share = float(np.mean(along(c.path.weight * bounded) / along(c.path.weight)))
-    return _summed(c, P, w, mu, f"held at its bounds on {share * 100:.0f} % of the path" if share > HELD else "")
+    share = float(np.mean(along(each(np.asarray(c.path.weight * bounded, dtype=np.float64))) / along(c.path.weight)))
+    held = Text("held at its bounds on {share} % of the path", share=Amount(share * 100, form=".0f"))
+    return _summed(c, P, w, mu, held if share > HELD else EMPTY)
 
 
 def _line_load(c: Case, P: Watt) -> NewtonPerMetre:
@@ -197,7 +217,7 @@ def _load(c: Case, P: Watt) -> tuple[NewtonPerMetre, NewtonPerMetre]:
     return line_load(c.mesh, c.path, transverse_force(P=column(P), omega_1=c.motion.omega_1, r_b1=c.mesh.driver.base_radius))
 
 
-def _summed(c: Case, P: Watt, w: NewtonPerMetre, mu: Number, outside: str) -> Regression:
+def _summed(c: Case, P: Watt, w: NewtonPerMetre, mu: Number, outside: Text) -> Regression:
     P_s = sliding_loss(s=c.path.weight, mu=mu, w=w, V_s=c.motion.V_s)
     H_VL = loss_factor(s=c.path.weight, w=w, V_s=c.motion.V_s, P=P)
     return Regression(friction_mean=mean_friction_of(P_s=P_s, P=P, H_VL=H_VL), loss=P_s, outside=outside)

@@ -5,21 +5,20 @@ At the working circles, by the torque that is handed in: the mean one, or a peak
 which points towards the flywheel where the crank turns clockwise seen from its front end.
 """
 
-import math
 from collections.abc import Mapping
 from functools import reduce
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
-from ...sheet.number import short
-from ...sheet.step import Outcome, Table
+from ...sheet.step import Outcome
+from ...sheet.text import Text
 from ...sheet.trace import about, trace
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, PhasorNewton, Radian
 from ..inputs import GearsInputs
+from ..result import MeshResult, TrainResult
 from . import formulas as f
+from .curves import forces_tables
+from .notes import forces_notes
 from .result import ForcesResult, LayoutResult, MeshForces, WheelForces
-
-if TYPE_CHECKING:
-    from ..result import MeshResult, TrainResult
 
 
 class Share(NamedTuple):
@@ -32,26 +31,26 @@ class Share(NamedTuple):
     psi: Radian | None  # direction of the pitch point from the wheel's axis
 
 
-def forces(gears: GearsInputs, train: "TrainResult", layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome:
-    """An outcome whose result is a ForcesResult.  `torques`: of the driver of every mesh, by the mesh ("a_b")."""
+def forces(gears: GearsInputs, train: TrainResult, layout: LayoutResult, torques: Mapping[str, NewtonMetre]) -> Outcome[ForcesResult]:
+    """`torques`: of the driver of every mesh, by the mesh ("a_b")."""
     turns = _turns(gears, train)
     with trace() as lines:
         meshes, wheels = _all(gears, train, layout, torques, turns, gears.hands())
     result = ForcesResult(wheels=wheels, meshes=meshes)
-    return Outcome("gears", result=result, lines=tuple(lines), tables=_tables(result), notes=_notes(gears, result, turns))
+    return Outcome("gears", result=result, lines=tuple(lines), tables=forces_tables(result), notes=forces_notes(gears, result, turns))
 
 
-def axis_forces(gears: GearsInputs, train: "TrainResult", torques: Mapping[str, NewtonMetre]) -> dict[str, Newton]:
+def axis_forces(gears: GearsInputs, train: TrainResult, torques: Mapping[str, NewtonMetre]) -> dict[str, Newton]:
     """The force of the teeth on the axis of every wheel, the largest it can be where the places of the wheels are not known.
 
     `torques` may be arrays: many operating points.
     """
     _, wheels = _all(gears, train, train.layout, torques, _turns(gears, train), {})  # no hands: thrust is not asked for
-    found = {name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()}
-    return {name: force for name, force in found.items() if force is not None}
+    loads = {name: w.bearing_force if w.bearing_force is not None else w.bearing_force_max for name, w in wheels.items()}
+    return {name: force for name, force in loads.items() if force is not None}
 
 
-def _turns(gears: GearsInputs, train: "TrainResult") -> dict[str, Number]:
+def _turns(gears: GearsInputs, train: TrainResult) -> dict[str, Number]:
     """+1 for the wheels that turn as the crank, −1 for the others."""
     turns: dict[str, Number] = {gears.meshes[0].driver: 1.0}
     for mesh in train.meshes.values():
@@ -60,13 +59,9 @@ def _turns(gears: GearsInputs, train: "TrainResult") -> dict[str, Number]:
 
 
 def _all(
-    gears: GearsInputs,
-    train: "TrainResult",
-    layout: LayoutResult | None,
-    torques: Mapping[str, NewtonMetre],
-    turns: Mapping[str, Number],
+    gears: GearsInputs, train: TrainResult, layout: LayoutResult | None, torques: Mapping[str, NewtonMetre], turns: Mapping[str, Number],
     hand: Mapping[str, str],
-) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:
+) -> tuple[dict[str, MeshForces], dict[str, WheelForces]]:  # fmt: skip
     shares: dict[str, list[Share]] = {w.name: [] for w in gears.wheels}
     meshes = {}
     for key, mesh in train.meshes.items():
@@ -76,10 +71,10 @@ def _all(
     return meshes, {name: _wheel(name, hand.get(name, ""), parts) for name, parts in shares.items()}
 
 
-def _mesh(mesh: "MeshResult", gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]) -> MeshForces:
+def _mesh(mesh: MeshResult, gamma: Radian | None, T_1: NewtonMetre, s: Number, h: Number, shares: dict[str, list[Share]]) -> MeshForces:
     """`s` +1: the driver turns as the crank; `h` +1: it is right-handed, 0: the wheels are spur."""
     d_w1, d_w2 = mesh.working_diameter_driver, mesh.working_diameter_driven
-    with about(f"mesh {mesh.driver}–{mesh.driven}, forces"):
+    with about(Text("mesh {pair}, forces", pair=mesh.title)):
         F_tw = f.tangential_force(T_1=T_1, d_w1=d_w1)
         F_rw = f.radial_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
         F_bt = f.transverse_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
@@ -99,29 +94,27 @@ def _mesh(mesh: "MeshResult", gamma: Radian | None, T_1: NewtonMetre, s: Number,
 
 
 def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
-    found: dict[str, Any] = {}
+    values: dict[str, float] = {}
     placed = all(part.force is not None for part in parts)
-    with about(f"wheel {name}, forces"):
+    with about(Text("wheel {name}, forces", name=name)):
         if placed:
             F_W, *more = (part.force for part in parts if part.force is not None)
             for F_m in more:
                 F_W = f.wheel_force(F_1=F_W, F_2=F_m)
-            found["bearing_force"], found["bearing_force_direction"] = f.bearing_force(F_W=F_W), f.force_direction(F_W=F_W)
+            values["bearing_force"], values["bearing_force_direction"] = f.bearing_force(F_W=F_W), f.force_direction(F_W=F_W)
         elif len(parts) == 1:
-            found["bearing_force"] = parts[0].transverse
+            values["bearing_force"] = parts[0].transverse
         elif len(parts) == 2:
             one, two = (part.transverse for part in parts)
-            found["bearing_force_min"] = f.bearing_force_least(F_bt1=one, F_bt2=two)
-            found["bearing_force_max"] = f.bearing_force_most(F_bt1=one, F_bt2=two)
+            values["bearing_force_min"] = f.bearing_force_least(F_bt1=one, F_bt2=two)
+            values["bearing_force_max"] = f.bearing_force_most(F_bt1=one, F_bt2=two)
         else:
-            found["bearing_force_max"] = reduce(
-                lambda F, part: f.bearing_force_most(F_bt1=F, F_bt2=part.transverse), parts[1:], parts[0].transverse
-            )
+            values["bearing_force_max"] = reduce(f.bearing_force_most, [part.transverse for part in parts])
         if hand:
-            thrusts: Any = tuple(part.thrust for part in parts)
-            found["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]
-            found |= _tilting(parts, placed)
-    return WheelForces(**found, hand=hand)
+            thrusts: Any = tuple(part.thrust for part in parts)  # formulas are typed for one number
+            values["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]
+            values |= _tilting(parts, placed)
+    return WheelForces(**values, hand=hand)
 
 
 def _tilting(parts: list[Share], placed: bool) -> dict[str, NewtonMetre]:
@@ -136,50 +129,3 @@ def _tilting(parts: list[Share], placed: bool) -> dict[str, NewtonMetre]:
         return {}
     one, two = (f.tilting_of_one(F_x=part.thrust, d_w=part.arm) for part in parts)
     return {"tilting_couple_min": f.tilting_least(M_1=one, M_2=two), "tilting_couple_max": f.tilting_most(M_1=one, M_2=two)}
-
-
-def _tables(result: ForcesResult) -> tuple[Table, ...]:
-    teeth = tuple(
-        (key.replace("_", "–"), m.working_tangential_force, m.working_radial_force, m.axial_force) for key, m in result.meshes.items()
-    )
-    rows: list[tuple[str | float | None, ...]] = []
-    for name, w in result.wheels.items():
-        least = w.bearing_force if w.bearing_force is not None else w.bearing_force_min
-        most = w.bearing_force if w.bearing_force is not None else w.bearing_force_max
-        couple = w.tilting_couple if w.tilting_couple is not None else w.tilting_couple_max
-        direction = None if w.bearing_force_direction is None else math.degrees(w.bearing_force_direction)
-        rows.append((name, w.hand or None, least, most, direction, w.thrust, couple))
-    covers = tuple(f"gears.{name}.{part}" for name in result.wheels for part in ("bearing_force", "thrust", "tilting_couple"))
-    return (
-        Table(
-            "tooth_forces", "Forces between the teeth, at the working circles",
-            (("mesh", ""), ("F_tw", "N"), ("F_rw", "N"), ("F_a", "N")), teeth,
-            covers=tuple(f"gears.{key}.{part}" for key in result.meshes for part in ("working_tangential", "working_radial", "axial_")),
-        ),
-        Table(
-            "bearing_forces", "Forces on the bearings of the wheels",
-            (("wheel", ""), ("hand", ""), ("least", "N"), ("most", "N"), ("direction", "°"), ("thrust", "N"), ("tilting couple", "N·m")),
-            tuple(rows),
-            "Least and most differ where the included angle is not known; the tilting couple is then the largest. Direction from up in the "
-            "sense of crank rotation. Thrust: + towards the flywheel, the crank turning clockwise seen from its front end.",
-            covers,
-        ),
-    )  # fmt: skip
-
-
-def _notes(gears: GearsInputs, result: ForcesResult, turns: Mapping[str, Number]) -> tuple[str, ...]:
-    if not gears.helix_angle:
-        return ()
-    notes = []
-    if all(w.hand is None for w in gears.wheels):
-        notes.append(f"Hands of the helix: not given; chosen: {gears.meshes[0].driver} right-handed, the others in turn.")
-    last = gears.meshes[-1].driven
-    wheel = result.wheels[last]
-    assert wheel.thrust is not None
-    if wheel.thrust:
-        where, sense = ("the flywheel" if wheel.thrust > 0 else "the front"), ("as" if turns[last] > 0 else "against")
-        notes.append(
-            f"{last}, {wheel.hand}-handed and turning {sense} the crank, is pushed {short(abs(wheel.thrust))} N towards {where} (the crank "
-            "turning clockwise seen from its front end): its shaft must be held there, and the other way where the torque reverses."
-        )
-    return tuple(notes)

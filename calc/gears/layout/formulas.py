@@ -9,6 +9,7 @@ import math
 
 from ...sheet.formula import formula
 from ...sheet.functions import argument, cis, conj, cos, imag, joined, modulus, pi, resultant, sqrt, tan
+from ...sheet.text import Text
 from ...sheet.units import (
     Metre,
     Newton,
@@ -21,88 +22,93 @@ from ...sheet.units import (
 )
 from ..formulas import ISO
 
-PLANE = "plane geometry"
-TEETH = "meshing of involute teeth"
-NUMBERS = "arithmetic of whole tooth numbers"
-STATICS = "equilibrium of a wheel"
-ROOM = "room around a turning wheel, worst case"
+PLANE = Text("plane geometry")
+TEETH = Text("meshing of involute teeth")
+NUMBERS = Text("arithmetic of whole tooth numbers")
+STATICS = Text("equilibrium of a wheel")
+ROOM = Text("room around a turning wheel, worst case")
 
 
 # --- positions -------------------------------------------------------------------------------------------------------------
-@formula("c", f"{PLANE}: distance of two axes", unit="mm")
+@formula("c", Text("{plane}: distance of two axes", plane=PLANE), unit="mm")
 def axes_apart(p_1: PhasorMetre, p_3: PhasorMetre) -> Metre:
     return modulus(p_3 - p_1)
 
 
-@formula("γ", f"{PLANE}: direction of the line of centres, from up in the sense of crank rotation")
+@formula("γ", Text("{plane}: direction of the line of centres, from up in the sense of crank rotation", plane=PLANE))
 def line_of_centres(p_1: PhasorMetre, p_3: PhasorMetre) -> Radian:
     return argument(p_3 - p_1)
 
 
-@formula("u", f"{PLANE}, two circles: foot of their common chord on the line of centres", unit="mm")
+@formula("u", Text("{plane}, two circles: foot of their common chord on the line of centres", plane=PLANE), unit="mm")
 def chord_foot(c: Metre, a_12: Metre, a_23: Metre) -> Metre:
     return (c**2 + a_12**2 - a_23**2) / (2 * c)
 
 
-@formula("v", f"{PLANE}, two circles: half their common chord", unit="mm")
+@formula("v", Text("{plane}, two circles: half their common chord", plane=PLANE), unit="mm")
 def half_chord(a_12: Metre, u: Metre) -> Metre:
     return sqrt(a_12**2 - u**2)
 
 
-@formula("p_2", f"{PLANE}, two circles: s = +1 is the point further in the sense of crank rotation, −1 the other", unit="mm")
+@formula(
+    "p_2", Text("{plane}, two circles: s = +1 is the point further in the sense of crank rotation, −1 the other", plane=PLANE), unit="mm"
+)
 def on_two_circles(p_1: PhasorMetre, gamma: Radian, u: Metre, v: Metre, s: Number) -> PhasorMetre:
     return p_1 + u * cis(gamma) + s * v * cis(gamma + pi / 2)
 
 
-@formula("p_2", f"{PLANE}: the circles only touch, or miss each other within the tolerance: the foot on the line of centres", unit="mm")
+@formula("p_2",
+    Text("{plane}: the circles only touch, or miss each other within the tolerance: the foot on the line of centres", plane=PLANE),
+    unit="mm")  # fmt: skip
 def on_line(p_1: PhasorMetre, gamma: Radian, u: Metre) -> PhasorMetre:
     return p_1 + u * cis(gamma)
 
 
-@formula("p_2", f"{PLANE}: a point of a circle, in a direction that is free", unit="mm")
+@formula("p_2", Text("{plane}: a point of a circle, in a direction that is free", plane=PLANE), unit="mm")
 def on_circle(p_1: PhasorMetre, a_12: Metre, phi: Radian) -> PhasorMetre:
     return p_1 + a_12 * cis(phi)
 
 
-@formula("p_up", f"{PLANE}: its part that points up", unit="mm", shows="Re p")
+@formula("p_up", Text("{plane}: its part that points up", plane=PLANE), unit="mm", shows="Re p")
 def up(p: PhasorMetre) -> Metre:
     return p.real
 
 
-@formula("p_side", f"{PLANE}: its part 90° further in the sense of crank rotation", unit="mm")
+@formula("p_side", Text("{plane}: its part 90° further in the sense of crank rotation", plane=PLANE), unit="mm")
 def side(p: PhasorMetre) -> Metre:
     return imag(p)
 
 
-@formula("δ_a", f"{PLANE}: how far the distance of two axes is from the working centre distance", unit="µm")
+@formula("δ_a", Text("{plane}: how far the distance of two axes is from the working centre distance", plane=PLANE), unit="µm")
 def distance_error(c: Metre, a_w: Metre) -> Metre:
     return modulus(c - a_w)
 
 
-@formula("φ", f"{PLANE}: angle between the lines of centres to the neighbours on both sides")
+@formula("φ", Text("{plane}: angle between the lines of centres to the neighbours on both sides", plane=PLANE))
 def included_angle(p_1: PhasorMetre, p_2: PhasorMetre, p_3: PhasorMetre) -> Radian:
     return modulus(argument((p_3 - p_2) * conj(p_1 - p_2)))
 
 
 # --- clearances ------------------------------------------------------------------------------------------------------------
-@formula("r_s", f"{ROOM}: tip with its upper deviation, half the runout, tolerance of the axis", unit="mm")
+@formula("r_s", Text("{room}: tip with its upper deviation, half the runout, tolerance of the axis", room=ROOM), unit="mm")
 def swept_radius(d_a: Metre, E_da: Metre, F_r: Metre, T_a: Metre) -> Metre:
     return d_a / 2 + E_da / 2 + F_r / 2 + T_a
 
 
-@formula("h", f"{PLANE}: distance of a point from a straight wall of finite length", unit="mm", shows="least distance of p from w_1 w_2")
+@formula("h", Text("{plane}: distance of a point from a straight wall of finite length", plane=PLANE), unit="mm",
+    shows="least distance of p from w_1 w_2")  # fmt: skip
 def wall_distance(p: PhasorMetre, w_1: PhasorMetre, w_2: PhasorMetre) -> Metre:
     along = (p - w_1) * (w_2 - w_1).conjugate()
     share = min(max(along.real / abs(w_2 - w_1) ** 2, 0.0), 1.0)
     return abs(p - w_1 - share * (w_2 - w_1))
 
 
-@formula("g", f"{ROOM}: to a wall", unit="mm")
+@formula("g", Text("{room}: to a wall", room=ROOM), unit="mm")
 def wall_clearance(h: Metre, r_s: Metre) -> Metre:
     return h - r_s
 
 
-@formula("g", f"{ROOM}: to something round of radius r", unit="mm")
+@formula("g", Text("{room}: to something round of radius r", room=ROOM), unit="mm")
 def round_clearance(c: Metre, r_s: Metre, r: Metre) -> Metre:
     return c - r_s - r
 
@@ -113,20 +119,22 @@ def insertion_gap(d_J: Metre, d_a: Metre, E_da: Metre) -> Metre:
 
 
 # --- which teeth meet ------------------------------------------------------------------------------------------------------
-@formula("g_z", f"{NUMBERS}: a common factor of two wheels in mesh; 1: every tooth meets every tooth", shows="gcd(z_1, z_2)")
+@formula("g_z", Text("{numbers}: a common factor of two wheels in mesh; 1: every tooth meets every tooth", numbers=NUMBERS),
+    shows="gcd(z_1, z_2)")  # fmt: skip
 def common_factor(z_1: Number, z_2: Number) -> Number:
+    """>>> common_factor(z_1=25, z_2=36)
+    1.0
+    """
     return float(math.gcd(int(z_1), int(z_2)))
 
 
-@formula("N_m", f"{NUMBERS}: turns of the driver until the same teeth meet again, lcm(z_1, z_2)/z_1")
+@formula("N_m", Text("{numbers}: turns of the driver until the same teeth meet again, lcm(z_1, z_2)/z_1", numbers=NUMBERS))
 def turns_to_repeat(z_2: Number, g_z: Number) -> Number:
     return z_2 / g_z
 
 
-@formula(
-    "N_M", f"{NUMBERS}: turns of the first driver until the marks of all wheels meet again",
-    shows="smallest N for which N·z_1/z is a whole number for every wheel",
-)  # fmt: skip
+@formula("N_M", Text("{numbers}: turns of the first driver until the marks of all wheels meet again", numbers=NUMBERS),
+    shows="smallest N for which N·z_1/z is a whole number for every wheel")  # fmt: skip
 def marks_period(z_1: Number, z: tuple[int, ...]) -> Number:
     return float(math.lcm(*(teeth // math.gcd(int(z_1), teeth) for teeth in z)))
 
@@ -137,19 +145,22 @@ def angular_pitch(z: Number) -> Radian:
     return 2 * pi / z
 
 
-@formula("θ_2", f"{TEETH}: z_1·(θ_1 − γ) + z_2·(θ_2 − γ − π) = π, a tooth of one wheel in a space of the other; θ_2 is one of its teeth")
+@formula("θ_2",
+    Text("{teeth}: z_1·(θ_1 − γ) + z_2·(θ_2 − γ − π) = π, a tooth of one wheel in a space of the other; θ_2 is one of its teeth",
+        teeth=TEETH))  # fmt: skip
 def meshing_tooth(theta_1: Radian, gamma: Radian, z_1: Number, z_2: Number) -> Radian:
     return gamma + pi + (pi - z_1 * (theta_1 - gamma)) / z_2
 
 
-@formula("δ", f"{TEETH}: from a direction to the middle of the nearest tooth, within half a pitch", shows="θ − ψ, less its whole pitches τ")
+@formula("δ", Text("{teeth}: from a direction to the middle of the nearest tooth, within half a pitch", teeth=TEETH),
+    shows="θ − ψ, less its whole pitches τ")  # fmt: skip
 def nearest_tooth(theta: Radian, psi: Radian, tau: Radian) -> Radian:
     """Midway between two teeth: the one further in the sense of crank rotation; 1e-9 of a pitch keeps dust from deciding that."""
     pitches = (theta - psi) / tau
     return (pitches - math.ceil(pitches - 0.5 - 1e-9)) * tau
 
 
-@formula("θ", f"{TEETH}: middle of the tooth that is nearest to a direction")
+@formula("θ", Text("{teeth}: middle of the tooth that is nearest to a direction", teeth=TEETH))
 def tooth_one(psi: Radian, delta: Radian) -> Radian:
     return psi + delta
 
@@ -165,110 +176,110 @@ def error_of_space(tau: Radian, delta: Radian) -> Radian:
 
 
 # --- forces ----------------------------------------------------------------------------------------------------------------
-@formula("F_tw", f"{ISO}: tangential force at the working circle of the driver")
+@formula("F_tw", Text("{iso}: tangential force at the working circle of the driver", iso=ISO))
 def tangential_force(T_1: NewtonMetre, d_w1: Metre) -> Newton:
     return 2 * T_1 / d_w1
 
 
-@formula("F_rw", f"{ISO}: radial force at the working circle; it drives the wheels apart")
+@formula("F_rw", Text("{iso}: radial force at the working circle; it drives the wheels apart", iso=ISO))
 def radial_force(F_tw: Newton, alpha_wt: Radian) -> Newton:
     return modulus(F_tw) * tan(alpha_wt)
 
 
-@formula("F_a", f"{ISO}: axial force; the same at the working and the reference circle")
+@formula("F_a", Text("{iso}: axial force; the same at the working and the reference circle", iso=ISO))
 def axial_force(F_tw: Newton, beta_w: Radian) -> Newton:
     return F_tw * tan(beta_w)
 
 
-@formula("F_bt", f"{ISO}: force in the transverse plane, along the line of action")
+@formula("F_bt", Text("{iso}: force in the transverse plane, along the line of action", iso=ISO))
 def transverse_force(F_tw: Newton, alpha_wt: Radian) -> Newton:
     return modulus(F_tw) / cos(alpha_wt)
 
 
-@formula("F_2", f"{STATICS}: of the driver on the driven wheel; s = +1 where the driver turns as the crank, else −1")
+@formula("F_2", Text("{statics}: of the driver on the driven wheel; s = +1 where the driver turns as the crank, else −1", statics=STATICS))
 def force_on_driven(F_rw: Newton, F_tw: Newton, gamma: Radian, s: Number) -> PhasorNewton:
     return F_rw * cis(gamma) + s * F_tw * cis(gamma + pi / 2)
 
 
-@formula("F_1", f"{STATICS}: of the driven wheel on the driver, equal and opposite")
+@formula("F_1", Text("{statics}: of the driven wheel on the driver, equal and opposite", statics=STATICS))
 def force_on_driver(F_2: PhasorNewton) -> PhasorNewton:
     return -F_2
 
 
-@formula("F_W", f"{STATICS}: vector sum of the forces of two meshes")
+@formula("F_W", Text("{statics}: vector sum of the forces of two meshes", statics=STATICS))
 def wheel_force(F_1: PhasorNewton, F_2: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_2)
 
 
-@formula("F_B", f"{STATICS}: load of the wheel's bearing, transverse")
+@formula("F_B", Text("{statics}: load of the wheel's bearing, transverse", statics=STATICS))
 def bearing_force(F_W: PhasorNewton) -> Newton:
     return modulus(F_W)
 
 
-@formula("ψ_B", f"{STATICS}: direction of that load, from up in the sense of crank rotation")
+@formula("ψ_B", Text("{statics}: direction of that load, from up in the sense of crank rotation", statics=STATICS))
 def force_direction(F_W: PhasorNewton) -> Radian:
     return argument(F_W)
 
 
-@formula("F_B,max", f"{STATICS}: both meshes pull the same way")
+@formula("F_B,max", Text("{statics}: both meshes pull the same way", statics=STATICS))
 def bearing_force_most(F_bt1: Newton, F_bt2: Newton) -> Newton:
     return F_bt1 + F_bt2
 
 
-@formula("F_B,min", f"{STATICS}: the meshes pull against each other")
+@formula("F_B,min", Text("{statics}: the meshes pull against each other", statics=STATICS))
 def bearing_force_least(F_bt1: Newton, F_bt2: Newton) -> Newton:
     return modulus(F_bt1 - F_bt2)
 
 
-@formula(
-    "F_x2",
-    f"{STATICS}: on the driven wheel, + along the axis of the crank's rotation; h = +1: driver right-handed, −1: left-handed. "
-    "A right-handed driver is pushed along the axis of its own rotation, its mate the other way",
-)
+@formula("F_x2",
+    Text("{statics}: on the driven wheel, + along the axis of the crank's rotation; h = +1: driver right-handed, −1: left-handed. A "
+        "right-handed driver is pushed along the axis of its own rotation, its mate the other way", statics=STATICS))  # fmt: skip
 def thrust_on_driven(F_a: Newton, s: Number, h: Number) -> Newton:
     return -s * h * F_a
 
 
-@formula("F_x1", f"{STATICS}: on the driver, equal and opposite")
+@formula("F_x1", Text("{statics}: on the driver, equal and opposite", statics=STATICS))
 def thrust_on_driver(F_x2: Newton) -> Newton:
     return -F_x2
 
 
-@formula("F_x", f"{STATICS}: thrust of all meshes of a wheel", names={"F_m": "F_x,m"})
+@formula("F_x", Text("{statics}: thrust of all meshes of a wheel", statics=STATICS), names={"F_m": "F_x,m"})
 def thrust(F_m: Newton) -> Newton:
     return resultant(F_m)
 
 
-@formula("ψ", f"{PLANE}: direction of the pitch point from the axis of the driven wheel")
+@formula("ψ", Text("{plane}: direction of the pitch point from the axis of the driven wheel", plane=PLANE))
 def back_to_driver(gamma: Radian) -> Radian:
     return gamma + pi
 
 
-@formula("C_K", f"{STATICS}: r × F, the axial force on its arm from the wheel's axis to the pitch point; ψ is the direction of the arm")
+@formula("C_K",
+    Text("{statics}: r × F, the axial force on its arm from the wheel's axis to the pitch point; ψ is the direction of the arm",
+        statics=STATICS))  # fmt: skip
 def tilting(F_x: Newton, d_w: Metre, psi: Radian) -> PhasorNewtonMetre:
     return F_x * d_w / 2 * cis(psi - pi / 2)
 
 
-@formula("C_K", f"{STATICS}: vector sum of the couples of two meshes")
+@formula("C_K", Text("{statics}: vector sum of the couples of two meshes", statics=STATICS))
 def tilting_sum(C_1: PhasorNewtonMetre, C_2: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_2)
 
 
-@formula("M_K", f"{STATICS}: couple that tilts the wheel, to be carried by the length of its bearing")
+@formula("M_K", Text("{statics}: couple that tilts the wheel, to be carried by the length of its bearing", statics=STATICS))
 def tilting_couple(C_K: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_K)
 
 
-@formula("M_K", f"{STATICS}: couple that tilts a wheel, of one mesh alone")
+@formula("M_K", Text("{statics}: couple that tilts a wheel, of one mesh alone", statics=STATICS))
 def tilting_of_one(F_x: Newton, d_w: Metre) -> NewtonMetre:
     return modulus(F_x) * d_w / 2
 
 
-@formula("M_K,max", f"{STATICS}: both couples about the same line", names={"M_1": "M_K1", "M_2": "M_K2"})
+@formula("M_K,max", Text("{statics}: both couples about the same line", statics=STATICS), names={"M_1": "M_K1", "M_2": "M_K2"})
 def tilting_most(M_1: NewtonMetre, M_2: NewtonMetre) -> NewtonMetre:
     return M_1 + M_2
 
 
-@formula("M_K,min", f"{STATICS}: the couples against each other", names={"M_1": "M_K1", "M_2": "M_K2"})
+@formula("M_K,min", Text("{statics}: the couples against each other", statics=STATICS), names={"M_1": "M_K1", "M_2": "M_K2"})
 def tilting_least(M_1: NewtonMetre, M_2: NewtonMetre) -> NewtonMetre:
     return modulus(M_1 - M_2)

@@ -7,16 +7,13 @@ gears.tooth_angle_deg, of the last wheel the one nearest the eccentric, of the o
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
-from ...sheet.check import Check, check
-from ...sheet.step import Table
+from ...sheet.text import Text
 from ...sheet.trace import about
-from ...sheet.units import Metre, Number, Radian
+from ...sheet.units import Number, Radian
+from ..result import MeshResult, TrainResult
 from . import formulas as f
-
-if TYPE_CHECKING:
-    from ..result import MeshResult, TrainResult
 
 TURN = 2 * math.pi
 
@@ -37,27 +34,15 @@ class Phase(NamedTuple):
     offset: Radian | None  # from the eccentric to tooth 1 of the last wheel
 
 
-def hunting(train: "TrainResult", key: str) -> tuple[Number, Number, Check]:
-    """(common factor, turns of the driver until the same teeth meet, check) of one mesh."""
-    mesh = train.meshes[key]
+def hunting(train: TrainResult, mesh: MeshResult) -> tuple[Number, Number]:
+    """(common factor of the teeth, turns of the driver until the same teeth meet) of one mesh."""
     z_1, z_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
-    with about(f"mesh {mesh.driver}–{mesh.driven}, teeth that meet"):
+    with about(Text("mesh {pair}, teeth that meet", pair=mesh.title)):
         factor = f.common_factor(z_1=z_1, z_2=z_2)
-        turns = f.turns_to_repeat(z_2=z_2, g_z=factor)
-    alike = (
-        f"Every tooth of {mesh.driver} meets only {z_2 / factor:g} of the {z_2} teeth of {mesh.driven}, and one fault returns after "
-        f"{turns:g} turns of {mesh.driver}: numbers of teeth without a common factor spread the wear (the teeth of an idler do not "
-        "change the ratio)."
-    )
-    advice = alike if factor > 1 else "Numbers of teeth without a common factor spread the wear."
-    found = check(
-        f"gears.{key}.hunting", f"Common factor of the teeth {mesh.driver} {z_1}, {mesh.driven} {z_2}", factor, "<=", 1.0, "",
-        "hunting tooth: every tooth meets every tooth where the numbers have no common factor", advice, kind="advice",
-    )  # fmt: skip
-    return factor, turns, found
+        return factor, f.turns_to_repeat(z_2=z_2, g_z=factor)
 
 
-def phase(train: "TrainResult", directions: Mapping[str, Radian], tooth_angle: Radian, eccentric: Radian | None) -> Phase:
+def phase(train: TrainResult, directions: Mapping[str, Radian], tooth_angle: Radian, eccentric: Radian | None) -> Phase:
     """Along the meshes whose line of centres is known; `directions` of those, by mesh."""
     along = tuple(train.meshes.items())
     first, last = along[0][1].driver, along[-1][1].driven
@@ -67,7 +52,7 @@ def phase(train: "TrainResult", directions: Mapping[str, Radian], tooth_angle: R
             continue
         gamma, z_1, z_2 = directions[key], train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth
         to_eccentric = mesh.driven == last and eccentric is not None
-        with about(f"wheel {mesh.driven}, teeth"):
+        with about(Text("wheel {driven}, teeth", driven=mesh.driven)):
             theta = f.meshing_tooth(theta_1=teeth[mesh.driver], gamma=gamma, z_1=z_1, z_2=z_2)
             psi = eccentric if to_eccentric and eccentric is not None else 0.0
             delta = f.nearest_tooth(theta=theta, psi=psi, tau=f.angular_pitch(z=z_2))
@@ -78,32 +63,10 @@ def phase(train: "TrainResult", directions: Mapping[str, Radian], tooth_angle: R
     return Phase(teeth, marks, offset)
 
 
-def _mark(mesh: "MeshResult", teeth: Mapping[str, Radian], gamma: Radian, z_1: int, z_2: int) -> Mark:
+def _mark(mesh: MeshResult, teeth: Mapping[str, Radian], gamma: Radian, z_1: int, z_2: int) -> Mark:
     pitch_1, pitch_2 = TURN / z_1, TURN / z_2
     ahead = round((gamma - teeth[mesh.driver]) / pitch_1)
     off = teeth[mesh.driver] + ahead * pitch_1 - gamma
     space = gamma + math.pi - off * z_1 / z_2  # its middle takes that tooth
     before = round((space - pitch_2 / 2 - teeth[mesh.driven]) / pitch_2)
     return Mark(mesh.driver, mesh.driven, ahead % z_1 + 1, off, (before % z_2 + 1, (before + 1) % z_2 + 1))
-
-
-def marks_table(found: Phase, period: Number) -> Table:
-    rows = tuple((f"{m.driver}–{m.driven}", m.tooth, math.degrees(m.off), f"{m.between[0]} and {m.between[1]}") for m in found.marks)
-    return Table(
-        "timing_marks", "Teeth to mark, cylinder 1 at TDC",
-        (("mesh", ""), ("tooth of the driver", ""), ("off the line of centres", "°"), ("between teeth of the driven wheel", "")),
-        rows,
-        "Teeth are counted in the sense of crank rotation from tooth 1: that of gears.tooth_angle_deg, of the last wheel the one nearest "
-        f"the eccentric, of the others the one nearest to up. The marks of all wheels meet again after {period:g} turns.",
-    )  # fmt: skip
-
-
-def insertion_check(wheel: str, seat: str, gap: Metre) -> Check:
-    more = f", give that journal {-gap * 1e3:.4g} mm more" if gap < 0 else ""
-    return check(
-        "gears.train.assembly", f"Gap between {wheel} and the seat of the {seat} journal", gap, ">=", 0.0, "mm",
-        "the wheel passes through the seat of the journal where the shaft is inserted along its axis; diametral",
-        f"Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the shaft is inserted, or "
-        "split the support.",
-        kind="advice",
-    )  # fmt: skip

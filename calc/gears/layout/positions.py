@@ -7,44 +7,42 @@ can turn about their ends like a linkage: the place with the most room is taken.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from itertools import product
-from typing import TYPE_CHECKING
 
-from ...sheet.check import Check, check
-from ...sheet.number import short
+from ...sheet.check import Check
+from ...sheet.record import record
+from ...sheet.text import Amount, Name, Text, listed
 from ...sheet.trace import about, untraced
 from ...sheet.units import Metre
 from ..inputs import GearsInputs
+from ..result import MeshResult, TrainResult
+from ..words import mm
 from . import formulas as f
-from .room import Room
-from .scan import most_room
+from .checks import axis_check, distance_check, reach_check
+from .room import Room, most_room
 
-if TYPE_CHECKING:
-    from ..result import MeshResult, TrainResult
-
-SOURCE = "two circles about the fixed axes, with the working centre distances"
 SAME = 1e-9  # m: two points that are no further apart are one
 TIED = 1e-9  # m: so little more room does not tell two places apart
 FAR = 100.0  # m: as good as nothing near
 MOST = 6  # wheels whose two places each are tried in all combinations
+Mates = Mapping[str, MeshResult]  # the meshes of a wheel by its mates
 
 
-@dataclass(slots=True)
 class Placing:
     """The places of the wheels, and how each came to it."""
 
-    p: dict[str, complex] = field(default_factory=dict)
-    by: dict[str, str] = field(default_factory=dict)
-    checks: list[Check] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    solutions: list[tuple[str, str, complex, Metre, bool]] = field(default_factory=list)  # wheel, between, place, clearance, chosen
+    def __init__(self) -> None:
+        self.p: dict[str, complex] = {}
+        self.by: dict[str, Text] = {}
+        self.checks: list[Check] = []
+        self.notes: list[Text] = []
+        self.solutions: list[tuple[str, str, complex, Metre, bool]] = []  # wheel, between, place, clearance, chosen
 
-    def put(self, wheel: str, p: complex, by: str) -> None:
+    def put(self, wheel: str, p: complex, by: Text) -> None:
         self.p[wheel], self.by[wheel] = p, by
 
 
-@dataclass(slots=True)
+@record
 class Between:
     """An open wheel and two placed neighbours of it: c apart; `tolerance` within which their distance may miss the range."""
 
@@ -57,28 +55,28 @@ class Between:
     others: list[tuple[str, Metre]]  # further placed neighbours
 
 
-def allowed(train: "TrainResult", mesh: "MeshResult") -> Metre:
+def allowed(train: TrainResult, mesh: MeshResult) -> Metre:
     """How far given axes may miss a centre distance: its tolerance, at least 10⁻³ m_n (rule of this program)."""
     return max(mesh.centre_tolerance, 1e-3 * train.system.m_n)
 
 
-def place(gears: GearsInputs, train: "TrainResult", room: Room, shaft_axis: complex | None) -> Placing:
+def place(gears: GearsInputs, train: TrainResult, room: Room, shaft_axis: complex | None) -> Placing:
     placing = Placing()
     _anchors(gears, train, placing, shaft_axis)
     if not placing.p:
-        placing.notes.append(
+        placing.notes.append(Text(
             "Positions of the wheels are not given: nothing is said about clearances, assembly phase and included angles. They follow "
             "from countershaft.axis_mm or gears.wheels.NAME.position_mm."
-        )
+        ))  # fmt: skip
         return placing
     meshes = tuple(train.meshes.values())
     beside = {w.name: _neighbours(w.name, meshes) for w in gears.wheels}
     failed: set[str] = set()
     while True:
         still = [w.name for w in gears.wheels if w.name not in placing.p and w.name not in failed]
-        singles = [one for name in still if (one := _between(name, beside[name], placing, train)) is not None]
-        if singles:
-            failed |= _settle(singles, placing, room)
+        idlers = [idler for name in still if (idler := _between(name, beside[name], placing, train)) is not None]
+        if idlers:
+            failed |= _settle(idlers, placing, room)
             continue
         pair = _open_pair(still, beside, placing)
         if pair is None:
@@ -86,41 +84,34 @@ def place(gears: GearsInputs, train: "TrainResult", room: Room, shaft_axis: comp
         if not _swing(*pair, beside, placing, room, train):
             failed |= set(pair)
     if open_ := [w.name for w in gears.wheels if w.name not in placing.p]:
-        placing.notes.append(
-            f"{', '.join(open_)}: no place, since nothing fixes it or its neighbours are out of reach: "
-            f"give gears.wheels.{open_[0]}.position_mm."
-        )
+        placing.notes.append(Text(
+            "{open}: no place, since nothing fixes it or its neighbours are out of reach: give gears.wheels.{open2}.position_mm.",
+            open=", ".join(open_), open2=open_[0],
+        ))  # fmt: skip
     _contradictions(train, placing, {w.name for w in gears.wheels if w.position is not None})
     return placing
 
 
-def _anchors(gears: GearsInputs, train: "TrainResult", placing: Placing, shaft_axis: complex | None) -> None:
+def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axis: complex | None) -> None:
     """What is given: positions of wheels, the axis of the counter-shaft for the last one, and the crank's for the first."""
     first, last = gears.meshes[0].driver, gears.meshes[-1].driven
     for wheel in gears.wheels:
         if wheel.position is not None:
-            placing.put(wheel.name, complex(*wheel.position), "given")
+            placing.put(wheel.name, complex(*wheel.position), Text("given"))
     if shaft_axis is not None:
         if last in placing.p:
-            limit = 1e-3 * train.system.m_n
-            placing.checks.append(
-                check(
-                    f"gears.{last}.axis", f"Position of {last} from the axis of the counter-shaft", abs(placing.p[last] - shaft_axis),
-                    "<=", limit, "µm", "the last wheel stands on the counter-shaft; 10⁻³ m_n is a rule of this program",
-                    f"Leave out gears.wheels.{last}.position_mm: countershaft.axis_mm gives it.",
-                )
-            )  # fmt: skip
+            placing.checks.append(axis_check(last, abs(placing.p[last] - shaft_axis), 1e-3 * train.system.m_n))
         else:
-            placing.put(last, shaft_axis, "counter-shaft")
+            placing.put(last, shaft_axis, Text("counter-shaft"))
     if placing.p and first not in placing.p:
-        placing.put(first, 0j, "crank")
+        placing.put(first, 0j, Text("crank"))
 
 
-def _neighbours(name: str, meshes: tuple["MeshResult", ...]) -> dict[str, "MeshResult"]:
+def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:
     return {m.driver if m.driven == name else m.driven: m for m in meshes if name in (m.driver, m.driven)}
 
 
-def _between(name: str, beside: Mapping[str, "MeshResult"], placing: Placing, train: "TrainResult") -> Between | None:
+def _between(name: str, beside: Mates, placing: Placing, train: TrainResult) -> Between | None:
     placed = [(mate, mesh) for mate, mesh in beside.items() if mate in placing.p]
     if len(placed) < 2:
         return None
@@ -130,104 +121,95 @@ def _between(name: str, beside: Mapping[str, "MeshResult"], placing: Placing, tr
 
 
 # --- one open wheel --------------------------------------------------------------------------------------------------------
-def _settle(singles: list[Between], placing: Placing, room: Room) -> set[str]:
+def _settle(idlers: list[Between], placing: Placing, room: Room) -> set[str]:
     """Every wheel that has two placed neighbours; returns those that can not reach both."""
-    found: dict[str, list[tuple[complex, float]]] = {}
-    by_name = {one.wheel: one for one in singles}
-    for one in singles:
-        if sides := _reach(one, placing):
-            found[one.wheel] = [(_solve(one, placing, s), s) for s in sides]
-    names = list(found)
+    by_name = {idler.wheel: idler for idler in idlers}
+    sides = {name: _sides(idler, placing) for name, idler in by_name.items()}
+    places = {name: [(_solve(by_name[name], placing, s), s) for s in sides[name]] for name in by_name if sides[name]}
+    names = list(places)
     for group in [names] if len(names) <= MOST else [[name] for name in names]:
-        _choose(group, found, by_name, placing, room)
-    return set(by_name) - set(found)
+        _choose(group, places, by_name, placing, room)
+    return set(by_name) - set(places)
 
 
-def _reach(one: Between, placing: Placing) -> tuple[float, ...]:
+def _sides(idler: Between, placing: Placing) -> tuple[float, ...]:
     """The sides on which the circles cross, none where they miss each other; the check says by how much."""
-    c = abs(placing.p[one.second] - placing.p[one.first])
-    low, high = abs(one.a_12 - one.a_23), one.a_12 + one.a_23
-    placing.checks.append(_reach_check(f"gears.{one.wheel}.position", one.wheel, one.first, one.second, c, low, high, one.tolerance))
+    names = {"wheel": idler.wheel, "first": idler.first, "second": idler.second}
+    c, tolerance = abs(placing.p[idler.second] - placing.p[idler.first]), idler.tolerance
+    low, high = abs(idler.a_12 - idler.a_23), idler.a_12 + idler.a_23
+    placing.checks.append(
+        reach_check(f"gears.{idler.wheel}.position", Name(idler.wheel), idler.first, idler.second, c, low, high, tolerance)
+    )
     if c < SAME:
-        placing.notes.append(f"{one.first} and {one.second} have one axis: {one.wheel} can stand in any direction from it.")
+        placing.notes.append(Text("{first} and {second} have one axis: {wheel} can stand in any direction from it.", **names))
         return ()
-    if not low - one.tolerance <= c <= high + one.tolerance:
+    if not low - tolerance <= c <= high + tolerance:
         return ()
     if c > high or c < low:
-        miss = c - high if c > high else low - c
-        placing.notes.append(
-            f"The centre distances of {one.wheel} miss {one.first} and {one.second} by {short(miss * 1e6)} µm, within the tolerance: "
-            "it is set on their line of centres."
-        )
+        miss = Amount((c - high if c > high else low - c) * 1e6)
+        placing.notes.append(Text(
+            "The centre distances of {wheel} miss {first} and {second} by {miss} µm, within the tolerance: it is set on their line of "
+            "centres.", **names, miss=miss,
+        ))  # fmt: skip
         return (0.0,)
-    return (1.0, -1.0) if one.a_12**2 > f.chord_foot.function(c, one.a_12, one.a_23) ** 2 else (0.0,)
+    return (1.0, -1.0) if idler.a_12**2 > f.chord_foot.function(c, idler.a_12, idler.a_23) ** 2 else (0.0,)
 
 
-def _reach_check(id: str, what: str, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre) -> Check:
-    limits = max(low - tolerance, 0.0), high + tolerance
-    if c > limits[1]:
-        do = f"bring them at least {short((c - high) * 1e3)} mm closer, or give larger centre distances or more teeth between them"
-    elif c < limits[0]:
-        do = f"set them at least {short((low - c) * 1e3)} mm further apart, or make the centre distances more alike"
-    else:
-        do = "near a limit small errors of the axes move the wheel between them far"
-    advice = f"{first} and {second} must stand {short(low * 1e3, 6)} to {short(high * 1e3, 6)} mm apart for {what} to reach both: {do}."
-    return check(id, f"Distance {first} to {second} that {what} spans", c, "in", limits, "mm", SOURCE, advice)
-
-
-def _solve(one: Between, placing: Placing, s: float) -> complex:
-    p_1, p_3 = placing.p[one.first], placing.p[one.second]
+def _solve(idler: Between, placing: Placing, s: float) -> complex:
+    """The crossing of the circles on the side `s`; 0: on the line of centres."""
+    p_1, p_3 = placing.p[idler.first], placing.p[idler.second]
     c, gamma = f.axes_apart(p_1=p_1, p_3=p_3), f.line_of_centres(p_1=p_1, p_3=p_3)
-    u = f.chord_foot(c=c, a_12=one.a_12, a_23=one.a_23)
-    if not s or one.a_12**2 <= u**2:
+    u = f.chord_foot(c=c, a_12=idler.a_12, a_23=idler.a_23)
+    if not s or idler.a_12**2 <= u**2:
         return f.on_line(p_1=p_1, gamma=gamma, u=u)
-    return f.on_two_circles(p_1=p_1, gamma=gamma, u=u, v=f.half_chord(a_12=one.a_12, u=u), s=s)
+    return f.on_two_circles(p_1=p_1, gamma=gamma, u=u, v=f.half_chord(a_12=idler.a_12, u=u), s=s)
 
 
 def _choose(
-    names: list[str], found: Mapping[str, list[tuple[complex, float]]], singles: Mapping[str, Between], placing: Placing, room: Room
+    names: list[str], places: Mapping[str, list[tuple[complex, float]]], idlers: Mapping[str, Between], placing: Placing, room: Room
 ) -> None:
     """The combination of places that fits further neighbours best, and then has the most room at its tightest wheel."""
 
     def rank(points: tuple[tuple[complex, float], ...]) -> tuple[int, list[int]]:
         there = {**placing.p, **{name: p for name, (p, _) in zip(names, points)}}
-        miss = sum(abs(abs(there[n] - placing.p[w]) - a) for n in names for w, a in singles[n].others)
+        miss = sum(abs(abs(there[n] - placing.p[w]) - a) for n in names for w, a in idlers[n].others)
         return -round(miss / SAME), sorted(round(min(room.around(n, there[n], there), FAR) / TIED) for n in names)
 
-    best = max(product(*(found[name] for name in names)), key=rank)
+    best = max(product(*(places[name] for name in names)), key=rank)
     there = {**placing.p, **{name: p for name, (p, _) in zip(names, best)}}
     for name, (_, s) in zip(names, best):
-        one = singles[name]
-        between = f"{one.first} and {one.second}"
-        for other, side in found[name]:
-            clearance = room.around(name, other, {**there, name: other})
-            placing.solutions.append((name, between, other, clearance, side == s))
-        with about(f"wheel {name}, place"):
-            placing.put(name, _solve(one, placing, s), "two circles")
-        placing.notes.append(_said(one, placing.p[name], [r for r in placing.solutions if r[0] == name]))
+        idler = idlers[name]
+        between = Text("{first} and {second}", first=idler.first, second=idler.second)
+        free = {side == s: room.around(name, other, {**there, name: other}) for other, side in places[name]}
+        placing.solutions += [(name, between, other, free[side == s], side == s) for other, side in places[name]]
+        with about(Text("wheel {name}, place", name=name)):
+            placing.put(name, _solve(idler, placing, s), Text("two circles"))
+        placing.notes.append(_choice(idler, placing.p[name], free))
 
 
-def _said(one: Between, p: complex, rows: list[tuple[str, str, complex, Metre, bool]]) -> str:
-    where = f"{one.wheel} between {one.first} and {one.second}: [{p.real * 1e3:.4f}, {p.imag * 1e3:.4f}] mm"
-    if len(rows) < 2:
-        return f"{where}, on their line of centres."
-    room = {chosen: clearance for *_, clearance, chosen in rows}
-    if one.others:
-        return f"{where}, of two places that which fits the other wheels that it meshes with."
-    if not math.isfinite(room[True]) or abs(room[True] - room[False]) <= 2 * TIED:
-        return f"{where}, of two places the one further in the sense of crank rotation: nothing near them tells them apart."
-    return f"{where}, of two places the one with more room: {short(room[True] * 1e3)} mm, the other {short(room[False] * 1e3)} mm."
+def _choice(idler: Between, p: complex, free: Mapping[bool, Metre]) -> Text:
+    """`free`: the room at the place that was chosen (True), and at the other if there is one."""
+    where = Text("{wheel} between {first} and {second}: [{real}, {imag}] mm", wheel=idler.wheel, first=idler.first, second=idler.second,
+        real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f"))  # fmt: skip
+    if len(free) < 2:
+        return Text("{where}, on their line of centres.", where=where)
+    if idler.others:
+        return Text("{where}, of two places that which fits the other wheels that it meshes with.", where=where)
+    if not math.isfinite(free[True]) or abs(free[True] - free[False]) <= 2 * TIED:
+        return Text(
+            "{where}, of two places the one further in the sense of crank rotation: nothing near them tells them apart.", where=where
+        )
+    return Text("{where}, of two places the one with more room: {room} mm, the other {room2} mm.", where=where, room=mm(free[True]),
+        room2=mm(free[False]))  # fmt: skip
 
 
 # --- two open wheels in a row ----------------------------------------------------------------------------------------------
-def _open_pair(still: list[str], beside: Mapping[str, Mapping[str, "MeshResult"]], placing: Placing) -> tuple[str, str] | None:
+def _open_pair(still: list[str], beside: Mapping[str, Mates], placing: Placing) -> tuple[str, str] | None:
     held = [name for name in still if any(mate in placing.p for mate in beside[name])]
-    return next(((one, other) for one in held for other in beside[one] if other in held), None)
+    return next(((wheel, mate) for wheel in held for mate in beside[wheel] if mate in held), None)
 
 
-def _swing(
-    one: str, two: str, beside: Mapping[str, Mapping[str, "MeshResult"]], placing: Placing, room: Room, train: "TrainResult"
-) -> bool:
+def _swing(one: str, two: str, beside: Mapping[str, Mates], placing: Placing, room: Room, train: TrainResult) -> bool:
     """Both wheels at the free angle that leaves the tighter of them the most room; False where they can not reach."""
     first = next(mate for mate in beside[one] if mate in placing.p)
     last = next(mate for mate in beside[two] if mate in placing.p)
@@ -235,7 +217,7 @@ def _swing(
     a_1, a_2, a_3 = m_1.centre_distance, m_2.centre_distance, m_3.centre_distance
     c, high = abs(placing.p[last] - placing.p[first]), a_1 + a_2 + a_3
     low = max(2 * max(a_1, a_2, a_3) - high, 0.0)
-    placing.checks.append(_reach_check(f"gears.{one}.position", f"{one} and {two}", first, last, c, low, high, 0.0))
+    placing.checks.append(reach_check(f"gears.{one}.position", Text("{one} and {two}", one=one, two=two), first, last, c, low, high, 0.0))
     if not low <= c <= high:
         return False
     with untraced():
@@ -243,39 +225,33 @@ def _swing(
     if chosen is None:
         return False
     phi, s, clearance = chosen
-    with about(f"wheel {one}, place"):
-        placing.put(one, f.on_circle(p_1=placing.p[first], a_12=a_1, phi=phi), "chosen")
-    with about(f"wheel {two}, place"):
+    with about(Text("wheel {one}, place", one=one)):
+        placing.put(one, f.on_circle(p_1=placing.p[first], a_12=a_1, phi=phi), Text("chosen"))
+    with about(Text("wheel {two}, place", two=two)):
         between = Between(two, one, last, a_2, a_3, allowed(train, m_2) + allowed(train, m_3), [])
-        placing.put(two, _solve(between, placing, s), "chosen")
-    places = " and ".join(f"{n} [{placing.p[n].real * 1e3:.4f}, {placing.p[n].imag * 1e3:.4f}] mm" for n in (one, two))
-    placing.notes.append(
-        f"{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of them has the most room, "
-        f"{short(clearance * 1e3)} mm. Walls and neighbours that are not given are not heeded: give gears.wheels.{one}.position_mm."
-    )
+        placing.put(two, _solve(between, placing, s), Text("chosen"))
+    at = ((name, placing.p[name]) for name in (one, two))
+    places = listed(Text("{n} [{real}, {imag}] mm", n=name, real=mm(p.real, ".4f"), imag=mm(p.imag, ".4f")) for name, p in at)
+    placing.notes.append(Text(
+        "{one} and {two} between {first} and {last}: one angle is free; chosen: {places}, where the tighter of them has the most room, "
+        "{clearance} mm. Walls and neighbours that are not given are not heeded: give gears.wheels.{one}.position_mm.",
+        one=one, two=two, first=first, last=last, places=places, clearance=mm(clearance),
+    ))  # fmt: skip
     return True
 
 
 # --- what is given and does not fit ----------------------------------------------------------------------------------------
-def _contradictions(train: "TrainResult", placing: Placing, given: set[str]) -> None:
+def _contradictions(train: TrainResult, placing: Placing, given: set[str]) -> None:
     """Meshes between placed wheels whose distance is not the centre distance."""
     for i, (key, mesh) in enumerate(train.meshes.items()):
-        if mesh.driver not in placing.p or mesh.driven not in placing.p:
+        pair = mesh.driver, mesh.driven
+        if not all(name in placing.p for name in pair):
             continue
-        p_1, p_3 = placing.p[mesh.driver], placing.p[mesh.driven]
-        fixed = all(placing.by[name] in ("given", "crank", "counter-shaft") for name in (mesh.driver, mesh.driven))
+        p_1, p_3 = (placing.p[name] for name in pair)
+        fixed = all(placing.by[name] in ("given", "crank", "counter-shaft") for name in pair)
         if not fixed and abs(abs(p_3 - p_1) - mesh.centre_distance) <= SAME:
             continue
-        with about(f"mesh {mesh.driver}–{mesh.driven}, place"):
+        with about(Text("mesh {pair}, place", pair=mesh.title)):
             c = f.axes_apart(p_1=p_1, p_3=p_3)
             error = f.distance_error(c=c, a_w=mesh.centre_distance)
-        wrong = [name for name in (mesh.driver, mesh.driven) if name in given]
-        advice = f"The axes stand {c * 1e3:.4f} mm apart, the centre distance is {mesh.centre_distance * 1e3:.4f} mm: "
-        advice += f"give gears.meshes.{i}.centre_distance_mm = {c * 1e3:.4f}"
-        advice += f", or move {' or '.join(wrong)} (position_mm)." if wrong else "."
-        placing.checks.append(
-            check(
-                f"gears.{key}.position", f"Axes of {mesh.driver} and {mesh.driven} off their centre distance", error, "<=",
-                allowed(train, mesh), "µm", "tolerance of the centre distance, at least 10⁻³ m_n (rule of this program)", advice,
-            )
-        )  # fmt: skip
+        placing.checks.append(distance_check(key, i, mesh, c, error, allowed(train, mesh), [name for name in pair if name in given]))

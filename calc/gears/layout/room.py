@@ -1,76 +1,137 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What stands around the wheels, and how much room each of them has at a point: plain numbers or arrays of points.
-
-`clearances.py` says the same line by line for the places that are taken in the end.
-"""
+"""What stands around the wheels, how much room each has at a point, and the free angle of two wheels in a row with the most room."""
 
 import math
-from typing import TYPE_CHECKING, Any
+from typing import NamedTuple
 
+import numpy as np
+
+from ...sheet.arrays import Array, ComplexArray
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.trace import about
-from ...sheet.units import Metre
+from ...sheet.units import Metre, Radian
+from ...sheet.value import based_on
 from ..inputs import GearsInputs
+from ..result import TrainResult
 from . import formulas as f
 
-if TYPE_CHECKING:
-    from ..result import TrainResult
-
 FREE = math.inf  # the clearance of a wheel that has nothing near it
+COARSE, FINE, ROUNDS = 180, 65, 1  # directions of the first scan, of a refinement, and how many of those
+DUST = 1e-12  # stretched or folded, the circles only touch
+
+
+class Clearance(NamedTuple):
+    """The smallest one of a kind: "wall", "neighbour" or "wheel"."""
+
+    g: Metre
+    kind: str
+    to: str
 
 
 @record
 class Room:
-    """Walls, neighbours, and how far each wheel reaches."""
+    """Walls, neighbours, and how far each wheel reaches.  Points are complex: up + i·side from the crank's axis."""
 
     walls: tuple[tuple[str, complex, complex], ...]
     neighbours: tuple[tuple[str, complex, Metre], ...]
     swept: dict[str, Metre]
     mates: dict[str, set[str]]
 
+    def others(self, wheel: str, places: dict[str, complex]) -> list[tuple[str, complex, Metre]]:
+        """The wheels that it does not mesh with: name, place, reach."""
+        return [(name, q, self.swept[name]) for name, q in places.items() if name != wheel and name not in self.mates[wheel]]
+
     def around(self, wheel: str, p: complex, places: dict[str, complex]) -> Metre:
         """The smallest clearance of a wheel at a point; `places`: of the other wheels."""
         r_s = self.swept[wheel]
-        found = [f.wall_distance.function(p, a, b) - r_s for _, a, b in self.walls]
-        found += [abs(p - q) - r_s - r for _, q, r in self.neighbours]
-        found += [abs(p - q) - r_s - self.swept[name] for name, q in places.items() if name != wheel and name not in self.mates[wheel]]
-        return min(found, default=FREE)
+        free = [f.wall_distance.function(p, a, b) - r_s for _, a, b in self.walls]
+        free += [abs(p - q) - r_s - r for _, q, r in (*self.neighbours, *self.others(wheel, places))]
+        return min(free, default=FREE)
 
-    def around_all(self, wheel: str, p: Any, places: dict[str, complex]) -> Any:
-        """The same for an array of points."""
-        import numpy as np
-
+    def around_all(self, wheel: str, p: ComplexArray, places: dict[str, complex]) -> Array:
+        """The same for points of any shape."""
         r_s = self.swept[wheel]
-        least: Any = np.full(p.shape, FREE)
+        least: Array = np.full(p.shape, FREE)
         for _, a, b in self.walls:
             share = np.clip(((p - a) * (b - a).conjugate()).real / abs(b - a) ** 2, 0.0, 1.0)
             least = np.minimum(least, np.abs(p - a - share * (b - a)) - r_s)
-        for _, q, r in self.neighbours:
+        for _, q, r in (*self.neighbours, *self.others(wheel, places)):
             least = np.minimum(least, np.abs(p - q) - r_s - r)
-        for name, q in places.items():
-            if name != wheel and name not in self.mates[wheel]:
-                least = np.minimum(least, np.abs(p - q) - r_s - self.swept[name])
         return least
 
 
-def room(gears: GearsInputs, train: "TrainResult") -> Room:
+def room(gears: GearsInputs, train: TrainResult) -> Room:
     mates: dict[str, set[str]] = {w.name: set() for w in gears.wheels}
-    tolerance: dict[str, Metre] = {}
+    tolerances: dict[str, list[Metre]] = {w.name: [] for w in gears.wheels}
     for mesh in train.meshes.values():
-        for one, other in ((mesh.driver, mesh.driven), (mesh.driven, mesh.driver)):
-            mates[one].add(other)
-            if mesh.centre_tolerance > tolerance.get(one, -1.0):
-                tolerance[one] = mesh.centre_tolerance
+        for wheel, mate in ((mesh.driver, mesh.driven), (mesh.driven, mesh.driver)):
+            mates[wheel].add(mate)
+            tolerances[wheel].append(mesh.centre_tolerance)
     swept = {}
-    for wheel in gears.wheels:
-        upper = wheel.tip_diameter_tolerance[0] if wheel.tip_diameter_tolerance else 0.0
-        with about(f"wheel {wheel.name}, room"):
-            swept[wheel.name] = f.swept_radius(
-                d_a=train.wheels[wheel.name].tip_diameter, E_da=upper, F_r=wheel.runout or 0.0, T_a=tolerance[wheel.name]
-            )
-    return Room(
-        tuple((w.name, complex(*w.from_), complex(*w.to)) for w in gears.walls),
-        tuple((n.name, complex(*n.position), n.radius) for n in gears.neighbours),
-        swept,
-        mates,
-    )
+    for w in gears.wheels:
+        upper = w.tip_diameter_tolerance[0] if w.tip_diameter_tolerance else 0.0
+        largest = based_on(max(tolerances[w.name]), *tolerances[w.name])
+        with about(Text("wheel {name}, room", name=w.name)):
+            swept[w.name] = f.swept_radius(d_a=train.wheels[w.name].tip_diameter, E_da=upper, F_r=w.runout or 0.0, T_a=largest)
+    walls = tuple((wall.name, complex(*wall.from_), complex(*wall.to)) for wall in gears.walls)
+    return Room(walls, tuple((n.name, complex(*n.position), n.radius) for n in gears.neighbours), swept, mates)
+
+
+def clearances(wheel: str, places: dict[str, complex], room: Room) -> dict[str, Clearance]:
+    """The smallest clearance of each kind, line by line, of a wheel in its place; kinds of which there is nothing are left out."""
+    p, r_s, free = places[wheel], room.swept[wheel], {}
+    with about(Text("wheel {wheel}, room", wheel=wheel)):
+        if room.walls:
+            name, a, b = min(room.walls, key=lambda wall: f.wall_distance.function(p, wall[1], wall[2]))
+            h = f.wall_distance(p=p, w_1=a, w_2=b)
+            free["wall"] = Clearance(f.wall_clearance(h=h, r_s=r_s), "wall", name)
+        for kind, things in (("neighbour", room.neighbours), ("wheel", room.others(wheel, places))):
+            if things:
+                name, q, r = min(things, key=lambda thing: abs(thing[1] - p) - thing[2])
+                free[kind] = Clearance(f.round_clearance(c=f.axes_apart(p_1=p, p_3=q), r_s=r_s, r=r), kind, name)
+    return free
+
+
+# --- two wheels in a row between two placed ones: the free angle with the most room, by a scan that is refined about its best point
+def most_room(
+    room: Room, places: dict[str, complex], chain: tuple[str, str, str, str], a: tuple[Metre, Metre, Metre]
+) -> tuple[Radian, float, Metre] | None:
+    """(direction of the first open wheel from its placed neighbour, side of the second, clearance of the tighter one).
+
+    None where no direction was found in which both wheels reach.  The coarse scan holds the stretched and the folded position.
+    """
+    first, one, two, last = chain
+    p, q = places[first], places[last]
+    toward = math.atan2((q - p).imag, (q - p).real)
+    phi: Array = toward + 2 * math.pi / COARSE * np.arange(COARSE, dtype=float)
+    step, best = 2 * math.pi / COARSE, None
+    for _ in range(1 + ROUNDS):
+        clearance = _clearances(room, places, (one, two), p, q, phi, a)
+        top = int(clearance.argmax())
+        widest = float(clearance.flat[top])
+        if widest == -math.inf:
+            return best
+        side, angle = divmod(top, phi.size)
+        if best is None or widest > best[2]:
+            best = float(phi[angle]), (1.0, -1.0)[side], widest
+        phi = best[0] + step * np.linspace(-1, 1, FINE)
+        step *= 2 / (FINE - 1)
+    return best
+
+
+def _clearances(
+    room: Room, places: dict[str, complex], names: tuple[str, str], p: complex, q: complex, phi: Array, a: tuple[Metre, Metre, Metre]
+) -> Array:
+    """Of the tighter wheel, one row for each side; −∞ where the wheels do not reach each other."""
+    sides = np.array([[1j], [-1j]])
+    one, two = names
+    A = p + a[0] * np.exp(1j * phi)
+    way = q - A
+    c2 = np.maximum(way.real**2 + way.imag**2, DUST * a[1] ** 2)
+    u = (c2 + a[1] ** 2 - a[2] ** 2) / 2  # times c
+    square = a[1] ** 2 * c2 - u**2
+    v = np.sqrt(np.maximum(square, 0.0))
+    B = A + (u + sides * v) * (way / c2)
+    tighter = np.minimum(room.around_all(one, A, places), room.around_all(two, B, places))
+    return np.where(square >= -DUST * a[1] ** 2 * c2, tighter, -math.inf)

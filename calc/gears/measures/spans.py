@@ -2,16 +2,14 @@
 """The span over every number of teeth that an anvil can reach: where it touches, the width it needs, and which is best."""
 
 import math
-from typing import TYPE_CHECKING
 
 from ...sheet.record import record
 from ...sheet.step import Table
+from ...sheet.text import COMMA, EMPTY, Text
 from ...sheet.trace import untraced
 from ...sheet.units import Metre, Number
+from ..result import ToothSystem, WheelResult
 from . import formulas as m
-
-if TYPE_CHECKING:
-    from ..result import ToothSystem, WheelResult
 
 MM = 1e-3
 
@@ -27,7 +25,7 @@ class Span:
     fault: str
 
 
-def spans(system: "ToothSystem", wheel: "WheelResult") -> tuple[Span, ...]:
+def spans(system: ToothSystem, wheel: WheelResult) -> tuple[Span, ...]:
     """All spans that touch the involute between form and tip circle, one more to each side, and the one chosen for the wheel."""
     beta_b, z = system.base_helix_angle, wheel.teeth
     p_bn = system.base_pitch * math.cos(beta_b)
@@ -39,38 +37,36 @@ def spans(system: "ToothSystem", wheel: "WheelResult") -> tuple[Span, ...]:
         return tuple(_span(system, wheel, K) for K in counts)
 
 
-def _span(system: "ToothSystem", wheel: "WheelResult", K: int) -> Span:
+def _span(system: ToothSystem, wheel: WheelResult, K: int) -> Span:
     beta_b = system.base_helix_angle
     W_K = m.span(system.m_n, system.alpha_n, float(K), wheel.teeth, system.transverse_pressure_angle, wheel.profile_shift)
     d_W, b_W = m.span_contact_diameter(wheel.base_diameter, W_K, beta_b), m.span_width(W_K, beta_b)
     return Span(K, W_K, d_W, b_W, _fault(wheel, W_K, d_W, b_W))
 
 
-def _fault(wheel: "WheelResult", W_K: Metre, d_W: Metre, b_W: Metre) -> str:
+def _fault(wheel: WheelResult, W_K: Metre, d_W: Metre, b_W: Metre) -> Text:
     if W_K <= 0 or d_W <= wheel.form_diameter:
-        return "touches below the form circle"
+        return Text("touches below the form circle")
     if d_W >= wheel.tip_diameter:
-        return "misses the tip circle"
-    return "needs a wider face" if wheel.face_width <= b_W else ""
+        return Text("misses the tip circle")
+    return Text("needs a wider face") if wheel.face_width <= b_W else EMPTY
 
 
-def best(found: tuple[Span, ...], d_V: Metre) -> Span | None:
+def best(spans: tuple[Span, ...], d_V: Metre) -> Span | None:
     """The span that touches nearest to the circle d_V = d + 2·x·m_n; None where none can be measured."""
-    return min((s for s in found if not s.fault), key=lambda s: (abs(s.contact_diameter - d_V), s.K), default=None)
+    return min((s for s in spans if not s.fault), key=lambda s: (abs(s.contact_diameter - d_V), s.K), default=None)
 
 
-def spans_table(wheel: "WheelResult", found: tuple[Span, ...], chosen: Number, best_K: int | None) -> Table:
+def spans_table(wheel: WheelResult, spans: tuple[Span, ...], chosen: Number, best_K: int | None) -> Table:
     """`chosen`: the K of the wheel's span."""
     upper, lower = wheel.allowance or (None, None)
 
     def row(s: Span) -> tuple[str | float | None, ...]:
-        words = [said for said, holds in (("chosen", round(chosen) == s.K), ("best", best_K == s.K)) if holds]
+        words = [word for word, holds in ((Text("chosen"), round(chosen) == s.K), (Text("best"), best_K == s.K)) if holds]
         limits = (None if E is None else (s.length + E) / MM for E in (lower, upper))
-        return (f"{s.K}", s.length / MM, *limits, s.contact_diameter / MM, s.width / MM, ", ".join([*words, s.fault] if s.fault else words))
+        return (f"{s.K}", s.length / MM, *limits, s.contact_diameter / MM, s.width / MM, COMMA.join(filter(None, (*words, s.fault))))
 
-    return Table(
-        f"spans_{wheel.name}", f"Spans of {wheel.name}",
-        (("K", ""), ("W_K", "mm"), ("smallest", "mm"), ("largest", "mm"), ("touches at d_W", "mm"), ("face width needed", "mm"), ("", "")),
-        tuple(row(s) for s in found),
-        "Best: touches nearest to d + 2·x·m_n of those that can be measured. The width is without the anvils' own.",
-    )  # fmt: skip
+    return Table(f"spans_{wheel.name}", Text("Spans of {name}", name=wheel.name),
+        ((Text("K"), ""), (Text("W_K"), "mm"), (Text("smallest"), "mm"), (Text("largest"), "mm"), (Text("touches at d_W"), "mm"),
+            (Text("face width needed"), "mm"), (EMPTY, "")), tuple(row(s) for s in spans),
+        Text("Best: touches nearest to d + 2·x·m_n of those that can be measured. The width is without the anvils' own."))  # fmt: skip

@@ -11,7 +11,7 @@ fillet.  A point of a flank is given by its radius and its angle from the middle
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -19,11 +19,11 @@ from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from .. import formulas as f
-
-if TYPE_CHECKING:
-    from ..result import ToothSystem
+from ..result import ToothSystem
+from ..words import mm
 
 ROOT: Radian = -math.pi / 2  # direction of the corner's normal at the root
 FLATTEST: Radian = -1e-3  # as far as a corner with protuberance is followed: at 0 it would cut at an endless distance
@@ -33,7 +33,7 @@ FLATTEST: Radian = -1e-3  # as far as a corner with protuberance is followed: at
 class Cut:
     """One wheel as the tool sees it.  `shift` x, or the generating x_E of a tooth with an allowance."""
 
-    system: "ToothSystem"
+    system: ToothSystem
     teeth: int
     shift: Number
 
@@ -113,15 +113,15 @@ class Cut:
         if s.s_pr > 0:
             if self._off(flank, 0.0) < 0:
                 return self._return_of_the_corner(flank)
-            found = self._undercut(0.0)
-            return flank if found is None else found
+            crossing = self._undercut(0.0)
+            return flank if crossing is None else crossing
         x_min = f.undercut_limit.function(s.h_fP, s.rho_aP0, s.alpha_n, self.teeth, s.transverse_pressure_angle, s.beta)
         if self.shift >= x_min:
             return flank
-        found = self._undercut(0.0)
-        if found is None:
-            found = self._undercut(self.offset_of_tool)
-        return flank if found is None else found
+        crossing = self._undercut(0.0)
+        if crossing is None:
+            crossing = self._undercut(self.offset_of_tool)
+        return flank if crossing is None else crossing
 
     def _off(self, phi: Radian, offset: Radian) -> Radian:
         """Angle by which the fillet stands off an involute: negative where it cuts into it.  `offset`: of that involute, inwards."""
@@ -148,10 +148,12 @@ class Cut:
         while self._off(high := min(low + step, FLATTEST), 0.0) <= 0:
             if high == FLATTEST:
                 raise NoSolution(
-                    f"protuberance: it stands {s.s_pr * 1e3:.4g} mm out beyond the finished flank, and what it cuts never comes back to it",
-                    advice=f"a round corner of this tip radius comes back from {largest_residual_undercut(s) * 1e3:.4g} mm: give a "
-                    "smaller gears.protuberance_mm, a larger gears.stock_mm or tip radius, or less profile shift",
-                )
+                    Text("protuberance: it stands {s_pr} mm out beyond the finished flank, and what it cuts never comes back to it",
+                        s_pr=mm(s.s_pr, ".4g")),
+                    advice=Text("a round corner of this tip radius comes back from {largest_residual_undercut} mm: give a smaller "
+                        "gears.protuberance_mm, a larger gears.stock_mm or tip radius, or less profile shift",
+                        largest_residual_undercut=mm(largest_residual_undercut(s), ".4g")),
+                )  # fmt: skip
             low, step = high, 2 * step
         return _root(lambda phi: self._off(phi, 0.0), low, high)
 
@@ -187,35 +189,34 @@ def form_diameter_of_undercut(cut: Cut) -> Metre:
 
 
 # --- the tool ---------------------------------------------------------------------------------------------------------------
-def largest_residual_undercut(s: "ToothSystem") -> Metre:
+def largest_residual_undercut(s: ToothSystem) -> Metre:
     """How far a corner circle can stand out beyond the flank and come back to it before its side is upright: ρ(1 − cos α_n)."""
     return s.rho_aP0 * s.m_n * (1 - math.cos(s.alpha_n))
 
 
-def finishing_step(s: "ToothSystem") -> Metre:
+def finishing_step(s: ToothSystem) -> Metre:
     """Step that finishing leaves above the fillet, normal to the flank: stock that the protuberance does not cover; 0 without one."""
     return max(0.0, -s.s_pr)
 
 
-def tool_problem(s: "ToothSystem") -> NoSolution | None:
+def tool_problem(s: ToothSystem) -> NoSolution | None:
     """Why there is no such tool, and what is allowed; None: there is."""
-    corner = f.tool_corner_position(
-        m_t=s.transverse_module, h_fP=s.h_fP, rho_aP0=s.rho_aP0, m_n=s.m_n, alpha_t=s.transverse_pressure_angle, alpha_n=s.alpha_n,
-        beta=s.beta, s_pr=s.s_pr,
-    )  # fmt: skip
+    corner = f.tool_corner_position(m_t=s.transverse_module, h_fP=s.h_fP, rho_aP0=s.rho_aP0, m_n=s.m_n, alpha_t=s.transverse_pressure_angle,
+        alpha_n=s.alpha_n, beta=s.beta, s_pr=s.s_pr)  # fmt: skip
     if corner >= -1e-9 * s.m_n:
         return None
     cosines, tangent = math.cos(s.alpha_n) * math.cos(s.beta), math.tan(s.transverse_pressure_angle)
     straight = math.pi * s.transverse_module / 4
     widest = (straight - s.h_fP * s.m_n * tangent + s.s_pr / cosines) / ((1 / cosines - tangent) * s.m_n)
     deepest = (straight + (s.s_pr + s.stock) / cosines) / (tangent * s.m_n)  # of the tool itself, where its sharp corners meet
-    return NoSolution(
-        f"gears.tool_tip_radius = {s.rho_aP0:g} with gears.tool_addendum = {s.h_aP0:g}: the round corners of such a tool overlap by "
-        f"{-2e3 * corner:.4g} mm",
-        advice=f"give a gears.tool_tip_radius of at most {_down(widest)}, or a smaller gears.tool_addendum"
-        if widest >= 0
-        else f"give a gears.tool_addendum of less than {_down(deepest)}: that much with sharp corners",
-    )
+    advice = Text("give a gears.tool_addendum of less than {down}: that much with sharp corners", down=_down(deepest))
+    if widest >= 0:
+        advice = Text("give a gears.tool_tip_radius of at most {down}, or a smaller gears.tool_addendum", down=_down(widest))
+    overlap = Text(
+        "gears.tool_tip_radius = {rho_ap0} with gears.tool_addendum = {h_ap0}: the round corners of such a tool overlap by {corner} mm",
+        rho_ap0=Amount(s.rho_aP0, form="g"), h_ap0=Amount(s.h_aP0, form="g"), corner=Amount(-2000.0 * corner, form=".4g"),
+    )  # fmt: skip
+    return NoSolution(overlap, advice=advice)
 
 
 def _down(limit: Number) -> str:
@@ -231,4 +232,5 @@ def protuberance_note(cut: Cut) -> str:
     if cut.system.s_pr <= 0 or cut.end_of_fillet <= -cut.system.alpha_n:
         return ""
     angle = math.degrees(-cut.end_of_fillet)
-    return f"the fillet is as computed if the flank of the hob's protuberance stands at most {angle:.1f}° from the upright"
+    return Text("the fillet is as computed if the flank of the hob's protuberance stands at most {angle}° from the upright",
+        angle=Amount(angle, form=".1f"))  # fmt: skip

@@ -13,6 +13,7 @@ import numpy as np
 
 from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
 from ...sheet.quantity import Published, published
+from ...sheet.text import Text
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import GearsInputs
 from ..layout.phase import phase
@@ -20,7 +21,9 @@ from ..result import MeshResult, TrainResult, WheelResult, working_circles
 from .outline import CHORD_ERROR, repeated, shifts, tooth
 
 LAYERS = ("PROFILE", "PROFILE_MAX", "PROFILE_MIN", "TIP", "REFERENCE", "BASE", "ROOT", "FORM", "WORKING", "AXIS", "TEXT")
-CIRCLES = {"TIP": "tip_diameter", "REFERENCE": "pitch_diameter", "BASE": "base_diameter", "ROOT": "root_diameter", "FORM": "form_diameter"}
+CIRCLES = {
+    "TIP": "tip_diameter", "REFERENCE": "reference_diameter", "BASE": "base_diameter", "ROOT": "root_diameter", "FORM": "form_diameter",
+}  # fmt: skip
 LETTER = 0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
 UP: Radian = math.pi / 2
 Places = Mapping[str, tuple[Metre, Metre]]
@@ -34,24 +37,20 @@ def wheel_drawing(
     PROFILE is the outline without allowance, PROFILE_MAX and PROFILE_MIN those at its ends, if there is one.
     """
     wheel = train.wheels[name]
-    made = _outlines(train, wheel, chord_error, 0j, UP, limits=True)
-    made += _circles(wheel, working_circles(train.meshes, name), 0j)
+    shapes = _outlines(train, wheel, chord_error, 0j, UP, limits=True)
+    shapes += _circles(wheel, working_circles(train.meshes, name), 0j)
     h = LETTER * wheel.tip_diameter
     left, top = wheel.tip_diameter / 2 + 6 * h, wheel.tip_diameter / 2
-    rows = (*data_table(train, name, gears), ("Profile", "transverse section, without allowance; MAX, MIN: at its ends"))
-    made.append(Words("TEXT", (left, top), f"{title}: {name}" if title else name, 1.6 * h))
-    for i, (label, said) in enumerate(rows):
+    rows = (*data_table(train, name, gears), (Text("Profile"), Text("transverse section, without allowance; MAX, MIN: at its ends")))
+    shapes.append(Words("TEXT", (left, top), f"{title}: {name}" if title else name, 1.6 * h))
+    for i, (label, words) in enumerate(rows):
         y = top - (3 + 1.8 * i) * h
-        made += [Words("TEXT", (left, y), label, h), Words("TEXT", (left + 26 * h, y), said, h)]
-    return tuple(made)
+        shapes += [Words("TEXT", (left, y), label, h), Words("TEXT", (left + 26 * h, y), words, h)]
+    return tuple(shapes)
 
 
 def train_drawing(
-    train: TrainResult,
-    title: str = "",
-    positions: Places | None = None,
-    tooth_angle: Radian = 0.0,
-    chord_error: Metre = CHORD_ERROR,
+    train: TrainResult, title: str = "", positions: Places | None = None, tooth_angle: Radian = 0.0, chord_error: Metre = CHORD_ERROR
 ) -> tuple[Primitive, ...]:
     """All wheels, meshing, without allowances.
 
@@ -62,29 +61,30 @@ def train_drawing(
     known = positions is not None and set(train.wheels) <= set(positions)
     centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else _row(train)
     teeth = _teeth(train, centres, tooth_angle)
-    made: list[Primitive] = []
+    shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
-        made += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
-        made += _circles(wheel, working_circles(train.meshes, name), centres[name])
+        shapes += _outlines(train, wheel, chord_error, centres[name], UP - teeth[name], limits=False)
+        shapes += _circles(wheel, working_circles(train.meshes, name), centres[name])
     h = LETTER * max(wheel.tip_diameter for wheel in train.wheels.values())
-    made += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {wheel.teeth}", h) for name, wheel in train.wheels.items()]
+    shapes += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h) for name, w in train.wheels.items()]
     low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     left = min(centres[name].real - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
-    said = ["Millimetres, 1:1. Transverse section, outlines without allowance."]
-    said.append(
-        "Drawn up: up from the crank's axis; the crank turns clockwise." if known else "In a row: where the axes stand is not known."
+    placed, in_row = (
+        Text("Drawn up: up from the crank's axis; the crank turns clockwise."),
+        Text("In a row: where the axes stand is not known."),
     )
-    made += [Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h) for i, line in enumerate([title, *said] if title else said)]
-    return tuple(made)
+    below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), placed if known else in_row]
+    shapes += [Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h) for i, line in enumerate([title, *below] if title else below)]
+    return tuple(shapes)
 
 
 def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radian) -> dict[str, Radian]:
     """Middle of a tooth of every wheel, from up in the sense of crank rotation: the layout's where the wheels stand as it has them."""
     places = {name: complex(at.imag, at.real) for name, at in centres.items()}
     laid = train.layout.wheels if train.layout is not None else {}
-    found = {name: w.tooth_angle for name, w in laid.items() if w.tooth_angle is not None and w.position == places[name]}
-    if found.keys() == train.wheels.keys():
-        return found
+    angles = {name: w.tooth_angle for name, w in laid.items() if w.tooth_angle is not None and w.position == places[name]}
+    if angles.keys() == train.wheels.keys():
+        return angles
     directions = {key: cmath.phase(places[mesh.driven] - places[mesh.driver]) for key, mesh in train.meshes.items()}
     return phase(train, directions, tooth_angle, None).teeth
 
@@ -92,37 +92,33 @@ def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radi
 def _row(train: TrainResult) -> dict[str, complex]:
     """Each wheel to the right of its driver; a driver's further wheels above it, below it, and so on round."""
     meshes = list(train.meshes.values())
-    found, used = {meshes[0].driver: 0j}, {meshes[0].driver: 0}
+    centres, used = {meshes[0].driver: 0j}, {meshes[0].driver: 0}
     for mesh in meshes:
         way = (1, 1j, -1j, -1)[used[mesh.driver] % 4]
         used[mesh.driver] += 1
         used[mesh.driven] = 0
-        found[mesh.driven] = found[mesh.driver] + mesh.centre_distance * way
-    return found
+        centres[mesh.driven] = centres[mesh.driver] + mesh.centre_distance * way
+    return centres
 
 
 # --- shapes -------------------------------------------------------------------------------------------------------------
 def _outlines(train: TrainResult, wheel: WheelResult, chord_error: Metre, at: complex, turn: Radian, *, limits: bool) -> list[Primitive]:
-    made: list[Primitive] = []
+    """The closed outline, its first point not repeated, and with `limits` those at the ends of the allowance."""
+    outlines: list[Primitive] = []
     for end, x in shifts(train.system, wheel).items():
         if limits or not end:
-            made.append(Polyline(f"PROFILE_{end.upper()}" if end else "PROFILE", _whole(train, wheel, chord_error, x, at, turn), True))
-    return made
-
-
-def _whole(train: TrainResult, wheel: WheelResult, chord_error: Metre, shift: Number, at: complex, turn: Radian) -> tuple[Point, ...]:
-    """The closed outline, its first point not repeated."""
-    path = repeated(tooth(train.system, wheel, chord_error, shift), wheel.teeth)[:-1] * cmath.exp(1j * turn) + at
-    return tuple(zip(np.real(path).tolist(), np.imag(path).tolist()))
+            path = repeated(tooth(train.system, wheel, chord_error, x), wheel.teeth)[:-1] * cmath.exp(1j * turn) + at
+            points = tuple(zip(np.real(path).tolist(), np.imag(path).tolist()))
+            outlines.append(Polyline(f"PROFILE_{end.upper()}" if end else "PROFILE", points, True))
+    return outlines
 
 
 def _circles(wheel: WheelResult, working: list[tuple[str, Metre, MeshResult]], at: complex) -> list[Primitive]:
-    centre = _point(at)
-    made: list[Primitive] = [Arc(layer, centre, getattr(wheel, field) / 2, 0.0, 2 * math.pi) for layer, field in CIRCLES.items()]
-    made += [Arc("WORKING", centre, d_w / 2, 0.0, 2 * math.pi) for _, d_w, _ in working]
+    circles = [(layer, getattr(wheel, field)) for layer, field in CIRCLES.items()] + [("WORKING", d_w) for _, d_w, _ in working]
+    shapes: list[Primitive] = [Arc(layer, _point(at), d / 2, 0.0, 2 * math.pi) for layer, d in circles]
     reach = wheel.tip_diameter * (0.5 + LETTER)
-    made += [Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))]
-    return made
+    shapes += [Polyline("AXIS", (_point(at - way), _point(at + way))) for way in (complex(reach, 0.0), complex(0.0, reach))]
+    return shapes
 
 
 def _point(at: complex) -> Point:
@@ -136,35 +132,40 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
     hand = f", {gears.hands()[name]}" if gears is not None and s.beta else ""
     rows = [
-        ("Normal module m_n", _mm(s.m_n)), ("Teeth z", str(wheel.teeth)), ("Normal pressure angle", _degrees(s.alpha_n)),
-        ("Helix angle", _degrees(s.beta) + hand), ("Profile shift coefficient x", _number(wheel.profile_shift, 5)),
-        ("Tool: addendum, tip radius", f"{_number(s.h_aP0, 4)} / {_number(s.rho_aP0, 4)} m_n"),
-        ("Stock; residual undercut", f"{_mm(s.stock)}; {_mm(s.s_pr)}"), ("Face width b", _mm(wheel.face_width)),
-        ("Reference diameter d", _mm(wheel.pitch_diameter)), ("Base diameter d_b", _mm(wheel.base_diameter)),
-        ("Tip diameter d_a", _between(wheel.tip_diameter, wheel.tip_diameter_min, wheel.tip_diameter_max)),
-        ("Root diameter d_f", _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
-        ("Form diameter d_Ff", _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
+        (Text("Normal module m_n"), _mm(s.m_n)), (Text("Teeth z"), str(wheel.teeth)), (Text("Normal pressure angle"), _degrees(s.alpha_n)),
+        (Text("Helix angle"), _degrees(s.beta) + hand), (Text("Profile shift coefficient x"), _number(wheel.profile_shift, 5)),
+        (Text("Tool: addendum, tip radius"), f"{_number(s.h_aP0, 4)} / {_number(s.rho_aP0, 4)} m_n"),
+        (Text("Stock; residual undercut"), f"{_mm(s.stock)}; {_mm(s.s_pr)}"), (Text("Face width b"), _mm(wheel.face_width)),
+        (Text("Reference diameter d"), _mm(wheel.reference_diameter)), (Text("Base diameter d_b"), _mm(wheel.base_diameter)),
+        (Text("Tip diameter d_a"), _between(wheel.tip_diameter, wheel.tip_diameter_min, wheel.tip_diameter_max)),
+        (Text("Root diameter d_f"), _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
+        (Text("Form diameter d_Ff"), _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
     ]  # fmt: skip
     if gears is not None:
-        rows.append(("Accuracy grade (ISO 1328-1)", str(gears.accuracy_grade)))
-    rows += [(f"Working diameter to {mate}", f"{_mm(d_w)}; centres {_distance(m)}") for mate, d_w, m in working_circles(train.meshes, name)]
+        rows.append((Text("Accuracy grade (ISO 1328-1)"), str(gears.accuracy_grade)))
+    rows += [
+        (Text("Working diameter to {mate}", mate=mate), Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)))
+        for mate, d_w, m in working_circles(train.meshes, name)
+    ]
     return (*rows, *_measures(known))
 
 
-def _measures(known: Mapping[str, Published]) -> list[tuple[str, str]]:
+def _measures(known: Mapping[str, Published]) -> list[tuple[Text, str]]:
     """Span and size over balls, each with its limits where the wheel has an allowance."""
     rows = []
     for id in known:
         if id.startswith("span_") and id[5:].isdigit():
-            rows.append((f"Span over {id[5:]} teeth W", _limits(known, id)))
+            rows.append((Text("Span over {id} teeth W", id=id[5:]), _limits(known, id)))
     if "over_balls" in known and "ball_diameter" in known:
-        rows.append((f"Size over balls M, D_M {_shown(known['ball_diameter'])}", _limits(known, "over_balls")))
+        rows.append((Text("Size over balls M, D_M {shown}", shown=_shown(known["ball_diameter"])), _limits(known, "over_balls")))
     return rows
 
 
 def _limits(known: Mapping[str, Published], id: str) -> str:
     low, high = known.get(f"{id}_min"), known.get(f"{id}_max")
-    return f"{_shown(low)} to {_shown(high)}" if low is not None and high is not None else _shown(known[id])
+    return (
+        Text("{shown} to {shown2}", shown=_shown(low), shown2=_shown(high)) if low is not None and high is not None else _shown(known[id])
+    )
 
 
 def _shown(value: Published) -> str:
@@ -172,7 +173,7 @@ def _shown(value: Published) -> str:
 
 
 def _between(size: Metre, low: Metre | None, high: Metre | None) -> str:
-    return f"{_mm(low)} to {_mm(high)}" if low is not None and high is not None else _mm(size)
+    return Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _mm(size)
 
 
 def _distance(mesh: MeshResult) -> str:

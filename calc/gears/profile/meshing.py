@@ -9,19 +9,19 @@ past all teeth is the whole mesh.
 
 import math
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.trace import about
 from ...sheet.units import Metre, Number
+from ...sheet.value import based_on
+from ..result import ToothSystem, TrainResult, WheelResult
 from .cut import ROOT, Cut
-
-if TYPE_CHECKING:
-    from ..result import ToothSystem, TrainResult, WheelResult
 
 FILLET, FLANK = 129, 12  # places of the fillet's table, and points of the flank that are carried past the mate
 CORNER, ROLL = 181, 21  # positions in which the tip's corner is looked at, and the other points
@@ -55,11 +55,11 @@ class Flank:
         return np.where(radius >= r[-1], self.cut.involute(radius), np.interp(radius, r, angle))
 
 
-def flank(system: "ToothSystem", wheel: "WheelResult", shift: Number | None = None) -> Flank:
+def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) -> Flank:
     """`shift`: another one than that without allowance.  A pointed tooth ends where its flanks meet."""
     cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
     pointed = wheel.pointed_diameter / 2 if shift is None else cut.base_radius / math.cos(cut.pointed_angle)
-    return Flank(cut, min(wheel.tip_diameter / 2, pointed))
+    return Flank(cut, based_on(min(wheel.tip_diameter / 2, pointed), wheel.tip_diameter, wheel.pointed_diameter))
 
 
 def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array) -> tuple[Array, Array]:
@@ -93,7 +93,7 @@ AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each 
 )  # fmt: skip
 def penetration(a_w: Metre, driver: Flank, driven: Flank) -> Metre:
     """In the transverse plane; 0 where the outlines only touch."""
-    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver)) or float("0")  # an object of its own, to find its line again
+    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver))
 
 
 def _deepest(a_w: Metre, own: Flank, mate: Flank) -> Metre:
@@ -127,8 +127,8 @@ def _depth(own: Flank, radius: Array, angle: Array, short: Array) -> Metre:
     to_root = np.where(angle >= theta[0], np.abs(radius - r[0]), np.abs(points - corners[0])) if half_pitch > theta[0] else to_fillet
     upper = radius >= r[-1]
     depth = np.where(upper, np.minimum(over_flank, over_tip), np.minimum(to_fillet, to_root))
-    found = float(depth.max())
-    return found if found > DUST else 0.0
+    deepest = float(depth.max())
+    return deepest if deepest > DUST else 0.0
 
 
 def _distances(points: Array, line: Array) -> Array:
@@ -141,11 +141,11 @@ def _distances(points: Array, line: Array) -> Array:
     return nearest
 
 
-def penetrations(train: "TrainResult") -> dict[str, Metre]:
+def penetrations(train: TrainResult) -> dict[str, Metre]:
     """Of every mesh of a train, by its key."""
     flanks = {name: flank(train.system, wheel) for name, wheel in train.wheels.items()}
-    found = {}
+    depths = {}
     for key, m in train.meshes.items():
-        with about(f"mesh {m.driver}–{m.driven}"):
-            found[key] = penetration(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
-    return found
+        with about(Text("mesh {pair}", pair=m.title)):
+            depths[key] = penetration(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
+    return depths

@@ -6,19 +6,17 @@ middle of the first tooth on the real axis.
 """
 
 import math
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ...sheet.arrays import Array, ComplexArray
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre, Number
 from ..measures.formulas import generating_shift
+from ..result import ToothSystem, WheelResult
 from .cut import ROOT, Cut, form_diameter_of_undercut
-
-if TYPE_CHECKING:
-    from ..result import ToothSystem, WheelResult
 
 __all__ = [
     "CHORD_ERROR", "Cut", "Outline", "Regions", "form_diameter_of_undercut", "outline", "regions", "repeated", "shifts", "tooth",
@@ -42,22 +40,24 @@ class Regions:
     tip: tuple[Array, Array]
 
 
-def shifts(system: "ToothSystem", wheel: "WheelResult") -> dict[str, Number]:
+def shifts(system: ToothSystem, wheel: WheelResult) -> dict[str, Number]:
     """Generating shift of each outline of a wheel: "" without allowance; "max", "min" with the upper and the lower end of it."""
-    found = {"": wheel.profile_shift}
+    shifts = {"": wheel.profile_shift}
     for end, E_W in zip(("max", "min"), wheel.allowance or ()):
-        found[end] = generating_shift.function(wheel.profile_shift, E_W, system.m_n, system.alpha_n)
-    return found
+        shifts[end] = generating_shift.function(wheel.profile_shift, E_W, system.m_n, system.alpha_n)
+    return shifts
 
 
-def regions(system: "ToothSystem", wheel: "WheelResult", chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Regions:
+def regions(system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Regions:
     """The four regions of one flank; a pointed tooth ends where its flanks meet.  `shift`: another one than that without allowance."""
     cut = Cut(system, wheel.teeth, wheel.profile_shift if shift is None else shift)
     end = cut.end_of_fillet
     form, corner = cut.fillet_point(end)
     base, tip = cut.base_radius, wheel.tip_diameter / 2
     if form >= tip:
-        raise NoSolution(f"wheel {wheel.name}: no involute is left below its tip circle", advice="give it more profile shift")
+        raise NoSolution(
+            Text("wheel {name}: no involute is left below its tip circle", name=wheel.name), advice=Text("give it more profile shift")
+        )
     fillet = _fillet(cut, end, chord_error)
     radius, angle = _involute(cut, math.sqrt(max((form / base) ** 2 - 1, 0.0)), math.sqrt((tip / base) ** 2 - 1), chord_error)
     if abs(corner - angle[0]) * form > 1e-9 * system.m_n:  # finishing has left a step
@@ -102,7 +102,7 @@ def _arc(radius: Metre, start: float, end: float, chord_error: Metre) -> tuple[A
     return np.full(count + 1, radius), np.linspace(start, end, count + 1)
 
 
-def tooth(system: "ToothSystem", wheel: "WheelResult", chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Outline:
+def tooth(system: ToothSystem, wheel: WheelResult, chord_error: Metre = CHORD_ERROR, shift: Number | None = None) -> Outline:
     """One whole tooth, from the middle of a root to the middle of the next, angles rising."""
     return whole_tooth(regions(system, wheel, chord_error, shift))
 
@@ -117,8 +117,8 @@ def whole_tooth(flank: Regions) -> Outline:
 
 
 def outline(
-    system: "ToothSystem",
-    wheel: "WheelResult",
+    system: ToothSystem,
+    wheel: WheelResult,
     chord_error: Metre = CHORD_ERROR,
     teeth: range | None = None,
     shift: Number | None = None,

@@ -7,45 +7,39 @@ class does not hold, which a check says.
 """
 
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable
 from functools import cache
-from typing import TYPE_CHECKING, Any
+from typing import Any, cast
 
 from ...catalogue import TABLES
-from ...sheet.check import Check, check
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.record import record
-from ...sheet.step import Table
+from ...sheet.text import Amount, Text
 from ...sheet.trace import about
 from ...sheet.units import UNITS, Metre, Number, Pascal
-
-if TYPE_CHECKING:
-    from ..inputs import Wheel
+from ..wheel_inputs import Wheel
 
 FILE = "gear_materials.toml"
 DEFAULT = "case-hardened"
-TABLE_1 = "ISO 6336-5:2016, Table 1, as reprinted in public code, not compared with the standard"
+TABLE_1 = Text("ISO 6336-5:2016, Table 1, as reprinted in public code, not compared with the standard")
 SURFACE_HARDENED = ("Eh", "IF", "NT(nitr.)", "NV(nitr.)", "NV(nitrocar.)")
 THROUGH_HARDENED = ("St", "V")
 MEGAPASCAL = UNITS["MPa"].factor
 
 
-@formula(
-    "HBW",
-    "ISO 18265, as generally published: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV",
-    names={"HV": "HV"},
-)
+@formula("HBW", "ISO 18265, as generally published: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV",
+    names={"HV": "HV"})  # fmt: skip
 def brinell_hardness(HV: Number) -> Number:
     return 0.95 * HV
 
 
-@formula("σ_Hlim", f"{TABLE_1}: allowable stress number, contact; x: hardness", unit="MPa")
+@formula("σ_Hlim", Text("{table_1}: allowable stress number, contact; x: hardness", table_1=TABLE_1), unit="MPa")
 def contact_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 
 
-@formula("σ_Flim", f"{TABLE_1}: allowable stress number, bending; x: hardness", unit="MPa")
+@formula("σ_Flim", Text("{table_1}: allowable stress number, bending; x: hardness", table_1=TABLE_1), unit="MPa")
 def bending_number(A: Pascal, x: Number, B: Pascal) -> Pascal:
     return A * x + B
 
@@ -58,9 +52,7 @@ class StrengthClass:
     """
 
     name: str
-    title: str
     kind: str
-    treatment: str
     quality: str
     scale: str
     hardness: Number | None
@@ -72,9 +64,7 @@ class StrengthClass:
     brinell: Number
     proof_stress: Pascal | None
     slip_layer: Metre | None
-    steels: tuple[str, ...]
-    source: str
-    notes: tuple[str, ...]
+    notes: tuple[Text, ...]
 
     @property
     def surface_hardened(self) -> bool:
@@ -93,8 +83,8 @@ def _rows() -> dict[str, str]:
 
 
 @cache
-def _row(name: str) -> dict[str, Any]:
-    return tomllib.loads(_rows()[name])["row"][0]
+def _row(name: str) -> dict[str, Any]:  # Any: as tomllib reads it
+    return cast("dict[str, Any]", tomllib.loads(_rows()[name])["row"][0])
 
 
 def class_names() -> tuple[str, ...]:
@@ -115,40 +105,44 @@ def strength_class(
     Left out: the class is case-hardened steel, the hardness the lowest of its range (rule of this program); the notes say so.
     Raises NoSolution where there is no such class.
     """
-    notes = []
+    notes: list[Text] = []
     if name is None:
         name = DEFAULT
-        notes.append(f"strength class not given; chosen: {DEFAULT} steel, {quality}")
+        notes.append(Text("strength class not given; chosen: case-hardened steel, {quality}", quality=quality))
     if name not in _rows():
         raise _unknown(name)
     row = _row(name)
+    scale, kind, proof, slip = row["scale"], row["kind"], row.get("proof_MPa"), row.get("slip_layer_mm")
     contact, bending = row[f"contact_{quality}"], row[f"bending_{quality}"]
     low, high = max(contact[0][2], bending[0][2]), min(contact[-1][3], bending[-1][3])
     x = low
     if hardness is not None:
-        x = hardness if row["scale"] == "HV" else brinell_hardness(HV=hardness)
+        x = hardness if scale == "HV" else brinell_hardness(HV=hardness)
     elif any(A for A, *_ in contact + bending):
-        notes.append(f"hardness not given; taken: the lowest of the class {name}, {low:g} {row['scale']} (rule of this program)")
+        notes.append(
+            Text("hardness not given; taken: the lowest of the class {name}, {low} {row} (rule of this program)", name=name,
+                low=Amount(low, form="g"), row=scale)
+        )  # fmt: skip
     if x > high:
-        notes.append(f"hardness {x:.4g} {row['scale']} is above the range of the class {name}; its stresses are those at {high:g}")
-    sigma_H, sigma_F = _read(contact, x), _read(bending, x)
-    proof = row.get("proof_MPa")
-    slip = row.get("slip_layer_mm")
+        notes.append(
+            Text("hardness {x} {row} is above the range of the class {name}; its stresses are those at {high}", x=Amount(x, form=".4g"),
+                row=scale, name=name, high=Amount(high, form="g"))
+        )  # fmt: skip
+    A_H, x_H, B_H = _line_at(contact, x)
+    A_F, x_F, B_F = _line_at(bending, x)
     return StrengthClass(
-        name=name, title=row["title"], kind=row["kind"], treatment=row["treatment"], quality=quality, scale=row["scale"],
-        hardness=hardness, x=x, low=low, high=high,
-        sigma_Hlim=contact_number(A=sigma_H[0], x=sigma_H[1], B=sigma_H[2]),
-        sigma_Flim=bending_number(A=sigma_F[0], x=sigma_F[1], B=sigma_F[2]),
-        brinell=x if row["scale"] == "HBW" or row["kind"] not in THROUGH_HARDENED else brinell_hardness(HV=x),
+        name=name, kind=kind, quality=quality, scale=scale, hardness=hardness, x=x, low=low, high=high,
+        sigma_Hlim=contact_number(A=A_H, x=x_H, B=B_H), sigma_Flim=bending_number(A=A_F, x=x_F, B=B_F),
+        brinell=x if scale == "HBW" or kind not in THROUGH_HARDENED else brinell_hardness(HV=x),
         proof_stress=None if proof is None else (proof_stress or proof * MEGAPASCAL),
-        slip_layer=None if slip is None else slip * 1e-3, steels=tuple(row["steels"]), source=row["source"], notes=tuple(notes),
+        slip_layer=None if slip is None else slip * 1e-3, notes=tuple(notes),
     )  # fmt: skip
 
 
 STEEL_E = (190e9, 225e9)  # Pa: a material as stiff as this is taken for steel
 
 
-def of_wheel(wheel: "Wheel", E: Pascal, proof_stress: Pascal | None = None) -> StrengthClass | None:
+def of_wheel(wheel: Wheel, E: Pascal, proof_stress: Pascal | None = None) -> StrengthClass | None:
     """The class of a wheel of the design, its lines under the wheel's name; None: it gives none, and its material is not for the default.
 
     `E`: of its material.  A steel that the table names is taken for case-hardened only where that is one of its classes.
@@ -157,11 +151,11 @@ def of_wheel(wheel: "Wheel", E: Pascal, proof_stress: Pascal | None = None) -> S
         usual = classes_of(wheel.material)
         if DEFAULT not in usual if usual else not STEEL_E[0] <= E <= STEEL_E[1]:
             return None
-    with about(f"wheel {wheel.name}, strength class"):
+    with about(Text("wheel {name}, strength class", name=wheel.name)):
         return strength_class(wheel.gear_material, wheel.quality, wheel.hardness, proof_stress)
 
 
-def _read(lines: list[list[float]], x: Number) -> tuple[Pascal, Number, Pascal]:
+def _line_at(lines: list[list[float]], x: Number) -> tuple[Pascal, Number, Pascal]:
     """A, x and B of the line that holds at a hardness; beyond the last line x is its end."""
     for A, B, _, end in lines:
         if x <= end:
@@ -169,62 +163,29 @@ def _read(lines: list[list[float]], x: Number) -> tuple[Pascal, Number, Pascal]:
     return A * MEGAPASCAL, end, B * MEGAPASCAL
 
 
-def class_problem(name: str) -> str | None:
+def class_problem(name: str) -> Text | None:
     """Why a word is no strength class; None where it is one."""
     if name in class_names():
         return None
     why = _unknown(name)
-    return f"{why.tried}; {why.advice}"
+    return Text("{tried}; {advice}", tried=why.tried, advice=why.advice)
 
 
 def _unknown(name: str) -> NoSolution:
+    what = Text('strength class "{name}"', name=name)
     if "adi" in name.casefold().replace("-", " ").split() or "austemper" in name.casefold():
         return NoSolution(
-            f'strength class "{name}"', "austempered ductile iron is not among the materials of ISO 6336-5",
-            "rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker (nodular iron, pearlitic)",
+            what, Text("austempered ductile iron is not among the materials of ISO 6336-5"),
+            Text("rate it by its maker's own fatigue data; for a first guess take a class that is surely weaker (nodular iron, pearlitic)"),
         )  # fmt: skip
-    if found := classes_of(name):
-        return NoSolution(
-            f'strength class "{name}"', "it is a steel, not a class: its strength depends on the heat treatment", f"choose {_or(found)}"
-        )
+    if usual := classes_of(name):
+        why = Text("it is a steel, not a class: its strength depends on the heat treatment")
+        return NoSolution(what, why, Text("choose {or_}", or_=_or(usual)))
     import difflib  # only for a name that is wrong
 
-    near = difflib.get_close_matches(name, class_names(), 3, 0.4) or list(class_names())
-    return NoSolution(f'strength class "{name}"', "there is no such class", f"the nearest: {_or(near)}")
+    near = difflib.get_close_matches(name, class_names(), 3, 0.4) or class_names()
+    return NoSolution(what, Text("there is no such class"), Text("the nearest: {or_}", or_=_or(near)))
 
 
-def _or(names: Any) -> str:
-    return " or ".join(f'"{name}"' for name in names)
-
-
-# --- what is shown ---------------------------------------------------------------------------------------------------------
-def hardness_checks(wheel: str, cls: StrengthClass) -> tuple[Check, ...]:
-    """Whether a given hardness lies in the range of its class; none where it is not given."""
-    if cls.hardness is None:
-        return ()
-    factor = 1.0 if cls.scale == "HV" else 0.95
-    source = f"ISO 6336-5:2016, Table 1: {cls.name}, {cls.quality}, {cls.low:g} to {cls.high:g} {cls.scale}"
-    name = f"Hardness of {wheel} for its strength class"
-    return (
-        check(
-            f"gears.{wheel}.hardness", name, cls.hardness, ">=", cls.low / factor, "HV", source,
-            f"A softer flank does not reach the class: choose another gears.wheels.{wheel}.gear_material.",
-        ),
-        check(
-            f"gears.{wheel}.hardness_most", f"{name}, upper end", cls.hardness, "<=", cls.high / factor, "HV", source,
-            "The strength is that of the upper end: more hardness adds none, and may make the teeth brittle.", kind="advice",
-        ),
-    )  # fmt: skip
-
-
-def classes_table(classes: Mapping[str, StrengthClass]) -> Table:
-    """The wheels with their classes and the two stress numbers."""
-    return Table(
-        "gear_strength_classes", "Strength classes of the wheels",
-        (("wheel", ""), ("class", ""), ("kind", ""), ("quality", ""), ("hardness", "HV"), ("σ_Hlim", "MPa"), ("σ_Flim", "MPa")),
-        tuple(
-            (wheel, c.name, c.kind, c.quality, c.hardness, c.sigma_Hlim / MEGAPASCAL, c.sigma_Flim / MEGAPASCAL)
-            for wheel, c in classes.items()
-        ),
-        f"{TABLE_1}; for 1 % probability of failure. A hardness that is not given stays empty.",
-    )  # fmt: skip
+def _or(names: Iterable[str]) -> Text:
+    return Text(" or ").join(f'"{name}"' for name in names)

@@ -7,13 +7,14 @@ material.  The size factor Z_X is 1: so for through-hardened teeth, and for surf
 
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import largest, pi, smallest, sqrt, tan
+from ...sheet.functions import largest, pi, power, smallest, sqrt, tan
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Metre, MetrePerSecond, Number, Pascal, Radian, SquareMetrePerSecond
 from .classes import StrengthClass
 from .life import flank_life
 
-IACS = "ISO 6336-2:2006 and 2019 as in IACS UR M56 (Rev. 4)"
+IACS = Text("ISO 6336-2:2006 and 2019 as in IACS UR M56 (Rev. 4)")
 SOFT: Pascal = 850e6  # σ_Hlim between which the film factors change
 SPAN: Pascal = 350e6
 RADIUS: Metre = 10e-3  # of relative curvature, of the test gears
@@ -26,28 +27,26 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
 # --- curvature at the inner point of single contact ----------------------------------------------------------------------------
-@formula("M", f"{IACS}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate")
+@formula("M", Text("{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate", iacs=IACS))
 def curvature_ratio(
     alpha_wt: Radian, d_a: Metre, d_b: Metre, z: Number, d_am: Metre, d_bm: Metre, z_m: Number, eps_alpha: Number
 ) -> Number:
     return tan(alpha_wt) / sqrt((sqrt(d_a**2 / d_b**2 - 1) - 2 * pi / z) * (sqrt(d_am**2 / d_bm**2 - 1) - (eps_alpha - 1) * 2 * pi / z_m))
 
 
-@formula(
-    "Z_BD",
-    f"{IACS}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M at ε_β = 0 to 1 at ε_β ≥ 1, not below 1",
-)
+@formula("Z_BD", Text("{iacs}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M at ε_β = 0 "
+    "to 1 at ε_β ≥ 1, not below 1", iacs=IACS))  # fmt: skip
 def single_pair_factor(M: Number, eps_beta: Number) -> Number:
     return largest(M - smallest(eps_beta, 1.0) * (M - 1), 1.0)
 
 
 # --- film ------------------------------------------------------------------------------------------------------------------
-@formula("C_ZL", f"{IACS}: 0.83 up to 850 MPa, 0.91 from 1200 MPa", names={"sigma": "σ_Hlim"})
+@formula("C_ZL", Text("{iacs}: 0.83 up to 850 MPa, 0.91 from 1200 MPa", iacs=IACS), names={"sigma": "σ_Hlim"})
 def lubricant_coefficient(sigma: Pascal) -> Number:
     return 0.83 + 0.08 * smallest(largest((sigma - SOFT) / SPAN, 0.0), 1.0)
 
 
-@formula("Z_L", f"{IACS}: lubricant factor, mineral oil; ν_40: at 40 °C", names={"nu_40": "ν_40"})
+@formula("Z_L", Text("{iacs}: lubricant factor, mineral oil; ν_40: at 40 °C", iacs=IACS), names={"nu_40": "ν_40"})
 def lubricant_factor(C_ZL: Number, nu_40: SquareMetrePerSecond) -> Number:
     return C_ZL + 4 * (1 - C_ZL) / (1.2 + THICK / nu_40) ** 2
 
@@ -57,41 +56,40 @@ def velocity_coefficient(C_ZL: Number) -> Number:
     return C_ZL + 0.02
 
 
-@formula("Z_v", f"{IACS}: velocity factor; v: at the pitch circle")
+@formula("Z_v", Text("{iacs}: velocity factor; v: at the pitch circle", iacs=IACS))
 def velocity_factor(C_Zv: Number, v: MetrePerSecond) -> Number:
     return C_Zv + 2 * (1 - C_Zv) / sqrt(0.8 + FAST / v)
 
 
-@formula("ρ_red", f"{IACS}: radius of relative curvature at the pitch point; ρ = d_b/2·tan α_wt", unit="mm")
+@formula("ρ_red", Text("{iacs}: radius of relative curvature at the pitch point; ρ = d_b/2·tan α_wt", iacs=IACS), unit="mm")
 def relative_radius(d_b1: Metre, d_b2: Metre, alpha_wt: Radian) -> Metre:
     return d_b1 * d_b2 / (d_b1 + d_b2) * tan(alpha_wt) / 2
 
 
-@formula("Rz_10", f"{IACS}: mean roughness, brought to 10 mm of curvature", unit="µm", names={"rho": "ρ_red"})
+@formula("Rz_10", Text("{iacs}: mean roughness, brought to 10 mm of curvature", iacs=IACS), unit="µm", names={"rho": "ρ_red"})
 def relative_roughness(Rz_1: Metre, Rz_2: Metre, rho: Metre) -> Metre:
-    return (Rz_1 + Rz_2) / 2 * (RADIUS / rho) ** (1 / 3)
+    return (Rz_1 + Rz_2) / 2 * power(RADIUS / rho, 1 / 3)
 
 
-@formula("C_ZR", f"{IACS}: 0.15 up to 850 MPa, 0.08 from 1200 MPa", names={"sigma": "σ_Hlim"})
+@formula("C_ZR", Text("{iacs}: 0.15 up to 850 MPa, 0.08 from 1200 MPa", iacs=IACS), names={"sigma": "σ_Hlim"})
 def roughness_coefficient(sigma: Pascal) -> Number:
     return 0.15 - 0.07 * smallest(largest((sigma - SOFT) / SPAN, 0.0), 1.0)
 
 
-@formula("Z_R", f"{IACS}: roughness factor, 1 at 3 µm")
+@formula("Z_R", Text("{iacs}: roughness factor, 1 at 3 µm", iacs=IACS))
 def roughness_factor(Rz_10: Metre, C_ZR: Number) -> Number:
-    return (ROUGHNESS / Rz_10) ** C_ZR
+    return power(ROUGHNESS / Rz_10, C_ZR)
 
 
 # --- work hardening --------------------------------------------------------------------------------------------------------------
-@formula("Rz_H", f"{IACS}: roughness of the hard flank as it works on the soft one", unit="µm", names={"nu_40": "ν_40", "rho": "ρ_red"})
+@formula("Rz_H", Text("{iacs}: roughness of the hard flank as it works on the soft one", iacs=IACS), unit="µm",
+    names={"nu_40": "ν_40", "rho": "ρ_red"})  # fmt: skip
 def equivalent_roughness(Rz_hard: Metre, Rz_soft: Metre, rho: Metre, v: MetrePerSecond, nu_40: SquareMetrePerSecond) -> Metre:
-    return Rz_hard * (RADIUS / rho) ** 0.33 * (Rz_hard / Rz_soft) ** 0.66 / (v / PER_SECOND * nu_40 / CENTISTOKE / 1500) ** 0.33
+    return Rz_hard * power(RADIUS / rho, 0.33) * power(Rz_hard / Rz_soft, 0.66) / power(v / PER_SECOND * nu_40 / CENTISTOKE / 1500, 0.33)
 
 
-@formula(
-    "Z_W",
-    f"{IACS}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130 to 470, Rz_H from 3 to 16 µm; not below 1",
-)
+@formula("Z_W", Text("{iacs}: work hardening of a soft flank by a surface-hardened one; HBW counts from 130 to 470, Rz_H from "
+    "3 to 16 µm; not below 1", iacs=IACS))  # fmt: skip
 def work_hardening_by_hard(HBW: Number, Rz_H: Metre) -> Number:
     return largest(
         (1.2 - (smallest(largest(HBW, 130.0), 470.0) - 130) / 1700) * (ROUGHNESS / smallest(largest(Rz_H, ROUGHNESS), ROUGHEST)) ** 0.15,
@@ -99,7 +97,8 @@ def work_hardening_by_hard(HBW: Number, Rz_H: Metre) -> Number:
     )
 
 
-@formula("Z_W", f"{IACS}: larger wheel, both through-hardened, pinion 1.2 times as hard or more; the ratio counts up to 1.7, u up to 20")
+@formula("Z_W", Text("{iacs}: larger wheel, both through-hardened, pinion 1.2 times as hard or more; the ratio counts up to 1.7, "
+    "u up to 20", iacs=IACS))  # fmt: skip
 def work_hardening_through(HBW_1: Number, HBW_2: Number, u: Number) -> Number:
     return 1 + (0.00898 * smallest(HBW_1 / HBW_2, 1.7) - 0.00829) * (smallest(u, 20.0) - 1)
 
@@ -172,31 +171,25 @@ def single_pair(
 ) -> Number:
     """Z_B or Z_D of a wheel (index m: its mate).  Outside 1 < ε_α < 2 no point has single contact: 1 (rule of this program)."""
     if not 1 < eps_alpha < 2:
-        return float("1")
+        return 1.0
     if (d_a / d_b) ** 2 - 1 <= (2 * pi / z) ** 2 or (d_am / d_bm) ** 2 - 1 <= ((eps_alpha - 1) * 2 * pi / z_m) ** 2:
         raise NoSolution(
-            "single pair factor Z_B, Z_D: the inner point of single contact lies on the base circle",
-            advice="give more teeth, a larger profile shift, or cut less off the tip",
+            Text("single pair factor Z_B, Z_D: the inner point of single contact lies on the base circle"),
+            advice=Text("give more teeth, a larger profile shift, or cut less off the tip"),
         )
     M = curvature_ratio(alpha_wt=alpha_wt, d_a=d_a, d_b=d_b, z=z, d_am=d_am, d_bm=d_bm, z_m=z_m, eps_alpha=eps_alpha)
     return single_pair_factor(M=M, eps_beta=eps_beta)
 
 
-@formula("Z_W", f"{IACS}: no hard flank works on a softer steel one", shows="1")
+@formula("Z_W", Text("{iacs}: no hard flank works on a softer steel one", iacs=IACS), shows="1")
 def no_work_hardening() -> Number:
-    return float("1")
+    return 1.0
 
 
 def work_hardening(
-    own: StrengthClass,
-    mate: StrengthClass,
-    Rz: Metre,
-    Rz_m: Metre,
-    rho_red: Metre,
-    v: MetrePerSecond,
-    nu_40: SquareMetrePerSecond,
+    own: StrengthClass, mate: StrengthClass, Rz: Metre, Rz_m: Metre, rho_red: Metre, v: MetrePerSecond, nu_40: SquareMetrePerSecond,
     u: Number,
-) -> Number:
+) -> Number:  # fmt: skip
     """Z_W of a wheel; `u`: its teeth over those of its mate.  1 where no hard flank works on a softer steel one."""
     if own.through_hardened and mate.surface_hardened:
         return work_hardening_by_hard(HBW=own.brinell, Rz_H=equivalent_roughness(Rz_hard=Rz_m, Rz_soft=Rz, rho=rho_red, v=v, nu_40=nu_40))

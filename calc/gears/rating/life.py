@@ -8,12 +8,13 @@ The lubricant, surface and notch factors stay those of the long life on the whol
 """
 
 from ...sheet.formula import formula
-from ...sheet.functions import ln
+from ...sheet.functions import ln, power
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.units import Number, RevPerSecond, Second
 
-FLANK = "ISO 6336-2:2006 and 2019, Table 2, as generally published"
-ROOT = "ISO 6336-3:2006 and 2019, Table 1, as generally published"
+FLANK = Text("ISO 6336-2:2006 and 2019, Table 2, as generally published")
+ROOT = Text("ISO 6336-3:2006 and 2019, Table 1, as generally published")
 LONGEST = 1e10  # cycles: the end of the tables
 
 Knees = tuple[tuple[float, float], ...]  # (cycles, factor), rising cycles
@@ -42,14 +43,14 @@ def life_exponent(Y_1: Number, Y_2: Number, N_1: Number, N_2: Number) -> Number:
     return ln(Y_1 / Y_2) / ln(N_2 / N_1)
 
 
-@formula("Z_NT", f"{FLANK}: life factor, contact; from the knee Z_1 at N_1")
+@formula("Z_NT", Text("{flank}: life factor, contact; from the knee Z_1 at N_1", flank=FLANK))
 def flank_life_factor(Z_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
-    return Z_1 * (N_1 / N_L) ** p
+    return Z_1 * power(N_1 / N_L, p)
 
 
-@formula("Y_NT", f"{ROOT}: life factor, root; from the knee Y_1 at N_1")
+@formula("Y_NT", Text("{root}: life factor, root; from the knee Y_1 at N_1", root=ROOT))
 def root_life_factor(Y_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
-    return Y_1 * (N_1 / N_L) ** p
+    return Y_1 * power(N_1 / N_L, p)
 
 
 @record

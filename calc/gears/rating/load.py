@@ -7,20 +7,17 @@ times the mean; never both.
 """
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 from ...catalogue import Material
-from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import pi
 from ...sheet.record import record
+from ...sheet.text import Text
 from ...sheet.trace import about
 from ...sheet.units import KilogramMetre2, KilogramPerMetre3, Metre, NewtonMetre, Number, RadPerSecond, RadPerSecond2, RevPerSecond, Watt
 from ..inputs import GearsInputs
+from ..result import TrainResult, WheelResult
 from .influence import inner_diameter
-
-if TYPE_CHECKING:
-    from ..result import TrainResult, WheelResult
 
 USUAL = 1.25
 
@@ -63,16 +60,17 @@ class Load:
     least: NewtonMetre | None  # over the cycle
     rated: NewtonMetre  # that of F_t
     K_A: Number
+    of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
 
 
 @formula("K_A", "usual for a combustion engine that drives a uniform load through a balanced train (ISO 6336-6, from memory)", shows="1.25")
 def usual_application_factor() -> Number:
-    return float(str(USUAL))
+    return USUAL
 
 
 @formula("K_A", "the peak torque holds what the application adds", shows="1")
 def factor_of_peak() -> Number:
-    return float("1")
+    return 1.0
 
 
 @formula("T_m", "mean torque of a power")
@@ -136,126 +134,93 @@ def least_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     return abs(T_m) - T_dyn
 
 
-def mean_torques(train: "TrainResult", torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
+def mean_torques(train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power) -> dict[str, NewtonMetre]:
     """Torque at the driver of every mesh; one number is handed on from the first driver, whole into each branch."""
     if isinstance(torque, Power):
         torque = _torques(train, torque.of)
     if isinstance(torque, Mapping):
         return {key: torque[key] if key in torque else torque[mesh.driver] for key, mesh in train.meshes.items()}
-    on = {next(iter(train.meshes.values())).driver: torque}
-    found = {}
-    for key, mesh in train.meshes.items():
-        found[key] = on[mesh.driver]
-        with about(f"wheel {mesh.driven}"):
-            on[mesh.driven] = torque_of_driven(on[mesh.driver], train.wheels[mesh.driven].teeth, train.wheels[mesh.driver].teeth)
-    return found
+    at_wheel = {_first(train).name: torque}
+    for mesh in train.meshes.values():
+        with about(Text("wheel {driven}", driven=mesh.driven)):
+            z_2, z_1 = train.wheels[mesh.driven].teeth, train.wheels[mesh.driver].teeth
+            at_wheel[mesh.driven] = torque_of_driven(at_wheel[mesh.driver], z_2, z_1)
+    return {key: at_wheel[mesh.driver] for key, mesh in train.meshes.items()}
 
 
-def _torques(train: "TrainResult", power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
+def _first(train: TrainResult) -> WheelResult:
+    """The first driver."""
+    return train.wheels[next(iter(train.meshes.values())).driver]
+
+
+def _torques(train: TrainResult, power: Mapping[str, Watt] | Watt) -> dict[str, NewtonMetre] | NewtonMetre:
     if not isinstance(power, Mapping):
-        first = train.wheels[next(iter(train.meshes.values())).driver]
-        with about(f"wheel {first.name}"):
-            return mean_torque(P=power, n=first.speed)
-    found = {}
+        with about(Text("wheel {name}", name=_first(train).name)):
+            return mean_torque(P=power, n=_first(train).speed)
+    torques = {}
     for key, P in power.items():
-        mesh = train.meshes[key]
-        with about(f"mesh {mesh.driver}–{mesh.driven}"):
-            found[key] = mean_torque(P=P, n=train.wheels[mesh.driver].speed)
-    return found
+        with about(Text("mesh {pair}", pair=train.meshes[key].title)):
+            torques[key] = mean_torque(P=P, n=train.wheels[train.meshes[key].driver].speed)
+    return torques
 
 
 def loads(
-    gears: GearsInputs,
-    train: "TrainResult",
-    mean: Mapping[str, NewtonMetre],
-    uneven: Irregularity | None,
-    materials: Mapping[str, Material],
+    gears: GearsInputs, train: TrainResult, mean: Mapping[str, NewtonMetre], uneven: Irregularity | None, materials: Mapping[str, Material]
 ) -> dict[str, Load]:
     """What every mesh is rated with.  A given application factor is taken with the mean; else the dynamic torque where it is known."""
     up, down = _dynamic(gears, train, uneven, materials) if uneven is not None else ({}, {})
-    found = {}
+    rated = {}
     for key, T_m in mean.items():
-        with about(_name(train, key)):
+        with about(Text("mesh {pair}", pair=train.meshes[key].title)):
             T_dyn = up.get(key)
             T_min = None if T_dyn is None else least_torque(T_m=T_m, T_dyn=down[key])
             if gears.application_factor is not None:
-                found[key] = Load(T_m, T_dyn, T_min, T_m, gears.application_factor)
+                rated[key] = Load(T_m, T_dyn, T_min, T_m, gears.application_factor)
             elif T_dyn is None:
-                found[key] = Load(T_m, None, None, T_m, usual_application_factor())
+                rated[key] = Load(T_m, None, None, T_m, usual_application_factor())
             else:
-                found[key] = Load(T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak())
-    return found
+                rated[key] = Load(T_m, T_dyn, T_min, peak_torque(T_m=T_m, T_dyn=T_dyn), factor_of_peak(), of_peak=True)
+    return rated
 
 
-def _name(train: "TrainResult", key: str) -> str:
-    return f"mesh {train.meshes[key].driver}–{train.meshes[key].driven}"
-
-
-def _accelerations(first: "WheelResult", uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
+def _accelerations(first: WheelResult, uneven: Irregularity) -> tuple[RadPerSecond2, RadPerSecond2]:
     """The largest acceleration and deceleration of the first driver."""
-    with about("irregularity of the first driver"):
-        if uneven.swing is not None:
-            s = uneven.swing
-            return (
-                acceleration_of_engine(T=s.highest, T_E=s.mean, J=s.inertia, i_1=s.ratio),
-                deceleration_of_engine(T=s.lowest, T_E=s.mean, J=s.inertia, i_1=s.ratio),
-            )
+    with about(Text("irregularity of the first driver")):
+        if (s := uneven.swing) is not None:
+            faster = acceleration_of_engine(T=s.highest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
+            return faster, deceleration_of_engine(T=s.lowest, T_E=s.mean, J=s.inertia, i_1=s.ratio)
         assert uneven.delta_s is not None and uneven.order is not None
         alpha = angular_acceleration(delta_s=uneven.delta_s, i=uneven.order, omega=angular_speed(n=abs(first.speed)))
         return alpha, alpha
 
 
 def _dynamic(
-    gears: GearsInputs, train: "TrainResult", uneven: Irregularity, materials: Mapping[str, Material]
+    gears: GearsInputs, train: TrainResult, uneven: Irregularity, materials: Mapping[str, Material]
 ) -> tuple[dict[str, NewtonMetre], dict[str, NewtonMetre]]:
     """Dynamic torque at the driver of every mesh where the crank speeds up, and where it slows down; from the last mesh to the first."""
     meshes = list(train.meshes.items())
-    first, last = train.wheels[meshes[0][1].driver], train.wheels[meshes[-1][1].driven]
+    first, last = _first(train), train.wheels[meshes[-1][1].driven]
     inside = {w.name: inner_diameter(train.wheels[w.name].root_diameter, w.bore_diameter, w.rim_thickness) for w in gears.wheels}
     faster, slower = _accelerations(first, uneven)
-    behind: dict[str, KilogramMetre2] = {}
+    inertia: dict[str, KilogramMetre2] = {}  # of a wheel and all that it drives
     for name, wheel in train.wheels.items():
-        with about(f"wheel {name}, inertia"):
-            if wheel is last and uneven.shaft_inertia is not None and uneven.with_wheel:
-                behind[name] = uneven.shaft_inertia
+        with about(Text("wheel {name}, inertia", name=name)):
+            shaft = uneven.shaft_inertia if wheel is last else None
+            if shaft is not None and uneven.with_wheel:
+                inertia[name] = shaft
                 continue
             rho = materials[wheel.material].density
-            behind[name] = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
-            if wheel is last and uneven.shaft_inertia is not None:
-                behind[name] = with_shaft(J=behind[name], J_S=uneven.shaft_inertia)
-    up: dict[str, NewtonMetre] = {}
-    down: dict[str, NewtonMetre] = {}
+            own = wheel_inertia(rho=rho, b=wheel.face_width, d=wheel.pitch_diameter, d_i=inside[name])
+            inertia[name] = own if shaft is None else with_shaft(J=own, J_S=shaft)
+    up, down = dict[str, NewtonMetre](), dict[str, NewtonMetre]()
     for key, mesh in reversed(meshes):
-        z_1, z_2, z_d = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth, first.teeth
-        with about(f"mesh {mesh.driver}–{mesh.driven}, inertia"):
-            up[key] = down[key] = dynamic_torque(J_2=behind[mesh.driven], z_1=z_1, z_2=z_2, alpha=faster, z_d=z_d)
-            if slower is not faster:
-                down[key] = dynamic_torque(J_2=behind[mesh.driven], z_1=z_1, z_2=z_2, alpha=slower, z_d=z_d)
-            behind[mesh.driver] = with_driven(J=behind[mesh.driver], J_2=behind[mesh.driven], z_1=z_1, z_2=z_2)
+        z_1, z_2, J_2 = train.wheels[mesh.driver].teeth, train.wheels[mesh.driven].teeth, inertia[mesh.driven]
+        with about(Text("mesh {pair}, inertia", pair=mesh.title)):
+            up[key] = down[key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=faster, z_d=first.teeth)
+            if uneven.swing is not None:
+                down[key] = dynamic_torque(J_2=J_2, z_1=z_1, z_2=z_2, alpha=slower, z_d=first.teeth)
+            inertia[mesh.driver] = with_driven(J=inertia[mesh.driver], J_2=J_2, z_1=z_1, z_2=z_2)
     return up, down
-
-
-def overlooked(key: str, name: str, load: Load) -> list[Check]:
-    """Whether a given application factor covers the torque that is known."""
-    if load.dynamic is None or load.rated is not load.mean or not load.mean:
-        return []
-    needed = 1 + load.dynamic / abs(load.mean)
-    return [
-        check(
-            f"gears.{key}.application_factor", f"Application factor {name}", load.K_A, ">=", needed, "",
-            "mean and dynamic torque over the mean", "Leave gears.application_factor out: the peak of both is then rated.", kind="advice",
-        )
-    ]  # fmt: skip
-
-
-def rattle(key: str, name: str, least: NewtonMetre) -> Check:
-    return check(
-        f"gears.{key}.flank_reversal", f"Least torque of {name} over the cycle", least, ">=", 0.0, "N·m",
-        "the flanks stay in touch while the torque does not change its sign",
-        "The teeth rattle: hold the backlash small, prefer helical teeth with a large overlap, or take a heavier flywheel "
-        "(engine.flywheel_inertia_kgm2) or a wheel that is sprung against play.",
-        kind="advice",
-    )  # fmt: skip
 
 
 def firing_order(cylinders: int, strokes: int) -> Number:

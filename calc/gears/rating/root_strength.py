@@ -5,14 +5,15 @@ from itertools import pairwise
 
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import largest, ln, smallest, sqrt
+from ...sheet.functions import largest, ln, power, smallest, sqrt
 from ...sheet.record import record
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Pascal
 from .classes import StrengthClass
 from .life import root_life
 
-ISO = "ISO 6336-3:2006 and 2019, as generally published"
-IACS = "ISO 6336-3:2006 and 2019 as in IACS UR M56 (Rev. 4)"
+ISO = Text("ISO 6336-3:2006 and 2019, as generally published")
+IACS = Text("ISO 6336-3:2006 and 2019 as in IACS UR M56 (Rev. 4)")
 MILLIMETRE: Metre = 1e-3
 MICRON: Metre = 1e-6
 MEGAPASCAL = 1e6
@@ -32,12 +33,13 @@ LOADING = {"pulsating": 1.0, "reversed": 0.7}
 
 
 # --- the body: factors of the stress -----------------------------------------------------------------------------------------
-@formula("Y_B", f"{IACS}: rim thickness factor of external teeth, 0.5 < s_R/h_t < 1.2")
+@formula("Y_B", Text("{iacs}: rim thickness factor of external teeth, 0.5 < s_R/h_t < 1.2", iacs=IACS))
 def thin_rim_factor(h_t: Metre, s_R: Metre) -> Number:
     return 1.6 * ln(2.242 * h_t / s_R)
 
 
-@formula("Y_DT", f"{IACS}: deep tooth factor of accuracy grades up to 4, 2.05 < ε_αn; not below 0.7", names={"eps_alphan": "ε_αn"})
+@formula("Y_DT", Text("{iacs}: deep tooth factor of accuracy grades up to 4, 2.05 < ε_αn; not below 0.7", iacs=IACS),
+    names={"eps_alphan": "ε_αn"})  # fmt: skip
 def deep_tooth(eps_alphan: Number) -> Number:
     return largest(smallest(2.366 - 0.666 * eps_alphan, 1.0), 0.7)
 
@@ -48,7 +50,9 @@ def root_stress_of_wheel(sigma_F0: Pascal, Y_B: Number, Y_DT: Number, K_F: Numbe
 
 
 # --- the material: factors of the strength -------------------------------------------------------------------------------------
-@formula("ρ'", f"{ISO}: slip layer, Table 3 by proof stress", unit="mm", shows="straight line between the rows, held at both ends")
+@formula(
+    "ρ'", Text("{iso}: slip layer, Table 3 by proof stress", iso=ISO), unit="mm", shows="straight line between the rows, held at both ends"
+)
 def slip_layer(R_p: Pascal, structural: Number) -> Metre:
     """`structural`: 1 for St, 0 for V, GTS and GGG(perl.)."""
     rows = SLIP_ST if structural else SLIP_V
@@ -61,35 +65,34 @@ def slip_layer(R_p: Pascal, structural: Number) -> Metre:
     return rows[-1][1] * 1e-3
 
 
-@formula("Y_δrelT", f"{IACS}: relative notch sensitivity; the test gear has q_s = 2.5", names={"rho": "ρ'"})
+@formula("Y_δrelT", Text("{iacs}: relative notch sensitivity; the test gear has q_s = 2.5", iacs=IACS), names={"rho": "ρ'"})
 def notch_sensitivity(rho: Metre, q_s: Number) -> Number:
     return (1 + sqrt(0.2 * rho / MILLIMETRE * (1 + 2 * q_s))) / (1 + sqrt(1.2 * rho / MILLIMETRE))
 
 
-@formula("Y_RrelT", f"{IACS}: relative surface factor, hardened; Rz of the root from 1 to 40 µm, 1 at 10 µm")
+@formula("Y_RrelT", Text("{iacs}: relative surface factor, hardened; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS))
 def surface_hardened(Rz_F: Metre) -> Number:
-    return 1.674 - 0.529 * (Rz_F / MICRON + 1) ** 0.1
+    return 1.674 - 0.529 * power(Rz_F / MICRON + 1, 0.1)
 
 
-@formula("Y_RrelT", f"{IACS}: relative surface factor, structural steel; Rz of the root from 1 to 40 µm, 1 at 10 µm")
+@formula("Y_RrelT", Text("{iacs}: relative surface factor, structural steel; Rz of the root from 1 to 40 µm, 1 at 10 µm", iacs=IACS))
 def surface_structural(Rz_F: Metre) -> Number:
-    return 5.306 - 4.203 * (Rz_F / MICRON + 1) ** 0.01
+    return 5.306 - 4.203 * power(Rz_F / MICRON + 1, 0.01)
 
 
-@formula("Y_RrelT", f"{IACS}: relative surface factor, nitrided (iron: {ISO}); Rz of the root from 1 to 40 µm")
+@formula("Y_RrelT", Text("{iacs}: relative surface factor, nitrided (iron: {iso}); Rz of the root from 1 to 40 µm", iacs=IACS, iso=ISO))
 def surface_nitrided(Rz_F: Metre) -> Number:
     """At 10 µm it gives 0.994: so are its constants printed; older public texts have the exponent 1/200, which gives 1."""
-    return 4.299 - 3.259 * (Rz_F / MICRON + 1) ** 0.0058
+    return 4.299 - 3.259 * power(Rz_F / MICRON + 1, 0.0058)
 
 
-@formula(
-    "Y_RrelT", f"{IACS}: relative surface factor, Rz of the root below 1 µm", shows="1.12 hardened, 1.07 structural steel, 1.025 others"
-)
+@formula("Y_RrelT", Text("{iacs}: relative surface factor, Rz of the root below 1 µm", iacs=IACS),
+    shows="1.12 hardened, 1.07 structural steel, 1.025 others")  # fmt: skip
 def surface_smooth(kind: str) -> Number:
     return (1.12 if kind in HARDENED else 1.07 if kind == "St" else 1.025) * 1.0
 
 
-@formula("Y_X", f"{IACS}: size factor, 1 up to m_n = 5 mm (iron: {ISO})", names={"Y": "Y_min"})
+@formula("Y_X", Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS, iso=ISO), names={"Y": "Y_min"})
 def size_factor(a: Number, b: Number, m_n: Metre, Y: Number) -> Number:
     return largest(smallest(a - b * m_n / MILLIMETRE, 1.0), Y)
 
@@ -99,12 +102,8 @@ def mean_stress_factor(loading: str) -> Number:
     return LOADING[loading] * 1.0
 
 
-@formula(
-    "σ_FG",
-    "ISO 6336-3:2006, as generally published: tooth root stress limit; Y_M for reversed load",
-    unit="MPa",
-    names={"Y_drelT": "Y_δrelT"},
-)
+@formula("σ_FG", "ISO 6336-3:2006, as generally published: tooth root stress limit; Y_M for reversed load", unit="MPa",
+    names={"Y_drelT": "Y_δrelT"})  # fmt: skip
 def root_limit(sigma_Flim: Pascal, Y_ST: Number, Y_NT: Number, Y_drelT: Number, Y_RrelT: Number, Y_X: Number, Y_M: Number) -> Pascal:
     return sigma_Flim * Y_ST * Y_NT * Y_drelT * Y_RrelT * Y_X * Y_M
 
@@ -136,14 +135,14 @@ class RootStrength:
     S_F: Number | None
 
 
-@formula("Y_B", f"{IACS}: a solid body, or a rim of 1.2 tooth depths or more", shows="1")
+@formula("Y_B", Text("{iacs}: a solid body, or a rim of 1.2 tooth depths or more", iacs=IACS), shows="1")
 def solid_rim() -> Number:
-    return float("1")
+    return 1.0
 
 
-@formula("Y_DT", f"{IACS}: accuracy grades above 4, or ε_αn up to 2.05", shows="1")
+@formula("Y_DT", Text("{iacs}: accuracy grades above 4, or ε_αn up to 2.05", iacs=IACS), shows="1")
 def usual_tooth() -> Number:
-    return float("1")
+    return 1.0
 
 
 def rim_of(d_f: Metre, bore: Metre | None, rim: Metre | None) -> Metre | None:
@@ -157,9 +156,11 @@ def rim_factor(wheel: str, h_t: Metre, s_R: Metre | None) -> Number:
         return solid_rim()
     if s_R <= RIM_LEAST * h_t:
         raise NoSolution(
-            f"gears.wheels.{wheel}.rim_thickness_mm (or what its bore leaves) = {s_R * 1e3:.4g}: rim factor Y_B",
-            "ISO 6336-3 ends at half the tooth depth",
-            f"give it more than {RIM_LEAST * h_t * 1e3:.4g} mm; from {RIM_FULL * h_t * 1e3:.4g} mm on the rim counts as solid",
+            Text("gears.wheels.{wheel}.rim_thickness_mm (or what its bore leaves) = {s_r}: rim factor Y_B", wheel=wheel,
+                s_r=Amount(s_R * 1000.0, form=".4g")),
+            Text("ISO 6336-3 ends at half the tooth depth"),
+            Text("give it more than {rim_least} mm; from {rim_full} mm on the rim counts as solid",
+                rim_least=Amount(RIM_LEAST * h_t * 1000.0, form=".4g"), rim_full=Amount(RIM_FULL * h_t * 1000.0, form=".4g")),
         )  # fmt: skip
     return thin_rim_factor(h_t=h_t, s_R=s_R)
 

@@ -52,7 +52,7 @@ def test_the_source_design_fails_where_it_did_not_look(gamma_results):
     assert found["bearings.front.film_double_load"] == "fail"
     assert found["bearings.rear.film_double_load"] == "fail"
     assert found["bearings.rear.film_edge"] == "pass"
-    assert found["bearings.front.mckee"] == "warn"
+    assert found["bearings.front.mckee"] == "note"
     assert all(c.advice for c in gamma_results.outcomes["bearings"].checks if c.verdict != "pass")
 
 
@@ -188,7 +188,7 @@ def test_no_supply_pressure_takes_a_route_away_and_not_the_program(gamma):
 
 
 def test_a_hole_outside_the_range_of_its_factor_warns(gamma):
-    assert verdicts(outcome(gamma, bearings__hole_diameter_mm=26.0))["bearings.front.supply_range"] == "warn"
+    assert verdicts(outcome(gamma, bearings__hole_diameter_mm=26.0))["bearings.front.supply_range"] == "note"
     assert verdicts(outcome(gamma))["bearings.front.supply_range"] == "pass"
 
 

@@ -117,9 +117,9 @@ def test_the_range_of_many_lengths():
         (film_at, 0.5, 2.5, ("l/d", "2.5", "0.1 to 2")),
         (film_at, math.nan, 0.5, ("eccentricity", "nan")),
         (film_at, 0.5, math.inf, ("l/d", "inf", "0.1 to 2")),
-        (eccentricity_from, 1e-6, 0.5, ("Sommerfeld", "1e-06", "l/d 0.5")),
-        (eccentricity_from, 1e6, 0.5, ("Sommerfeld", "1e+06", "l/d 0.5")),
-        (eccentricity_from, -0.1, 0.5, ("Sommerfeld", "-0.1")),
+        (eccentricity_from, 1e-6, 0.5, ("Sommerfeld", "1·10⁻⁶", "l/d 0.5")),
+        (eccentricity_from, 1e6, 0.5, ("Sommerfeld", "1·10⁶", "l/d 0.5")),
+        (eccentricity_from, -0.1, 0.5, ("Sommerfeld", "−0.1")),
         (eccentricity_from, 0.1, 0.05, ("l/d", "0.05", "0.1 to 2")),
     ],
 )

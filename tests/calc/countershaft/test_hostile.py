@@ -115,7 +115,7 @@ def test_it_is_refused_by_its_key_and_line(added, key, words):
 @pytest.mark.parametrize("old, new, key, words", [
     ("mass_kg = 2.6", "mass_kg = -2.6", "masses.0.mass_kg", "from 0"), ("mass_kg = 2.6", "mass_kg = nan", "masses.0.mass_kg", "finite"),
     ("z_mm = -76.5", "z_mm = -376.5", "masses.0.z_mm", "outside the span of the bearings"),
-    ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from -5000 to 5000"),
+    ("z_mm = -76.5", "z_mm = 1e308", "masses.0.z_mm", "from −5000 to 5000"),
     ("[-167.5, 167.5]", "[-167.5, -167.5]", "bearing_positions_mm", "rise"), ("[-167.5, 167.5]", "[0.0]", "bearing_positions_mm", "entries"),
     ("[-167.5, 167.5]", "[-167.5, inf]", "bearing_positions_mm", "finite"), ('"20CrNi4"', '"20CrNi5"', "material", '"20CrNi4"'),
     ('mode = "given"', 'mode = "guess"', "mode", '"given", "size"'),

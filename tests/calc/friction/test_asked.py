@@ -80,7 +80,7 @@ def test_an_estimated_temperature_of_the_teeth_is_judged():
     outcome = friction_of(changed(pair(), gears={"power_kW": 200.0}, friction={"bulk": "estimated"}))
     judged = {c.id: c for c in outcome.checks}["friction.crank_pump.bulk_temperature"]
     assert judged.value == pytest.approx(outcome.result.meshes["crank_pump"].judged.bulk_temperature)
-    assert judged.kind == "advice"
+    assert judged.kind == "caution"
 
 
 def test_linke_has_no_gain():
@@ -141,7 +141,7 @@ def test_a_list_that_may_be_one_number_is_swept(capsys):
 
 
 def test_a_scenario_leaves_a_measured_temperature_as_its_design_does():
-    from calc.friction.beyond.scenarios import as_design
+    from calc.friction.studies.scenarios import as_design
 
     asked = changed(gamma(), friction={"bulk_temperature_C": 130.0, "scenarios": [{"name": "cold", "oil_temperature_C": 60.0}]})
     scenario = friction_of(asked).result.scenarios["cold"]

@@ -16,7 +16,7 @@ from calc.sheet.quantity import published
 from .trains import SPEED, mesh, train, wheel
 
 LENGTHS_OF_WHEEL = (
-    "pitch_diameter", "base_diameter", "tip_diameter", "root_diameter", "form_diameter", "tip_thickness", "tip_thickness_normal",
+    "reference_diameter", "base_diameter", "tip_diameter", "root_diameter", "form_diameter", "tip_thickness", "tip_thickness_normal",
     "over_balls", "chordal_thickness", "chordal_height", "span_length",
 )  # fmt: skip
 LENGTHS_OF_MESH = (
@@ -77,7 +77,7 @@ def test_driver_and_driven_may_be_exchanged(pair):
             mirrored = f"{name.rpartition('_')[0]}_{other}" if other else name
             assert getattr(mesh_, name) == pytest.approx(getattr(back, mirrored), rel=1e-12, abs=1e-15)
     force = 100.0
-    loads = [force * w.pitch_diameter / 2 for w in (t.wheels["a"], u.wheels["b"])]
+    loads = [force * w.reference_diameter / 2 for w in (t.wheels["a"], u.wheels["b"])]
     rated, mirror = (solve.rating(gears(pair, swapped=x is u), x, load, materials()).result for x, load in zip((t, u), loads))
     assert rated.meshes["a_b"].contact_stress == pytest.approx(mirror.meshes["b_a"].contact_stress, rel=1e-12)
 
@@ -89,7 +89,7 @@ def test_thicknesses_fill_the_pitch_without_backlash(pair):
     alpha_t = t.system.transverse_pressure_angle
     total = 0.0
     for w, d_w in ((t.wheels["a"], mesh_.working_diameter_driver), (t.wheels["b"], mesh_.working_diameter_driven)):
-        total += f.thickness_at(d_w, w.reference_thickness, w.pitch_diameter, alpha_t, mesh_.working_pressure_angle)
+        total += f.thickness_at(d_w, w.reference_thickness, w.reference_diameter, alpha_t, mesh_.working_pressure_angle)
     assert total == pytest.approx(math.pi * mesh_.working_diameter_driver / t.wheels["a"].teeth, rel=1e-12)
 
 
@@ -148,8 +148,8 @@ def test_the_ball_touches_where_it_should(pair, share):
     d_y = w.form_diameter + share * (w.tip_diameter - w.form_diameter)
     alpha_t, beta_b, z = s.transverse_pressure_angle, s.base_helix_angle, w.teeth
     alpha_y = f.pressure_angle_at(w.base_diameter, d_y)
-    D = m.ball_for_contact(w.reference_thickness, w.pitch_diameter, alpha_t, z, w.base_diameter, beta_b, alpha_y)
-    alpha_K = f.angle_of_involute(m.ball_involute(w.reference_thickness, w.pitch_diameter, alpha_t, D, w.base_diameter, beta_b, z))
+    D = m.ball_for_contact(w.reference_thickness, w.reference_diameter, alpha_t, z, w.base_diameter, beta_b, alpha_y)
+    alpha_K = f.angle_of_involute(m.ball_involute(w.reference_thickness, w.reference_diameter, alpha_t, D, w.base_diameter, beta_b, z))
     assert m.ball_contact_diameter(w.base_diameter, alpha_K, D, beta_b) == pytest.approx(d_y, rel=1e-11)
 
 

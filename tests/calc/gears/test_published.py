@@ -5,11 +5,11 @@ import math
 import pytest
 
 from calc.gears import formulas as f
+from calc.gears.backlash.formulas import tolerance_of_contributors
 from calc.gears.measures import formulas as m
-from calc.gears.play.backlash import tolerance_of_contributors
 from calc.gears.rating import source_sheet as sheet
 from calc.gears.rating import stress as s
-from calc.gears.rating.tooth_form import section, tooth_form
+from calc.gears.rating.nominal import section, tooth_form
 from calc.gears.solve import geometry
 
 from .trains import SPEED, mesh, pair_1, reference, shown, solved, train, wheel
@@ -61,12 +61,12 @@ def of_wheel(row):
     alpha_t, d_w = system.transverse_pressure_angle, getattr(pair, f"working_diameter_{side}")
 
     def thickness(d_y):
-        return 1e3 * f.thickness_at(d_y, w.reference_thickness, w.pitch_diameter, alpha_t, f.pressure_angle_at(w.base_diameter, d_y))
+        return 1e3 * f.thickness_at(d_y, w.reference_thickness, w.reference_diameter, alpha_t, f.pressure_angle_at(w.base_diameter, d_y))
 
     d_Ff = printed("d_Ff", z) * 1e-3
     return {
         "x_min": lambda: w.undercut_limit, "x": lambda: w.profile_shift, "x m_n": lambda: 2 * w.profile_shift,
-        "d_a": lambda: values[f"{name}.tip_diameter"], "d": lambda: values[f"{name}.pitch_diameter"],
+        "d_a": lambda: values[f"{name}.tip_diameter"], "d": lambda: values[f"{name}.reference_diameter"],
         "d_w": lambda: values[f"central_idler.working_diameter_{side}"], "d_Nf": lambda: values[f"central_idler.sap_diameter_{side}"],
         "d_Ff": lambda: values[f"{name}.form_diameter"],
         "TIF margin": lambda: (values[f"central_idler.sap_diameter_{side}"] - d_Ff * 1e3) / 2,
@@ -109,10 +109,12 @@ def test_the_ball_that_the_source_meant(name, side, chord, exact):
     t = solved(pair_1())
     w, pair, system = t.wheels[name], t.meshes["central_idler"], t.system
     d_w, alpha_wt, alpha_t = getattr(pair, f"working_diameter_{side}"), pair.working_pressure_angle, system.transverse_pressure_angle
-    s_w = f.thickness_at(d_w, w.reference_thickness, w.pitch_diameter, alpha_t, alpha_wt)
+    s_w = f.thickness_at(d_w, w.reference_thickness, w.reference_diameter, alpha_t, alpha_wt)
     eta = math.pi / w.teeth - s_w / d_w
     assert 1e3 * sheet.ball(d_w, system.base_helix_angle, eta, alpha_wt + eta) == pytest.approx(chord, abs=5e-4)
-    ball = m.ball_for_contact(w.reference_thickness, w.pitch_diameter, alpha_t, w.teeth, w.base_diameter, system.base_helix_angle, alpha_wt)
+    ball = m.ball_for_contact(
+        w.reference_thickness, w.reference_diameter, alpha_t, w.teeth, w.base_diameter, system.base_helix_angle, alpha_wt
+    )
     assert ball * 1e3 == pytest.approx(exact, abs=5e-4)
 
 
@@ -145,23 +147,23 @@ def quantities(example):
     t, v = outcome.result, shown(outcome)
     a, b, pair, system = t.wheels["a"], t.wheels["b"], t.meshes["a_b"], t.system
     m_n, alpha_n, alpha_t, z = system.m_n, system.alpha_n, system.transverse_pressure_angle, a.teeth
-    alpha_V = f.pressure_angle_at(a.base_diameter, a.pitch_diameter + 2 * a.profile_shift * m_n)
+    alpha_V = f.pressure_angle_at(a.base_diameter, a.reference_diameter + 2 * a.profile_shift * m_n)
     s_t, beta_b = a.reference_thickness, system.base_helix_angle
-    inv_phi = m.ball_involute(s_t, a.pitch_diameter, alpha_t, a.ball_diameter, a.base_diameter, beta_b, z)
+    inv_phi = m.ball_involute(s_t, a.reference_diameter, alpha_t, a.ball_diameter, a.base_diameter, beta_b, z)
     z_v = m.virtual_teeth(z, system.beta)
     cut = section(system, a)
     form = tooth_form(system, a, 1.0)
     inv_wt = f.working_involute(alpha_t, alpha_n, a.profile_shift, b.profile_shift, z, b.teeth)
     return {
         "inv_aw": inv_wt, "inv_awt": inv_wt, "aw": v["a_b.working_pressure_angle"], "awt": v["a_b.working_pressure_angle"],
-        "a": v["a_b.centre_distance"], "y": (pair.centre_distance - (a.pitch_diameter + b.pitch_diameter) / 2) / m_n,
+        "a": v["a_b.centre_distance"], "y": (pair.centre_distance - (a.reference_diameter + b.reference_diameter) / 2) / m_n,
         "x1": a.profile_shift, "x_sum": a.profile_shift + b.profile_shift, "eps_alpha": pair.transverse_contact_ratio,
         "dw1": v["a_b.working_diameter_driver"], "dw2": v["a_b.working_diameter_driven"],
         "h": (v["a.tip_diameter"] - v["a.root_diameter"]) / 2,
         **{f"{key}{i}": v[f"{name}.{long}_diameter"] for i, name in ((1, "a"), (2, "b")) for key, long in (
-            ("d", "pitch"), ("db", "base"), ("da", "tip"), ("d_a", "tip"), ("df", "root"))},
-        "ha1": (v["a.tip_diameter"] - v["a.pitch_diameter"]) / 2, "ha2": (v["b.tip_diameter"] - v["b.pitch_diameter"]) / 2,
-        "mt": v["transverse_module"], "d": v["a.pitch_diameter"], "db": v["a.base_diameter"], "at": v["transverse_pressure_angle"],
+            ("d", "reference"), ("db", "base"), ("da", "tip"), ("d_a", "tip"), ("df", "root"))},
+        "ha1": (v["a.tip_diameter"] - v["a.reference_diameter"]) / 2, "ha2": (v["b.tip_diameter"] - v["b.reference_diameter"]) / 2,
+        "mt": v["transverse_module"], "d": v["a.reference_diameter"], "db": v["a.base_diameter"], "at": v["transverse_pressure_angle"],
         "bb": v["base_helix_angle"], "st": s_t * 1e3, "sn": s_t * 1e3 * math.cos(system.beta),
         "s": s_t * 1e3, "s_n": s_t * 1e3 * math.cos(system.beta),
         "k_th": m.span_teeth(z, alpha_V, beta_b, alpha_t, a.profile_shift, alpha_n),

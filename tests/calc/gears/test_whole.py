@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The gear train in the whole design: what has no solution keeps its reason, and what is known stays."""
 
-import re
 from pathlib import Path
 
 import pytest
@@ -75,7 +74,7 @@ def test_the_ends_of_the_tolerances_are_judged():
     verdicts = {c.id: c.verdict for c in long.checks}
     assert verdicts["gears.central_idler.tip_clearance_least"] == "fail" and verdicts["gears.central_idler.tip_clearance"] == "pass"
     verdicts = {c.id: c.verdict for c in short.checks}
-    assert verdicts["gears.central_idler.contact_ratio_least"] == "fail" and verdicts["gears.central_idler.contact_ratio"] == "pass"
+    assert verdicts["gears.central_idler.contact_ratio_least"] == "warn" and verdicts["gears.central_idler.contact_ratio"] == "pass"
     thin = {c.id: c for c in solved(SHEET, wheels__central__span_allowance_um=[-1200, -1300]).checks}
     assert thin["gears.central.tip_thickness"].verdict == "fail"
 
@@ -113,9 +112,9 @@ def test_the_shaft_is_held_against_the_crank_and_not_against_the_first_driver():
 
 def test_following_the_advice_on_the_fillet_passes():
     (before,) = (c for c in solved(PAIR).checks if c.id == "gears.crank_pump.interference_usual")
-    assert before.verdict == "warn"
-    cut, name = re.search(r"cut (\S+) mm more off it \(gears\.wheels\.([\w-]+)\.", before.advice).groups()
-    there = next(w.tip_shortening for w in design(PAIR).gears.wheels if w.name == name) * 1e3
-    after = solved(PAIR, **{f"wheels__{name}__tip_shortening_mm": there + float(cut)})
+    assert before.verdict == "note"
+    ((key, cut),) = before.remedies[0].changes
+    name = key.split(".")[2]
+    after = solved(PAIR, **{f"wheels__{name}__tip_shortening_mm": cut})
     one = next(c for c in after.checks if c.id == "gears.crank_pump.interference_usual")
     assert one.value > before.value and (one.verdict == "pass" or name not in one.advice.partition(":")[0])

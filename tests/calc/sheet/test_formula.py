@@ -1,13 +1,17 @@
 """The formula mechanism: calling, recording, and rendering from the expression itself."""
 
+import inspect
+import pydoc
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from calc.bearings.formulas import specific_load
 from calc.sheet import expression
 from calc.sheet.expression import line_json, line_text, symbol
-from calc.sheet.formula import formula
+from calc.sheet.formula import Formula, formula
 from calc.sheet.functions import cis, exp, pi, sqrt, total
 from calc.sheet.trace import about, trace, untraced
 from calc.sheet.units import Kilogram, Metre, Newton, Number, Pascal, Radian
@@ -130,7 +134,7 @@ def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
             pressure(2.0, 1.0, 1.0)
         pressure(first, 1.0, 1.0)
     assert [(line.about, line.value) for line in lines] == [("front bearing", 1.0), ("", 1.0)]
-    assert lines[1].arguments["F"] is lines[0].value
+    assert lines[1].arguments["F"].link is lines[0]
 
 
 @pytest.mark.parametrize("name, shown", [
@@ -161,3 +165,22 @@ def test_numbers_of_an_array_are_those_of_the_element_that_governs():
 
 def test_constants_are_short_and_factors_of_one_are_left_out():
     assert line_text(only(with_unit, 2.0))[:2] == ("w = 0.5236·u", "= 0.5236·2 = 1.047")
+
+
+def test_help_shows_call_units_expression_source_and_docstring():
+    text = pydoc.plain(pydoc.render_doc(specific_load))
+    assert f"Formula in module {specific_load.__module__}" in text
+    assert "specific_load(F: N, d: m, l: m) -> Pa   (shown in MPa)" in text
+    assert "p = F / (d * l)" in text
+    assert f"Source: {specific_load.source}" in text
+    assert ">>> specific_load(" in text
+
+
+def test_help_on_an_algorithm_shows_its_words():
+    assert "looked_up(S: -) -> -\n\nε = ε from a table at S\n\nSource: a formula for this test" in looked_up.__doc__
+
+
+def test_a_formula_keeps_the_signature_of_its_function():
+    assert list(inspect.signature(specific_load).parameters) == ["F", "d", "l"]
+    assert inspect.unwrap(specific_load) is specific_load.function
+    assert Formula.__doc__.startswith("A formula with its symbol")

@@ -9,8 +9,9 @@ from ....contact.hertz import reduced_modulus
 from ....contact.teeth import LUBRICANT_FACTOR, LUBRICATION_FACTOR, mean_roughness
 from ....lubricant import Lubricant
 from ....sheet.formula import formula
-from ....sheet.functions import cos
+from ....sheet.functions import cos, modulus, pi
 from ....sheet.record import record
+from ....sheet.text import Text
 from ....sheet.trace import about
 from ....sheet.units import (
     Celsius,
@@ -24,6 +25,8 @@ from ....sheet.units import (
     PascalSecond,
     PerPascal,
     Radian,
+    RevPerSecond,
+    Watt,
     WattPerMetreKelvin,
 )  # fmt: skip
 
@@ -40,15 +43,18 @@ def line_load(K: Number, F_t: Newton, b: Metre) -> NewtonPerMetre:
     return K * F_t / b
 
 
+@formula("P", "definition of power")
+def transmitted_power(F_t: Newton, d: Metre, n: RevPerSecond) -> Watt:
+    return F_t * pi * d * modulus(n)
+
+
 @formula("w_t", "load per width in the plane of action", unit="N/mm")
 def load_in_plane_of_action(w_Bt: NewtonPerMetre, alpha_t: Radian) -> NewtonPerMetre:
     return w_Bt / cos(alpha_t)
 
 
-@formula(
-    "K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90), as in public code: more friction by more lines of contact",
-    shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on",
-)  # fmt: skip
+@formula("K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90), as in public code: more friction by more lines of contact",
+    shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on")  # fmt: skip
 def helical_load_factor(eps_gamma: Number) -> Number:
     return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * float((eps_gamma - 2) * (5 - eps_gamma)) ** 0.5
 
@@ -89,7 +95,7 @@ class OilBath:
 @formula("X_W", "ISO/TR 13989-1:2000, structural factor, from memory: case-hardened steel 1, nitrided 1.5", shows="1, nitrided 1.5")
 def structural_factor(kind: str) -> Number:
     """`kind`: of ISO 6336-5."""
-    return 1.5 if kind.startswith(("NT", "NV")) else float("1")
+    return 1.5 if kind.startswith(("NT", "NV")) else 1.0
 
 
 def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = "spray") -> OilBath:
@@ -97,7 +103,7 @@ def oil_bath(lubricant: Lubricant, oil_temperature: Celsius, lubrication: str = 
 
     The pressure-viscosity coefficient is that of ISO/TR 15144-1:2014 (9) to (11), which AGMA 925-A03 writes in other units.
     """
-    with about("oil of the gears"):
+    with about(Text("oil of the gears")):
         eta = lubricant.at(oil_temperature).mu
         alpha_38 = lubricant.alpha(lubricant.at(38.0).mu)
     X_L, X_S = LUBRICANT_FACTOR.get(lubricant.oil.base, 1.0), LUBRICATION_FACTOR[lubrication]

@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# mypy: disable-error-code="no-any-return"
 """The oil film against micropitting, ISO/TR 15144-1:2014 and ISO/TS 6336-22:2018, method B: its thickness over the roughness.
 
 The film is that of Dowson and Higginson with the oil at the temperature of the teeth, corrected for the heat of sliding (S_GF).  Unmodified
@@ -7,45 +6,21 @@ profiles, external wheels.  Tests behind it: modules 3 to 11 mm, 8 to 60 m/s; re
 ISO/TS 6336-22:2018).
 """
 
-from typing import Any
-
 import numpy as np
 
-from ....contact.teeth import (
-    bulk_rise,
-    bulk_temperature,
-    mean_friction,
-    ohlendorf_loss_factor,
-    ohlendorf_loss_factor_high,
-    roughness_factor,
-    sum_of_speeds,
-)
-from ....lubricant import Lubricant
-from ....sheet.arrays import Array
+from ....contact import teeth
+from ....sheet.arrays import Array, many
 from ....sheet.formula import formula
-from ....sheet.functions import cos, modulus, pi, sqrt
+from ....sheet.functions import cos, modulus, pi, power, sqrt
 from ....sheet.record import record
+from ....sheet.text import Text
 from ....sheet.trace import untraced
-from ....sheet.units import (
-    Celsius,
-    Kelvin,
-    Metre,
-    MetrePerSecond,
-    Newton,
-    NewtonPerMetre,
-    Number,
-    Pascal,
-    PascalSecond,
-    PerPascal,
-    Radian,
-    RevPerSecond,
-    Watt,
-)  # fmt: skip
-from .load import Load, OilBath, ThermalProduct
+from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, PascalSecond, PerPascal, Radian
+from .load import Load, OilBath, ThermalProduct, transmitted_power
 from .path import Path, Place
 
-ISO = "ISO/TR 15144-1:2014"
-AS_FOUND = "as generally published"
+ISO = Text("ISO/TR 15144-1:2014")
+AS_FOUND = Text("as generally published")
 METRE_PER_SECOND: MetrePerSecond = 1.0
 MICROMETRE: Metre = 1e-6
 MILLIMETRE: Metre = 1e-3
@@ -58,70 +33,59 @@ UNRELIEVED: Number = 1.0  # X_Ca of a profile without tip relief
 HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
 
 
-# --- friction and the temperature of the teeth ----------------------------------------------------------------------------------
-@formula("P", "definition of power")
-def power(F_t: Newton, d: Metre, n: RevPerSecond) -> Watt:
-    return F_t * pi * d * modulus(n)
-
-
 # --- the film ----------------------------------------------------------------------------------------------------------------------
-@formula("α_Θ", f"{ISO} (8), {AS_FOUND}: pressure-viscosity coefficient at a temperature", names={"alpha_38": "α_38", "T": "Θ"})
+@formula("α_Θ", Text("{iso} (8), {as_found}: pressure-viscosity coefficient at a temperature", iso=ISO, as_found=AS_FOUND),
+    names={"alpha_38": "α_38", "T": "Θ"})  # fmt: skip
 def pressure_viscosity_at(alpha_38: PerPascal, T: Celsius) -> PerPascal:
     return alpha_38 * (1 + FALL * (1 / (T + ZERO) - 1 / THIRTY_EIGHT))
 
 
-@formula("G_M", f"{ISO} (5), {AS_FOUND}: material parameter")
+@formula("G_M", Text("{iso} (5), {as_found}: material parameter", iso=ISO, as_found=AS_FOUND))
 def material_parameter(alpha_M: PerPascal, E_r: Pascal) -> Number:
     return alpha_M * E_r
 
 
-@formula("U_Y", f"{ISO} (12), {AS_FOUND}: velocity parameter", names={"eta_M": "η_M"})
+@formula("U_Y", Text("{iso} (12), {as_found}: velocity parameter", iso=ISO, as_found=AS_FOUND), names={"eta_M": "η_M"})
 def velocity_parameter(eta_M: PascalSecond, v_1: MetrePerSecond, v_2: MetrePerSecond, E_r: Pascal, rho_n: Metre) -> Number:
     return eta_M * (v_1 + v_2) / (2 * E_r * rho_n)
 
 
-@formula("p_dyn", f"{ISO} (24) to (26), {AS_FOUND}: Hertzian pressure with all load factors", unit="MPa")
+@formula("p_dyn", Text("{iso} (24) to (26), {as_found}: Hertzian pressure with all load factors", iso=ISO, as_found=AS_FOUND), unit="MPa")
 def hertz_pressure(E_r: Pascal, w_t: NewtonPerMetre, X: Number, rho_n: Metre, beta_b: Radian) -> Pascal:
     return sqrt(E_r * w_t * X / (2 * pi * rho_n * cos(beta_b)))
 
 
-@formula("W_Y", f"{ISO} (22), {AS_FOUND}: load parameter")
+@formula("W_Y", Text("{iso} (22), {as_found}: load parameter", iso=ISO, as_found=AS_FOUND))
 def load_parameter(p_dyn: Pascal, E_r: Pascal) -> Number:
     return 2 * pi * p_dyn**2 / E_r**2
 
 
-@formula("Θ_fl", f"{ISO} (80), {AS_FOUND}: local flash temperature", names={"b_1": "b_M1", "b_2": "b_M2"})
+@formula("Θ_fl", Text("{iso} (80), {as_found}: local flash temperature", iso=ISO, as_found=AS_FOUND), names={"b_1": "b_M1", "b_2": "b_M2"})
 def local_flash_temperature(
-    mu_m: Number,
-    p_dyn: Pascal,
-    v_1: MetrePerSecond,
-    v_2: MetrePerSecond,
-    b_1: ThermalProduct,
-    b_2: ThermalProduct,
-    rho_n: Metre,
+    mu_m: Number, p_dyn: Pascal, v_1: MetrePerSecond, v_2: MetrePerSecond, b_1: ThermalProduct, b_2: ThermalProduct, rho_n: Metre,
     E_r: Pascal,
-) -> Kelvin:
+) -> Kelvin:  # fmt: skip
     return (
         sqrt(pi) / 2 * mu_m * p_dyn * modulus(v_1 - v_2) / (sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(8 * rho_n * p_dyn / E_r)
     )  # fmt: skip
 
 
-@formula("Θ_B", f"{ISO} (79), {AS_FOUND}: local contact temperature", names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
+@formula("Θ_B", Text("{iso} (79), {as_found}: local contact temperature", iso=ISO, as_found=AS_FOUND), names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
 def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("S_GF", f"{ISO} (27), {AS_FOUND}: sliding parameter", names={"eta_B": "η_B", "eta_M": "η_M"})
+@formula("S_GF", Text("{iso} (27), {as_found}: sliding parameter", iso=ISO, as_found=AS_FOUND), names={"eta_B": "η_B", "eta_M": "η_M"})
 def sliding_parameter(alpha_B: PerPascal, eta_B: PascalSecond, alpha_M: PerPascal, eta_M: PascalSecond) -> Number:
     return alpha_B * eta_B / (alpha_M * eta_M)
 
 
-@formula("h_Y", f"{ISO} (4), {AS_FOUND}: film thickness (there 1600, from mm to µm)", unit="µm")
+@formula("h_Y", Text("{iso} (4), {as_found}: film thickness (there 1600, from mm to µm)", iso=ISO, as_found=AS_FOUND), unit="µm")
 def film_thickness(rho_n: Metre, G_M: Number, U_Y: Number, W_Y: Number, S_GF: Number) -> Metre:
-    return 1.6 * rho_n * G_M**0.6 * U_Y**0.7 * W_Y**-0.13 * S_GF**0.22
+    return 1.6 * rho_n * power(G_M, 0.6) * power(U_Y, 0.7) * power(W_Y, -0.13) * power(S_GF, 0.22)
 
 
-@formula("λ_GF", f"{ISO} (2), {AS_FOUND}: specific film thickness")
+@formula("λ_GF", Text("{iso} (2), {as_found}: specific film thickness", iso=ISO, as_found=AS_FOUND))
 def specific_film(h_Y: Metre, Ra: Metre) -> Number:
     return h_Y / Ra
 
@@ -140,13 +104,12 @@ class Film:
 
 
 @record
-class Teeth:
+class WarmOil:
     """The oil at the temperature of the teeth."""
 
-    lubricant: Lubricant
+    oil: OilBath
     mu_m: Number
     T_M: Celsius
-    alpha_38: PerPascal
     alpha_M: PerPascal
     eta_M: PascalSecond
     G_M: Number
@@ -157,50 +120,49 @@ def film(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: 
 
     d is the reference diameter of the driver, z the teeth of both; `places` are the points, then the samples of the path.
     """
-    teeth, marks = _teeth(path, load, oil, a, b, d, z), path.marks()
+    warm, marks = _warm_oil(path, load, oil, a, b, d, z), path.marks()
     with untraced():
-        thickness, _ = _local(path, load, teeth, places)
+        thickness, _ = _local(path, load, warm, places)
     if thickness is None:
-        return Film(mu_m=teeth.mu_m, T_M=teeth.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
-    along: Any = thickness
+        return Film(mu_m=warm.mu_m, T_M=warm.T_M, place="", h=None, p_dyn=None, lam=None, along=None)
+    along = many(thickness)
     place = list(marks)[int(np.argmin(along[: len(marks)]))]
-    h, p_dyn = _local(path, load, teeth, path.at(marks[place]))
+    h, p_dyn = _local(path, load, warm, path.at(marks[place]))
     assert h is not None
     lam = specific_film(h_Y=h, Ra=load.Ra)
-    return Film(mu_m=teeth.mu_m, T_M=teeth.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
+    return Film(mu_m=warm.mu_m, T_M=warm.T_M, place=place, h=h, p_dyn=p_dyn, lam=lam, along=along[len(marks) :] / load.Ra)
 
 
-def _teeth(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> Teeth:
+def _warm_oil(path: Path, load: Load, oil: OilBath, a: Metre, b: Metre, d: Metre, z: tuple[int, int]) -> WarmOil:
     """Friction, bulk temperature, and the oil at that temperature."""
-    X_R = roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC)
-    mu_m = mean_friction(
-        w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=sum_of_speeds(v_C=path.v_C), rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L
-    )  # fmt: skip
-    if path.eps_alpha < 2:
-        H_v = ohlendorf_loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
+    X_R, v_SumC = teeth.roughness_factor(Ra=load.Ra, rho_nC=path.rho_nC), teeth.sum_of_speeds(v_C=path.v_C)
+    mu_m = teeth.mean_friction(w_t=load.w_t, K_Bgamma=load.K_Bgamma, v_SumC=v_SumC, rho_nC=path.rho_nC, eta=oil.eta, X_R=X_R, X_L=oil.X_L)
+    eps_alpha, (z_1, z_2), beta_b = path.eps_alpha, z, path.beta_b
+    if eps_alpha < 2:
+        H_v = teeth.ohlendorf_loss_factor(eps_1=path.eps_1, eps_2=path.eps_2, eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
     else:
-        H_v = ohlendorf_loss_factor_high(eps_alpha=path.eps_alpha, z_1=z[0], z_2=z[1], beta_b=path.beta_b)
-    P = power(F_t=load.F_t, d=d, n=path.n_1)
-    T_M = bulk_temperature(T_oil=oil.T_oil, Delta_T=bulk_rise(P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S, X_Ca=UNRELIEVED))
+        H_v = teeth.ohlendorf_loss_factor_high(eps_alpha=eps_alpha, z_1=z_1, z_2=z_2, beta_b=beta_b)
+    P = transmitted_power(F_t=load.F_t, d=d, n=path.n_1)
+    rise = teeth.bulk_rise(P=P, mu_m=mu_m, H_v=H_v, a=a, b=b, X_S=oil.X_S, X_Ca=UNRELIEVED)
+    T_M = teeth.bulk_temperature(T_oil=oil.T_oil, Delta_T=rise)
     alpha_M = pressure_viscosity_at(alpha_38=oil.alpha_38, T=T_M)
-    eta_M = oil.lubricant.at(T_M).mu
-    return Teeth(oil.lubricant, mu_m, T_M, oil.alpha_38, alpha_M, eta_M, material_parameter(alpha_M=alpha_M, E_r=load.E_r))
+    return WarmOil(oil, mu_m, T_M, alpha_M, oil.lubricant.at(T_M).mu, material_parameter(alpha_M=alpha_M, E_r=load.E_r))
 
 
-def _local(path: Path, load: Load, teeth: Teeth, at: Place) -> tuple[Metre | None, Pascal]:
+def _local(path: Path, load: Load, warm: WarmOil, at: Place) -> tuple[Metre | None, Pascal]:
     """The film at a point or at many, and its Hertzian pressure; no film where a contact is too hot for the law of the oil."""
     p_dyn = hertz_pressure(E_r=load.E_r, w_t=load.w_t, X=at.X, rho_n=at.rho_n, beta_b=path.beta_b)
     T_fl = local_flash_temperature(
-        mu_m=teeth.mu_m, p_dyn=p_dyn, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, rho_n=at.rho_n, E_r=load.E_r
+        mu_m=warm.mu_m, p_dyn=p_dyn, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, rho_n=at.rho_n, E_r=load.E_r
     )  # fmt: skip
-    T_B = contact_temperature(T_M=teeth.T_M, T_fl=T_fl)
+    T_B = contact_temperature(T_M=warm.T_M, T_fl=T_fl)
     if np.max(T_B) > HOTTEST:
         return None, p_dyn
     with untraced():
-        eta_B = teeth.lubricant.at(T_B).mu
+        eta_B = warm.oil.lubricant.at(T_B).mu
     S_GF = sliding_parameter(
-        alpha_B=pressure_viscosity_at(alpha_38=teeth.alpha_38, T=T_B), eta_B=eta_B, alpha_M=teeth.alpha_M, eta_M=teeth.eta_M
+        alpha_B=pressure_viscosity_at(alpha_38=warm.oil.alpha_38, T=T_B), eta_B=eta_B, alpha_M=warm.alpha_M, eta_M=warm.eta_M
     )  # fmt: skip
-    U_Y = velocity_parameter(eta_M=teeth.eta_M, v_1=at.v_1, v_2=at.v_2, E_r=load.E_r, rho_n=at.rho_n)
+    U_Y = velocity_parameter(eta_M=warm.eta_M, v_1=at.v_1, v_2=at.v_2, E_r=load.E_r, rho_n=at.rho_n)
     W_Y = load_parameter(p_dyn=p_dyn, E_r=load.E_r)
-    return film_thickness(rho_n=at.rho_n, G_M=teeth.G_M, U_Y=U_Y, W_Y=W_Y, S_GF=S_GF), p_dyn
+    return film_thickness(rho_n=at.rho_n, G_M=warm.G_M, U_Y=U_Y, W_Y=W_Y, S_GF=S_GF), p_dyn

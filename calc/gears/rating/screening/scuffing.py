@@ -1,5 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-# mypy: disable-error-code="no-any-return"
 """Scuffing by the flash temperature (Blok), ISO/TR 13989-1:2000, since then ISO/TS 6336-20: the hottest contact against the oil's limit.
 
 The flash temperature is written with the load, the speeds and the radii of the point itself; with equal materials it is the standard's
@@ -7,22 +6,22 @@ The flash temperature is written with the load, the speeds and the radii of the 
 DIN 3990-4 and in part 2, on the safe side.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ....contact.hertz import half_width
-from ....sheet.arrays import Array
+from ....sheet.arrays import Array, each, many
 from ....sheet.formula import formula
-from ....sheet.functions import cos, largest, modulus, sin, smallest, sqrt
+from ....sheet.functions import cos, largest, modulus, power, sin, smallest, sqrt
 from ....sheet.record import record
+from ....sheet.text import Text
 from ....sheet.trace import untraced
 from ....sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PascalSecond, Radian
+from ....sheet.value import based_on
 from .load import Load, OilBath, ThermalProduct
 from .path import Path, Place
 
-ISO = "ISO/TR 13989-1:2000"
-AS_FOUND = "as generally published"
+ISO = Text("ISO/TR 13989-1:2000")
+AS_FOUND = Text("as generally published")
 NOTHING: Metre = 0.0
 METRE_PER_SECOND: MetrePerSecond = 1.0
 MICROMETRE: Metre = 1e-6
@@ -34,37 +33,41 @@ EIGHTY: Celsius = 80.0
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
 DEFLECTION: Metre = 50e-6
 STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, as generally published
+NAMES = {"T_oil": "Θ_oil", "T_flm": "Θ_flm", "T_M": "Θ_M", "T_fl": "Θ_fl,max", "T_S": "Θ_S", "T_B": "Θ_B,max"}
 LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
 
 
-@formula(
-    "X_L", f"{ISO} (27), {AS_FOUND}: lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", names={"X": "X_base", "eta": "η_oil"}
-)
+@formula("X_L", Text("{iso} (27), {as_found}: lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO, as_found=AS_FOUND),
+    names={"X": "X_base", "eta": "η_oil"})  # fmt: skip
 def lubricant_factor(X: Number, eta: PascalSecond) -> Number:
-    return X * (eta / MILLIPASCAL_SECOND) ** -0.05
+    return X * power(eta / MILLIPASCAL_SECOND, -0.05)
 
 
-@formula("X_R", f"{ISO} (28), {AS_FOUND}: roughness factor")
+@formula("X_R", Text("{iso} (28), {as_found}: roughness factor", iso=ISO, as_found=AS_FOUND))
 def roughness_factor(Ra: Metre) -> Number:
-    return (Ra / MICROMETRE) ** 0.25
+    return power(Ra / MICROMETRE, 0.25)
 
 
-@formula("v_gΣC", f"{ISO} (26), {AS_FOUND}: sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s")
+@formula("v_gΣC", Text("{iso} (26), {as_found}: sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s", iso=ISO,
+    as_found=AS_FOUND))  # fmt: skip
 def sum_of_speeds(v_C: MetrePerSecond, alpha_wt: Radian) -> MetrePerSecond:
     return 2 * smallest(v_C, FASTEST * sin(alpha_wt))
 
 
-@formula("μ_m", f"{ISO} (25), {AS_FOUND}: mean coefficient of friction", names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})
+@formula("μ_m", Text("{iso} (25), {as_found}: mean coefficient of friction", iso=ISO, as_found=AS_FOUND),
+    names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})  # fmt: skip
 def mean_friction(w_Bt: NewtonPerMetre, v: MetrePerSecond, rho_relC: Metre, X_L: Number, X_R: Number) -> Number:
-    return 0.060 * (w_Bt / NEWTON_PER_MILLIMETRE / (v / METRE_PER_SECOND * rho_relC / MILLIMETRE)) ** 0.2 * X_L * X_R
+    return 0.060 * power(w_Bt / NEWTON_PER_MILLIMETRE / (v / METRE_PER_SECOND * rho_relC / MILLIMETRE), 0.2) * X_L * X_R
 
 
-@formula("C_eff", f"{ISO} (B.1), {AS_FOUND}: tip relief that the load calls for", unit="µm", names={"c_gamma": "c_γ"})
+@formula("C_eff", Text("{iso} (B.1), {as_found}: tip relief that the load calls for", iso=ISO, as_found=AS_FOUND), unit="µm",
+    names={"c_gamma": "c_γ"})  # fmt: skip
 def deflection(K_A: Number, F_t: Newton, b: Metre, alpha_t: Radian, c_gamma: Pascal) -> Metre:
     return K_A * F_t / (b * cos(alpha_t) * c_gamma)
 
 
-@formula("X_J", f"{ISO} (45) to (48), {AS_FOUND}: approach factor, no tip relief: the shock before the pitch point")
+@formula("X_J", Text("{iso} (45) to (48), {as_found}: approach factor, no tip relief: the shock before the pitch point", iso=ISO,
+    as_found=AS_FOUND))  # fmt: skip
 def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) -> Number:
     return 1 + C_eff / DEFLECTION * (largest(rho_C - rho_1, NOTHING) / g_alpha) ** 3
 
@@ -76,51 +79,47 @@ def local_load(X: Number, K_Bgamma: Number, w_t: NewtonPerMetre) -> NewtonPerMet
 
 @formula("Θ_fl", "Blok 1937; ISO/TR 13989-1:2000 (5) and (A.5) in the speeds of both flanks", names={"b_1": "b_M1", "b_2": "b_M2"})
 def flash_temperature(
-    mu_m: Number,
-    X_J: Number,
-    w: NewtonPerMetre,
-    v_1: MetrePerSecond,
-    v_2: MetrePerSecond,
-    b_1: ThermalProduct,
-    b_2: ThermalProduct,
+    mu_m: Number, X_J: Number, w: NewtonPerMetre, v_1: MetrePerSecond, v_2: MetrePerSecond, b_1: ThermalProduct, b_2: ThermalProduct,
     b_H: Metre,
-) -> Kelvin:
+) -> Kelvin:  # fmt: skip
     return 1.11 * mu_m * X_J * w * modulus(v_1 - v_2) / ((sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(2 * b_H))
 
 
-@formula("Θ_flm", f"{ISO} (24), {AS_FOUND}: mean flash temperature", shows="mean of Θ_fl along the path of contact, from A to E")
+@formula("Θ_flm", Text("{iso} (24), {as_found}: mean flash temperature", iso=ISO, as_found=AS_FOUND),
+    shows="mean of Θ_fl along the path of contact, from A to E")  # fmt: skip
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
     flash, place = np.asarray(T_fl), np.asarray(rho_1)
     area = np.dot(flash[1:] + flash[:-1], np.diff(place)) / 2
     return float(area / (place[-1] - place[0]))
 
 
-@formula("X_mp", f"{ISO} (23), from memory: a wheel with more than one mate is heated by each", names={"n_p": "n_p"})
+@formula("X_mp", Text("{iso} (23), from memory: a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
 def multiple_path_factor(n_p: Number) -> Number:
     return (1 + n_p) / 2
 
 
-@formula("Θ_M", f"{ISO} (22), {AS_FOUND}: bulk temperature", names={"T_oil": "Θ_oil", "T_flm": "Θ_flm"})
+@formula("Θ_M", Text("{iso} (22), {as_found}: bulk temperature", iso=ISO, as_found=AS_FOUND), names=NAMES)
 def bulk_temperature(T_oil: Celsius, X_S: Number, X_mp: Number, T_flm: Kelvin) -> Celsius:
     return T_oil + 0.47 * X_S * X_mp * T_flm
 
 
-@formula("Θ_B,max", f"{ISO} (2), {AS_FOUND}: highest contact temperature", names={"T_M": "Θ_M", "T_fl": "Θ_fl,max"})
+@formula("Θ_B,max", Text("{iso} (2), {as_found}: highest contact temperature", iso=ISO, as_found=AS_FOUND), names=NAMES)
 def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("Θ_S", f"{ISO} (99), {AS_FOUND}: scuffing temperature from the load stage of the FZG test A/8.3/90", names={"S": "S_FZG"})
+@formula("Θ_S", Text("{iso} (99), {as_found}: scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO,
+    as_found=AS_FOUND), names={"S": "S_FZG"})  # fmt: skip
 def scuffing_temperature(X_W: Number, X_L: Number, S: Number) -> Celsius:
     return EIGHTY + (0.85 + 1.4 * X_W) * X_L * S**2 * ONE_KELVIN
 
 
-@formula("S_B", f"{ISO} (100), {AS_FOUND}: safety against scuffing", names={"T_S": "Θ_S", "T_oil": "Θ_oil", "T_B": "Θ_B,max"})
+@formula("S_B", Text("{iso} (100), {as_found}: safety against scuffing", iso=ISO, as_found=AS_FOUND), names=NAMES)
 def safety(T_S: Celsius, T_oil: Celsius, T_B: Celsius) -> Number:
     return (T_S - T_oil) / (T_B - T_oil)
 
 
-@formula("ΔΘ_S", f"{ISO}, 10.5, {AS_FOUND}: the margin as a difference", names={"T_S": "Θ_S", "T_B": "Θ_B,max"})
+@formula("ΔΘ_S", Text("{iso}, 10.5, {as_found}: the margin as a difference", iso=ISO, as_found=AS_FOUND), names=NAMES)
 def margin(T_S: Celsius, T_B: Celsius) -> Kelvin:
     return T_S - T_B
 
@@ -151,13 +150,13 @@ def flash(
     mu_m = mean_friction(w_Bt=load.w_Bt, v=v, rho_relC=path.rho_relC, X_L=X_L, X_R=X_R)
     C_eff = deflection(K_A=load.K_A, F_t=load.F_t, b=b, alpha_t=alpha_t, c_gamma=c_gamma)
     with untraced():
-        along: Any = _local(path, load, mu_m, C_eff, places)
-    along = along[len(path.marks()) :]
-    rho_1: Any = places.rho_1
-    rho_1 = rho_1[len(path.marks()) :]
-    hottest = float(rho_1[int(np.argmax(along))])
+        temperatures = many(_local(path, load, mu_m, C_eff, places))
+    points = len(path.marks())
+    along = based_on(temperatures[points:], mu_m, C_eff, load, path.depends_on)
+    rho_1 = many(places.rho_1)[points:]
+    hottest = based_on(float(rho_1[int(np.argmax(along))]), path.A, path.B, path.D, path.E)
     T_fl = _local(path, load, mu_m, C_eff, path.at(hottest))
-    T_flm = mean_flash_temperature(T_fl=along, rho_1=rho_1)
+    T_flm = mean_flash_temperature(T_fl=each(along), rho_1=each(based_on(rho_1, path.A, path.E)))
     T_M = bulk_temperature(T_oil=oil.T_oil, X_S=oil.X_S, X_mp=multiple_path_factor(n_p=n_p), T_flm=T_flm)
     T_B = contact_temperature(T_M=T_M, T_fl=T_fl)
     T_S = scuffing_temperature(X_W=X_W, X_L=X_L, S=S_FZG)
@@ -168,7 +167,7 @@ def flash(
 
 
 def _local(path: Path, load: Load, mu_m: Number, C_eff: Metre, at: Place) -> Kelvin:
-    X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=path.E - path.A)
+    X_J = approach_factor(C_eff=C_eff, rho_C=path.C, rho_1=at.rho_1, g_alpha=based_on(path.E - path.A, path.E, path.A))
     w = local_load(X=at.X, K_Bgamma=load.K_Bgamma, w_t=load.w_t)
     b_H = half_width(w=w, rho_n=at.rho_n, E_r=load.E_r)
     return flash_temperature(mu_m=mu_m, X_J=X_J, w=w, v_1=at.v_1, v_2=at.v_2, b_1=load.b_1, b_2=load.b_2, b_H=b_H)

@@ -9,6 +9,7 @@ from calc.countershaft.making.inputs import Clamp, OilDrain, Union
 from calc.countershaft.making.thread import thread, thread_problem
 from calc.sheet.quantity import published
 from calc.sheet.trace import trace
+from calc.sheet.value import link_of
 
 
 def asked(low, high, name="M18x1.5", **own):
@@ -80,7 +81,7 @@ def test_the_next_size_up_is_not_taken():
     assert r.clamp_nominal is r.clamp_opening is r.clamp_margin is r.clamp_opening_din3021 is None
     assert verdicts(r) == {"clamp": "fail", "union": "pass"}
     assert "would not grip" in r.reason and any("would not grip" in note for note in drain.notes(r))
-    assert drain.checks(r)[0].value == pytest.approx(-0.1)
+    assert next(drain.checks(r)).value == pytest.approx(-0.1)
 
 
 def test_bounds_belong_to_the_clamp():
@@ -93,7 +94,7 @@ def test_bounds_belong_to_the_clamp():
 def test_the_opening_of_the_standard_may_be_too_small():
     r = drain.solve(asked(22.5, 24.4))
     assert r.clamp_opening == pytest.approx(0.0245)
-    assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "warn", "union": "pass"}
+    assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "note", "union": "pass"}
 
 
 def test_a_hose_smaller_than_every_clamp():
@@ -173,5 +174,4 @@ def test_threads_of_the_table_can_be_read():
 def test_every_value_leads_back_to_a_line():
     with trace() as lines:
         r = drain.solve(asked(22.5, 24.0))
-    made = {id(line.value) for line in lines}
-    assert all(id(p.inside) in made for p in published(r, "countershaft"))
+    assert all(link_of(p.inside) in lines for p in published(r, "countershaft"))

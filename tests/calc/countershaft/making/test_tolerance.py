@@ -72,7 +72,7 @@ def test_the_shares_of_the_planes_are_bounded(z_S, front, rear):
     [(0.0, ""), (0.9 * HALF, "near one bearing"), (1.1 * HALF, "overhangs the rear"), (-1.1 * HALF, "overhangs the front")],
 )
 def test_a_share_that_is_not_the_static_load_is_said(z_S, words):
-    said = notes(z_S, -HALF, HALF)
+    said = list(notes(z_S, -HALF, HALF))
     assert len(said) == (2 if words else 1)
     assert words in said[-1]
 

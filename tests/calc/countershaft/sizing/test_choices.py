@@ -17,6 +17,7 @@ from calc.countershaft.sizing.sectors import TooSmall, pair, size
 from calc.design_file import design
 from calc.engine import solve as engine
 from calc.imbalance import solve as imbalance
+from calc.sheet.changes import assignments
 from calc.sheet.errors import BadInput, NoSolution
 
 STEEL, ADI = 7860.0, 7200.0
@@ -224,7 +225,7 @@ def test_the_table_and_the_keys_of_a_row(case):
     cells = dict(zip((label for label, _ in table.columns), table.rows[0]))
     assert cells["outer radius"] == pytest.approx(43) and cells["half-angle of each"] == pytest.approx(68.25, abs=5e-3)
     assert cells["length of each"] == pytest.approx(104.62, abs=5e-3) and cells["first year"] == 210
-    assert changes(found.shafts[0], ROOM) == [
+    assert assignments(changes(found.shafts[0], ROOM)) == [
         'countershaft.mode="size"', 'countershaft.material="steel"', "countershaft.outer_radius_mm=43.0", "countershaft.core_radius_mm=15.0",
         "countershaft.half_length_mm=152.0",
     ]  # fmt: skip

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.turn import response
+from calc.bearings.rotating_load import response
 from calc.friction.balance.closure import shaft_loss
 from calc.friction.journals import journals_at, journals_of
-from calc.handing import on_shaft, shaft_gear
 from calc.solve import solve
+from calc.step_inputs import on_shaft, shaft_gear
 
 from ..documents import changed, design, gamma
 

@@ -55,7 +55,7 @@ def test_under_a_load_it_is_the_film_of_the_bearings_step(gamma_results):
 
 def test_too_much_load_has_no_film():
     with pytest.raises(
-        NoSolution, match=r"plain bearing idler: no film carries its load; S = .* under 1e\+06 N, the table ends at .*a larger bush"
+        NoSolution, match=r"plain bearing idler: no film carries its load; S = .* under 1·10⁶ N, the table ends at .*a larger bush"
     ):
         p.power(bush(), 1e6, SPEED, ETA)
     with pytest.raises(NoSolution, match="no film carries"):

@@ -187,7 +187,7 @@ def test_the_regressions_are_told_by_their_ranges():
     """A train that drives a counter-shaft carries less than any was fitted to."""
     found = closed()
     check = next(c for c in found.checks if c.id == "friction.train.models")
-    assert check.kind == "advice" and check.verdict == "warn"
+    assert check.kind == "method" and check.verdict == "note"
     models = [mesh.published_models for mesh in found.result.meshes.values()]
     inside = [name for name in models[0] if all(m[name] is not None and not m[name].outside for m in models)]
     assert check.value == len(inside)

@@ -39,7 +39,7 @@ def test_tangential_force_of_the_consistent_load():
     result = solved(gears)
     for key, m in result.meshes.items():
         at_reference = (
-            found.result.meshes[key].working_tangential_force * m.working_diameter_driver / result.wheels[m.driver].pitch_diameter
+            found.result.meshes[key].working_tangential_force * m.working_diameter_driver / result.wheels[m.driver].reference_diameter
         )
         assert at_reference == pytest.approx(184.0, abs=0.05)
         assert found.result.meshes[key].axial_force == pytest.approx(at_reference * math.tan(gears.helix_angle))

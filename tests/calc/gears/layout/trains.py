@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from calc.gears.inputs import Neighbour, Wall
-from calc.gears.layout.layout import layout
+from calc.gears.layout.solve import ShaftInTrain, layout
 
 from ..trains import mesh, r753, solved, train, wheel
 
@@ -31,7 +31,7 @@ def screw(name, up, side, radius):
 
 
 def laid(gears, axis=None, **said):
-    return layout(gears, solved(gears), axis, **said)
+    return layout(gears, solved(gears), ShaftInTrain(axis, **said))
 
 
 def verdicts(outcome):

@@ -7,8 +7,7 @@ import pytest
 
 from calc.gears import formulas as f
 from calc.gears.measures import formulas as m
-from calc.gears.measures import pins as p
-from calc.gears.measures.measures import over_pins
+from calc.gears.measures.solve import over_pins
 from calc.gears.train import tooth_system
 
 from ..trains import mesh, train, wheel
@@ -46,7 +45,7 @@ def distance(one, other):
 def test_a_pin_along_the_helix_touches_both_flanks_and_cuts_neither(z, m_n, beta, x, D, side):
     system, d_b, alpha_K, d_K, half_space = placed(z, m_n, beta, x, D)
     beta_b = system.base_helix_angle
-    P, u = line(d_K / 2, 0.0, 0.0, p.helix_angle_at_centres(beta_b, alpha_K))
+    P, u = line(d_K / 2, 0.0, 0.0, m.helix_angle_at_centres(beta_b, alpha_K))
     low, high = np.array([0.0, -4e-3]), np.array([1.1, 4e-3])  # pressure angle on the flank, height
     for _ in range(14):
         alpha, height = np.meshgrid(*(np.linspace(a, b, 61) for a, b in zip(low, high)))
@@ -63,7 +62,7 @@ def test_a_pin_along_the_helix_touches_both_flanks_and_cuts_neither(z, m_n, beta
 @pytest.mark.parametrize(("z", "m_n", "beta", "x", "D"), [w for w in WHEELS if w[0] % 2])
 def test_two_loose_pins_find_the_smallest_distance_of_their_centre_lines(z, m_n, beta, x, D):
     system, _, alpha_K, d_K, _ = placed(z, m_n, beta, x, D)
-    beta_K, r = p.helix_angle_at_centres(system.base_helix_angle, alpha_K), d_K / 2
+    beta_K, r = m.helix_angle_at_centres(system.base_helix_angle, alpha_K), d_K / 2
     first = line(r, 0.0, 0.0, beta_K)
 
     def apart(height):
@@ -75,7 +74,7 @@ def test_two_loose_pins_find_the_smallest_distance_of_their_centre_lines(z, m_n,
         heights = np.linspace(low, high, 101)
         best = heights[np.argmin([apart(h) for h in heights])]
         low, high = best - (high - low) / 20, best + (high - low) / 20
-    found = p.over_two_pins(d_K, p.pin_angle(z, beta_K), beta_K, D * 1e-3)
+    found = m.over_two_pins(d_K, m.pin_angle(z, beta_K), beta_K, D * 1e-3)
     assert found == pytest.approx(apart(best) + D * 1e-3, abs=1e-12)
     assert found < m.over_balls_odd(d_K, z, D * 1e-3) < over_pins(system, z, d_K, D * 1e-3)
 
@@ -83,7 +82,7 @@ def test_two_loose_pins_find_the_smallest_distance_of_their_centre_lines(z, m_n,
 @pytest.mark.parametrize(("z", "m_n", "beta", "x", "D"), [w for w in WHEELS if w[0] % 2])
 def test_three_pins_of_an_odd_helical_wheel_lie_flat_an_axial_pitch_apart(z, m_n, beta, x, D):
     system, _, alpha_K, d_K, _ = placed(z, m_n, beta, x, D)
-    beta_K, r = p.helix_angle_at_centres(system.base_helix_angle, alpha_K), d_K / 2
+    beta_K, r = m.helix_angle_at_centres(system.base_helix_angle, alpha_K), d_K / 2
     half = math.pi * system.m_n / math.sin(system.beta) / 2  # of the axial pitch: turns a helix by half a pitch
     assert half * math.tan(beta_K) / r == pytest.approx(math.pi / z, rel=1e-12)
     first, pair = line(r, 0.0, 0.0, beta_K), [line(r, math.pi, h, beta_K) for h in (half, -half)]
@@ -111,7 +110,7 @@ def test_pins_are_balls_on_spur_wheels_and_on_even_ones(z):
 
 def test_two_loose_pins_become_balls_as_the_helix_straightens():
     system, _, alpha_K, d_K, _ = placed(25, 2.0, 0.05, 0.2, 3.5)
-    beta_K = p.helix_angle_at_centres(system.base_helix_angle, alpha_K)
-    loose = p.over_two_pins(d_K, p.pin_angle(25, beta_K), beta_K, 3.5e-3)
+    beta_K = m.helix_angle_at_centres(system.base_helix_angle, alpha_K)
+    loose = m.over_two_pins(d_K, m.pin_angle(25, beta_K), beta_K, 3.5e-3)
     assert loose == pytest.approx(m.over_balls_odd(d_K, 25, 3.5e-3), abs=1e-10)
     assert loose < m.over_balls_odd(d_K, 25, 3.5e-3)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from calc.gears import formulas as f
 from calc.gears.measures import formulas as m
 from calc.gears.measures.measured import measured
-from calc.gears.measures.measures import measures
+from calc.gears.measures.solve import measures
 from calc.gears.measures.spans import spans
 from calc.gears.solve import geometry
 from calc.sheet.errors import NoSolution
@@ -95,13 +95,13 @@ def test_the_constant_chord_is_constant_and_ends_on_the_involute(said, other):
     assert measures(system, given_, b)[0].constant_chord == found.constant_chord
     # its end in the normal section, turned back along the helix into the transverse section through the middle of the tooth
     along, high = found.constant_chord / 2, found.constant_chord * math.tan(system.alpha_n) / 2
-    side, out = along * math.cos(system.beta), a.pitch_diameter / 2 + high
+    side, out = along * math.cos(system.beta), a.reference_diameter / 2 + high
     axial = -along * math.sin(system.beta)
     d_y = 2 * math.hypot(side, out)
     assert found.constant_chord_diameter == pytest.approx(d_y, rel=1e-12)
-    turned = math.atan2(side, out) - axial * math.tan(system.beta) / (a.pitch_diameter / 2)
+    turned = math.atan2(side, out) - axial * math.tan(system.beta) / (a.reference_diameter / 2)
     alpha_yt = f.pressure_angle_at(a.base_diameter, d_y)
-    s_yt = f.thickness_at(d_y, a.reference_thickness, a.pitch_diameter, system.transverse_pressure_angle, alpha_yt)
+    s_yt = f.thickness_at(d_y, a.reference_thickness, a.reference_diameter, system.transverse_pressure_angle, alpha_yt)
     assert turned == pytest.approx(s_yt / d_y, abs=1e-12)
     assert a.tip_diameter / 2 - found.constant_chord_height == pytest.approx(out, rel=1e-12)
 

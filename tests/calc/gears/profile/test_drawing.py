@@ -9,8 +9,10 @@ import ezdxf
 import numpy as np
 import pytest
 
+from calc.gears.layout.solve import ShaftInTrain
+from calc.gears.profile.cut import Cut
 from calc.gears.profile.drawing import LAYERS, data_table, train_drawing, wheel_drawing
-from calc.gears.profile.outline import Cut, shifts
+from calc.gears.profile.outline import shifts
 from calc.gears.solve import geometry, with_layout
 from calc.sheet.drawing import Polyline
 from reports.dxf import dxf
@@ -45,7 +47,7 @@ def idler(whole):
 def test_circles_have_the_diameters_of_the_wheel(whole, idler):
     w = whole.wheels["idler"]
     found = {c.dxf.layer: c.dxf.radius * 2 * MM for c in idler.query("CIRCLE") if c.dxf.layer != "WORKING"}
-    assert found == pytest.approx({"TIP": w.tip_diameter, "REFERENCE": w.pitch_diameter, "BASE": w.base_diameter,
+    assert found == pytest.approx({"TIP": w.tip_diameter, "REFERENCE": w.reference_diameter, "BASE": w.base_diameter,
                                    "ROOT": w.root_diameter, "FORM": w.form_diameter}, rel=1e-12)  # fmt: skip
     working = sorted(c.dxf.radius * 2 * MM for c in idler.query('CIRCLE[layer=="WORKING"]'))
     assert working == pytest.approx(sorted([whole.meshes["central_idler"].working_diameter_driven,
@@ -198,7 +200,7 @@ def test_a_driver_of_two_wheels_has_them_on_different_sides():
 def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
     """Tooth 1 of every wheel begins its outline: the last wheel's the one nearest the eccentric, at any angle of the first driver's."""
     gears = dataclasses.replace(r753(), tooth_angle=turned)
-    t = with_layout(geometry(gears, SPEED), gears, 0.130 + 0.103j, 2.0, None, None, None).result
+    t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
     places = {name: (w.position.real, w.position.imag) for name, w in t.layout.wheels.items()}
     lines = [p for p in train_drawing(t, "x", places, turned) if isinstance(p, Polyline) and p.closed]
     for line, w, laid in zip(lines, t.wheels.values(), t.layout.wheels.values()):
@@ -211,6 +213,6 @@ def test_a_placed_train_is_drawn_with_the_teeth_of_its_layout(turned):
 
 def test_a_train_that_stands_elsewhere_than_its_layout_meshes_there():
     gears = r753()
-    t = with_layout(geometry(gears, SPEED), gears, 0.130 + 0.103j, 2.0, None, None, None).result
+    t = with_layout(geometry(gears, SPEED), gears, ShaftInTrain(0.130 + 0.103j, 2.0)).result
     places = placed(t)
     assert dxf(train_drawing(t, "x", places), LAYERS) == dxf(train_drawing(dataclasses.replace(t, layout=None), "x", places), LAYERS)

@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.judge import checks, notes, penetration_check
+from calc.gears.profile.checks import checks, notes, penetration_check
 from calc.gears.profile.meshing import flank, penetration, penetrations
 from calc.gears.profile.outline import CHORD_ERROR, regions, shifts
 from calc.sheet.errors import NoSolution
@@ -38,7 +38,7 @@ def test_the_wheels_of_the_source_roll_without_entering_each_other(make):
     found = penetrations(t)
     assert set(found) == set(t.meshes) and set(found.values()) == {0.0}
     assert all(c.verdict == "pass" and c.id == f"gears.{key}.penetration" for key, c in zip(found, checks(t, found)))
-    assert len(checks(t, found)) == len(found) and len({id(depth_) for depth_ in found.values()}) == len(found)
+    assert len(checks(t, found)) == len(found)
 
 
 # --- against whole polygons --------------------------------------------------------------------------------------------------

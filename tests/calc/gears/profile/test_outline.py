@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from calc.gears.curves import pitch_point_view
-from calc.gears.profile.outline import Cut, outline, regions, shifts, tooth
+from calc.gears.profile.cut import Cut
+from calc.gears.profile.outline import outline, regions, shifts, tooth
 
 from ..trains import mesh, r753, solved, train, wheel
 

@@ -55,7 +55,7 @@ def rack(system, w):
 @pytest.mark.parametrize("case", PLAIN + PROTUBERANT + STEPPED)
 def test_the_tool_rolls_through_the_space_cuts_nothing_more_and_touches(case):
     system, w = made(*case)
-    m_n, r, cut = system.m_n, w.pitch_diameter / 2, Cut(system, w.teeth, w.profile_shift)
+    m_n, r, cut = system.m_n, w.reference_diameter / 2, Cut(system, w.teeth, w.profile_shift)
     fillet = cut.fillet(np.linspace(-np.pi / 2, cut.end_of_fillet, 20001))
     corner, flank = rack(system, w)
     if not finishing_step(system):  # else the finishing tool ends somewhere above the fillet

@@ -9,19 +9,28 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.catalogue import materials, oils
+from calc.gears.rating.checks import MARGIN
+from calc.gears.rating.checks import screening_checks as checks
+from calc.gears.rating.curves import screening_curves as curves
+from calc.gears.rating.notes import screening_notes
 from calc.gears.rating.screening import load, scuffing
 from calc.gears.rating.screening.path import Path
-from calc.gears.rating.screening.screen import MARGIN, checks, curves, notes, screening
+from calc.gears.rating.screening.solve import screening
 from calc.gears.solve import geometry
 from calc.lubricant import Lubricant
 from calc.sheet.errors import NoSolution
 from calc.sheet.trace import trace
+from calc.sheet.value import link_of
 
 from ..trains import SPEED, mesh, r753, solved, train, wheel
 
 OIL = oils()["10W-40 Q8 T905"]
 BATH = load.oil_bath(Lubricant(OIL), 90.0)
 STEEL = materials()
+
+
+def notes(system, screened, base):
+    return tuple(screening_notes(system, screened, base))
 
 
 def spur(z_1=24, z_2=36, beta=0.0, x=(0.2, 0.1), b=15.0, **said):
@@ -170,13 +179,13 @@ def test_a_contact_too_hot_for_the_oil_has_no_film():
     assert any("500 °C" in note for note in notes(solved(spur()).system, [found], "mineral"))
 
 
-def test_checks_are_advice_with_their_limits():
+def test_a_screening_fails_nothing():
     good = screened(spur(), F_t=200.0, roughness=(0.1e-6, 0.1e-6), load_stage=12)
     bad = screened(spur(), F_t=8000.0, load_stage=5, permissible_film=0.5)
-    for found, verdict in ((good, "pass"), (bad, "warn")):
+    for found, verdicts in ((good, ("pass", "pass")), (bad, ("note", "warn"))):
         film, heat = checks("a_b", found)
-        assert (film.kind, heat.kind) == ("advice", "advice")
-        assert (film.verdict, heat.verdict) == (verdict, verdict)
+        assert (film.kind, heat.kind) == ("advice", "caution")
+        assert (film.verdict, heat.verdict) == verdicts
         assert film.limit == found.permissible_film and heat.limit == MARGIN
     assert "rule of this program" not in checks("a_b", bad)[1].source
     assert "assumed" in checks("a_b", screened(spur()))[1].source
@@ -213,8 +222,8 @@ def test_many_teeth_in_contact_are_said():
 def test_lines_are_those_of_the_governing_points():
     with trace() as lines:
         found = screened(spur())
-    by_symbol = {line.formula.symbol: line.value for line in lines}
-    assert by_symbol["λ_GF"] is found.specific_film_min
-    assert by_symbol["S_B"] is found.scuffing_safety
+    for number, symbol in ((found.specific_film_min, "λ_GF"), (found.scuffing_safety, "S_B")):
+        line = link_of(number)
+        assert line in lines and (line.formula.symbol, line.value) == (symbol, number)
     assert not any(isinstance(line.value, np.generic | np.ndarray) for line in lines)
     assert len(lines) < 80

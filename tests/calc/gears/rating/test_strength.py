@@ -6,10 +6,15 @@ from dataclasses import replace
 import pytest
 
 from calc.gears.rating import strength as s
+from calc.gears.rating.checks import roughness_check, strength_checks
 from calc.gears.rating.classes import strength_class
-from calc.gears.rating.strength import MeshLoad, Side, mesh_strength, strength_checks, strength_notes, strength_tables
+from calc.gears.rating.curves import strength_tables
+from calc.gears.rating.notes import strength_notes
+from calc.gears.rating.result import Side
+from calc.gears.rating.strength import MeshLoad, mesh_strength
 from calc.sheet.quantity import published
 from calc.sheet.trace import trace
+from calc.sheet.value import link_of
 
 EH, QT = strength_class("case-hardened"), strength_class("quenched and tempered alloy steel", "MQ", 300.0)
 
@@ -117,7 +122,7 @@ def test_checks():
     }  # fmt: skip
     contact = found["gears.pinion_wheel.safety_contact"]
     assert contact.verdict == "warn" and contact.limit == 1.0 and "weaker: pinion" in contact.name and "on load 1.06" in contact.name
-    assert found["gears.pinion_wheel.safety_contact_usual"].verdict == "warn"
+    assert found["gears.pinion_wheel.safety_contact_usual"].verdict == "note"
     assert "1.36 times the face width" in found["gears.pinion_wheel.safety_contact_usual"].advice  # (1.2/1.0285)²
     assert found["gears.pinion.safety_bending"].verdict == "pass"
 
@@ -125,9 +130,12 @@ def test_checks():
 def test_advice_on_width_would_just_pass():
     pinion, wheel, load = example_1()
     weak = mesh_strength(pinion, wheel, replace(load, K_H=2 * load.K_H, K_F=4.0))
-    need = {c.id: c for c in strength_checks({"m": weak})}
+    need = {c.id: c for c in strength_checks({"pinion_wheel": weak})}
     width = (1 / weak.safety_contact) ** 2
-    assert f"{width:.3g} times" in need["gears.m.safety_contact"].advice and need["gears.m.safety_contact"].verdict == "fail"
+    assert (
+        f"{width:.3g} times" in need["gears.pinion_wheel.safety_contact"].advice
+        and need["gears.pinion_wheel.safety_contact"].verdict == "fail"
+    )
     assert mesh_strength(pinion, wheel, replace(load, K_H=2 * load.K_H / width)).safety_contact == pytest.approx(1)
     assert need["gears.pinion.safety_bending"].verdict == "fail"
 
@@ -135,7 +143,7 @@ def test_advice_on_width_would_just_pass():
 def test_bending_is_judged_by_the_weakest_mesh_of_a_wheel():
     pinion, wheel, load = example_1()
     light, heavy = mesh_strength(pinion, wheel, load), mesh_strength(replace(pinion, name="other"), wheel, replace(load, K_F=1.5))
-    found = {c.id: c for c in strength_checks({"light": light, "heavy": heavy})}
+    found = {c.id: c for c in strength_checks({"pinion_wheel": light, "other_wheel": heavy})}
     assert found["gears.wheel.safety_bending"].value == pytest.approx(heavy.bending["wheel"].S_F)
     assert "in other–wheel" in found["gears.wheel.safety_bending"].name
 
@@ -159,11 +167,13 @@ def test_notes_say_what_was_assumed():
 
 
 def test_rough_roots_are_out_of_range():
-    assert s.roughness_check(16e-6).verdict == "pass" and s.roughness_check(63e-6).verdict == "warn"
+    assert roughness_check(16e-6).verdict == "pass" and roughness_check(63e-6).verdict == "note"
 
 
 def test_every_line_belongs_to_a_wheel_or_the_mesh():
     with trace() as lines:
         found = mesh_strength(*example_1())
     assert all("pinion" in line.about for line in lines)
-    assert any(line.value is found.safety_contact for line in lines) and any(line.value is found.lubricant_factor for line in lines)
+    for number, symbol in ((found.safety_contact, "S_H"), (found.lubricant_factor, "Z_L")):
+        line = link_of(number)
+        assert line in lines and (line.formula.symbol, line.value) == (symbol, number)

@@ -5,7 +5,9 @@ from itertools import pairwise
 import pytest
 
 from calc.gears.rating import classes as c
-from calc.gears.rating.classes import class_names, classes_of, hardness_checks, of_wheel, strength_class
+from calc.gears.rating.checks import hardness_checks
+from calc.gears.rating.classes import class_names, classes_of, of_wheel, strength_class
+from calc.gears.rating.curves import classes_table
 from calc.sheet.errors import NoSolution
 from calc.sheet.trace import trace
 
@@ -87,7 +89,7 @@ def test_more_hardness_than_the_range_adds_nothing_and_is_said():
     assert "above the range" in hard.notes[0] and not end.notes
 
 
-@pytest.mark.parametrize("HV, verdicts", [(650, ["fail", "pass"]), (700, ["pass", "pass"]), (820, ["pass", "warn"])])
+@pytest.mark.parametrize("HV, verdicts", [(650, ["fail", "pass"]), (700, ["pass", "pass"]), (820, ["pass", "note"])])
 def test_hardness_is_judged_by_the_range(HV, verdicts):
     checks = hardness_checks("idler", strength_class("case-hardened", "MQ", float(HV)))
     assert [k.id for k in checks] == ["gears.idler.hardness", "gears.idler.hardness_most"]
@@ -131,6 +133,6 @@ def test_of_a_wheel_of_the_design():
 
 
 def test_table_of_the_wheels():
-    table = c.classes_table({"a": strength_class(), "b": strength_class("grey iron", "MQ", 200.0)})
+    table = classes_table({"a": strength_class(), "b": strength_class("grey iron", "MQ", 200.0)})
     assert [row[0] for row in table.rows] == ["a", "b"]
     assert table.rows[0][5:] == pytest.approx((1500, 425)) and table.rows[0][4] is None

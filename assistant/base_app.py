@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The app as its widgets and dialogs know it: the user's language, signs and keys, and what is told for a moment.
+
+`app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens that hold them.
+"""
+
+from pathlib import Path
+
+from textual.app import App
+from textual.notifications import SeverityLevel
+
+from calc.languages import LANGUAGES, language
+from calc.sheet.text import EMPTY, Text
+
+from .actions import BY_ID, OLD_IDS, key_name
+from .recovery import Settings
+from .session import Session
+from .widgets.signs import Signs
+
+
+class BaseApp(App[int]):
+    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what the user chose in earlier sessions."""
+
+    def __init__(
+        self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+    ) -> None:
+        self.ascii = ascii
+        settings = settings or Settings()
+        self.say = language(settings.language if settings.language in LANGUAGES else "en")
+        self.signs = Signs(ascii, say=self.say)
+        self.key_map = {new: keys for id, keys in (key_map or {}).items() if (new := OLD_IDS.get(id, id)) in BY_ID}
+        super().__init__()
+        self.session = session
+        self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
+        self.writing = EMPTY  # a file that is being written, and how far it is
+        self.guiding = settings.guide  # each form begins with what is to be decided in its step
+
+    async def enter(self, session: Session) -> None:
+        """Go on with another design."""
+        raise NotImplementedError
+
+    def shown_key(self, id: str) -> str:
+        """The first key of an action, as the table and the user's key map have it."""
+        return key_name((self.key_map.get(id) or BY_ID[id].binding).split(",")[0])
+
+    def forget(self, *texts: Text) -> None:
+        """Take these notifications back if they are still shown."""
+        shown = set(map(self.say, texts))
+        for notification in [n for n in self._notifications if n.message in shown]:
+            self._unnotify(notification)
+
+    def tell(self, text: Text, severity: SeverityLevel = "information") -> None:
+        """Show a text for a moment; it is never read as markup."""
+        self.forget(text)  # the same text is not shown twice at a time
+        self.notify(self.say(text), severity=severity, markup=False, timeout=10 if severity == "error" else 5)

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its worst check;
+advice and what concerns the method by their numbers and the worst of each.  `everything`: all of them in full."""
+
+import textwrap
+from collections.abc import Iterator, Sequence
+
+from calc.sheet.check import SIGNS, Check, grouped, with_it
+from calc.sheet.text import SPACE, Amount, Name, Text, plural
+
+WORDS = {
+    "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
+    "blocked": "blocked", "not_asked": "not used", "no_solution": "NO SOLUTION",
+}  # fmt: skip
+LINE = 132  # characters of a line
+INDENT = " " * 8
+
+
+def sign(verdict: str) -> str:
+    """A sign and a word: `✗ FAIL`."""
+    return f"{SIGNS[verdict]} {WORDS[verdict]}"
+
+
+def finding_lines(checks: Sequence[Check], everything: bool = False) -> Iterator[str]:
+    """All that is open, and what the user accepted."""
+    groups = [[check for check in group if check.open] for group in grouped(checks)]
+    found = [group for group in groups if group]
+    for group in found:
+        if everything:
+            for check in group:
+                yield from _finding(check)
+        elif group[0].kind in ("limit", "caution"):
+            yield from _finding(group[0])
+            if len(group) > 1:
+                yield from _wrapped(with_it(group[1:]))
+    if not everything:
+        yield from _counts("advice", [group for group in found if group[0].kind == "advice"])
+        yield from _counts("method", [group for group in found if group[0].kind == "method"])
+    for check in checks:
+        if check.verdict == "accepted":
+            yield from _wrapped(Text("{what}: {reason}", what=_judged(check), reason=check.accepted), f"{sign('accepted')}  ")
+
+
+def _finding(check: Check) -> Iterator[str]:
+    yield from _wrapped(_judged(check), f"{sign(check.verdict)}  ")
+    unknown = [Text("Not known: {keys}.", keys=Name(", ".join(check.missing)))] if check.missing else []
+    if unknown or check.advice:
+        yield from _wrapped(SPACE.join([*unknown, *([check.advice] if check.advice else [])]))
+    yield f"{INDENT}{check.id} · {check.source}" if check.verdict in ("fail", "not_verified") else f"{INDENT}{check.id}"
+
+
+def _judged(check: Check) -> Text:
+    """`Film at the edge, front: 7.411 µm, needs ≥ 9 µm (−18 %)`."""
+    template = (
+        "{name}: {value}, only just {limit} ({margin})"
+        if check.narrow
+        else "{name}: {value}, needs {limit} ({margin})"
+        if check.kind in ("limit", "caution")
+        else "{name}: {value}, should be {limit} ({margin})"
+    )
+    value = Amount(check.value, check.unit)
+    return Text(template, name=check.name, value=value, limit=check.limit_text(), margin=check.margin_text())
+
+
+def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
+    if not groups:
+        return
+    checks = [check for group in groups for check in group]
+    worst = _judged(min(checks, key=lambda check: (check.margin == check.margin, check.margin)))
+    one, many = {
+        "advice": ("{n} piece of advice: {worst}", "{n} pieces of advice; the furthest: {worst}"),
+        "method": ("{n} note on the calculation: {worst}", "{n} notes on the calculation; the furthest: {worst}"),
+    }[kind]
+    yield from _wrapped(plural(one, many, n=len(checks), worst=worst), f"{sign('note')}  ")
+
+
+def _wrapped(text: str, start: str = INDENT) -> list[str]:
+    return textwrap.wrap(text, LINE, initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)

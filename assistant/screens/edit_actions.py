@@ -1,0 +1,129 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Actions that change the design: increments, undo, the remedy of a step that fails, a row of a ranked table."""
+
+from collections.abc import Callable, Iterable
+
+from calc.sheet.text import COMMA, Text
+
+from ..changes import told
+from ..offers.offer import CHOICES
+from ..places import Place
+from ..widgets.entry import Entry
+from ..widgets.field import Field
+from ..widgets.form import Form
+from ..widgets.message_line import reasons_text
+from .background_solve import BackgroundSolve
+from .host import Host
+from .moves import Moves
+
+
+def rebuilt(host: Host) -> None:
+    """Show a design that has changed in more than one place."""
+    if (field := host.form.field) is not None:
+        field.rewrite()
+    host.edited()
+    host.form.rebuild(host.form.here())
+
+
+class EditActions:
+    def __init__(self, host: Host, moves: Moves, background: BackgroundSolve) -> None:
+        self._host, self._moves, self._background = host, moves, background
+
+    def nudge(self, by: int) -> None:
+        """Raise or lower the number of a field by an increment."""
+        host = self._host
+        field = host.form.field
+        if field is None:
+            return
+        text = field.nudge(by)
+        if isinstance(field.box, Entry) and text != field.box.value:
+            if text == host.session.text(field.place):
+                number = field.about.kind in ("number", "integer")
+                host.app.tell(Text("There is no step further.") if number else Text("A list, or a text, has no increment."))
+                return
+            field.box.value = text
+            field.box.cursor_position = len(text)
+
+    async def undo(self) -> None:
+        await self._travel(self._host.session.undo, Text("Undone"), Text("Nothing to undo."))
+
+    async def redo(self) -> None:
+        await self._travel(self._host.session.redo, Text("Done again"), Text("Nothing to redo."))
+
+    async def _travel(self, travel: Callable[[], Place | None], done: Text, nothing: Text) -> None:
+        from ..others import edit_text
+
+        host = self._host
+        before = host.session.data
+        idle = isinstance(host.focused, Form)  # a letter was the key, and the next one shall be a key as well
+        place = travel()
+        if place is None:
+            host.app.tell(nothing)
+            return
+        if changed := edit_text(before, host.session.data):
+            host.app.tell(Text("{done}: {changes}", done=done, changes=changed))
+        field: Field | None = host.form.field
+        if field is not None and field.place == place:
+            field.rewrite()
+        host.edited()
+        if place:
+            await self._moves.to_field(place)
+            if (there := host.form.field) is not None:
+                there.rewrite()
+            if idle:
+                host.form.focus(scroll_visible=False)
+
+    def fix(self) -> None:
+        """Apply the remedy of the step that fails."""
+        host, background = self._host, self._background
+        session = host.session
+        if session.reasons() or not session.current:
+            solving = session.failure or Text("It is still being solved.")
+            host.app.tell(Text("First the input has to be valid and solved.") if session.reasons() else solving)
+            return
+        step, remedy = background.trouble, background.remedy
+        if not step:
+            host.app.tell(Text("No limit fails."))
+        elif remedy is None:
+            host.app.tell(Text("A remedy is still being looked for …"))
+            background.seek_remedy()
+        elif not remedy.changes:
+            host.app.tell(Text("No remedy was found: {reasons}", reasons=reasons_text(remedy)), "warning")
+        else:
+            text = Text("{change}: {result}. Undo takes it back.", change=remedy.words, result=remedy.said)
+            self._apply(remedy.changes, text)
+
+    def _apply(self, changes: Iterable[str], text: Text) -> None:
+        """Make changes as one step of the undo, and tell them."""
+        self._host.session.apply(changes)
+        rebuilt(self._host)
+        self._host.app.tell(text)
+
+    def choose(self) -> None:
+        """The ranked table of what can be chosen for this step."""
+        from calc.design import STEPS
+
+        host = self._host
+        if host.step.key not in CHOICES:
+            steps = COMMA.join(s.title for s in STEPS if s.key in CHOICES)
+            host.app.tell(Text("There is nothing to choose in this step; there is in {steps}.", steps=steps))
+            return
+        if not host.session.valid:
+            host.app.tell(Text("First the input has to be valid."), "warning")
+            return
+        from .selection import Choosing
+
+        host.app.push_screen(Choosing(host.session, host.step.key), self._chosen)
+
+    def _chosen(self, changes: tuple[str, ...] | None) -> None:
+        host = self._host
+        if changes is not None:
+            self._apply(changes, told(host.session.document, changes) or Text("The design is as it was."))
+
+    def guide(self) -> None:
+        """Show what is to be decided in each step, or leave it out."""
+        host = self._host
+        host.app.guiding = not host.app.guiding
+        host.session.memory.set_setting("guide", host.app.guiding)
+        for form in host.forms():
+            form.refresh_taken()

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Actions that go somewhere: to a step, a pane, a field, a check or a line."""
+
+from calc.design import STEPS
+from calc.sheet.check import URGENT
+from calc.sheet.errors import BadInput
+from calc.sheet.text import Text
+
+from ..places import Place
+from ..widgets.array_heading import ArrayHeading
+from ..widgets.checks import sorted_checks
+from ..widgets.choice import Choice
+from ..widgets.curve_pane import CurvePane
+from ..widgets.entry import Entry
+from ..widgets.item_list import ItemList
+from ..widgets.table_heading import TableHeading
+from .background_solve import BackgroundSolve
+from .host import Host
+from .pane_layout import VIEWS
+
+WRITING = Text("The calculation is still being written out.")
+FIRST, LAST = Text("This is the first step."), Text("This is the last step.")
+
+
+class Moves:
+    def __init__(self, host: Host, background: BackgroundSolve) -> None:
+        self._host, self._background = host, background
+
+    # --- to a step, a field, a check, a line
+    async def to_step(self, n: int) -> None:
+        await self._host.open_step(STEPS[n - 1])
+
+    async def turn_step(self, by: int) -> None:
+        host = self._host
+        host.app.forget(FIRST, LAST)
+        n = host.number - 1 + by
+        if 0 <= n < len(STEPS):
+            await host.open_step(STEPS[n])
+        else:
+            host.app.tell(LAST if by > 0 else FIRST)
+
+    async def trouble(self) -> None:
+        """The next check that fails; after those, the next that warns."""
+        host, session = self._host, self._host.session
+        if session.reasons():
+            await self.to_field(next(iter(session.reasons())))
+            return
+        if session.results is None:
+            return
+        outcomes = session.results.outcomes
+        faults = [(s, c) for s in STEPS for c in sorted_checks(outcomes[s.key].checks) if c.verdict in URGENT]
+        faults.sort(key=lambda f: f[1].verdict != "fail")
+        if not faults:
+            host.app.tell(Text("No check fails or warns."))
+            return
+        checks = host.checks
+        here = next((n for n, (s, c) in enumerate(faults) if s is host.step and c.id == checks.key), None)
+        if here is not None and checks.has_focus:
+            step, check = faults[(here + 1) % len(faults)]
+        else:
+            step, check = next((f for f in faults if f[0] is host.step and f[1].verdict == faults[0][1].verdict), faults[0])
+        host.at_pane("checks")
+        await host.open_step(step, stay=True)
+        checks.focus()
+        host.call_after_refresh(checks.go_to, check.id)
+
+    def line(self) -> None:
+        """From a check to the line of the calculation that gives its value."""
+        host = self._host
+        if host.focused is host.checks and host.checks.key:
+            self.to_line(host.checks.key)
+        else:
+            host.app.tell(Text("Go to a check first (F7, or F6 to the checks)."))
+
+    def to_line(self, check: str) -> None:
+        """The line of the calculation that a check comes from."""
+        host = self._host
+        calculation = host.calculation
+        if self._background.page is None:
+            host.app.tell(WRITING)
+            return
+        index = calculation.sheet.line_of.get(check)
+        if index is None:
+            host.app.tell(Text("No single line of the calculation gives this value."))
+            return
+        host.at_pane("calculation")
+        calculation.focus()
+        host.call_after_refresh(calculation.go_to, calculation.sheet.entries[index].number, top=True)
+
+    async def to_value(self, id: str) -> None:
+        """The field of an input, or the step of a result."""
+        host = self._host
+        step = next((s for s in STEPS if s.key == id.partition(".")[0]), host.step)
+        try:
+            place: Place | None = host.session.place(id)
+        except BadInput:
+            place = None
+        host.at_pane("inputs")
+        await host.open_step(step, place)
+
+    async def to_field(self, place: Place) -> None:
+        """Open the step of a field and put the focus there."""
+        host = self._host
+        step = next((s for s in STEPS if place and s.key == place[0]), host.step)
+        host.at_pane("inputs")
+        await host.open_step(step, place)
+        host.form.focus_place(place)
+
+    # --- between panes, and in them
+    def move(self, by: int) -> None:
+        """To the next field, check or line."""
+        host = self._host
+        focused = host.focused
+        if isinstance(focused, CurvePane):
+            focused.read_line(by)
+        elif isinstance(focused, ItemList):
+            before = focused.cursor
+            focused.move(by)
+            if focused.cursor == before and host.pane_layout.pane == "inputs" and by < 0:
+                host.form.go(by)
+        elif host.pane_layout.pane == "inputs":
+            host.form.go(by)
+
+    def turn_pane(self, by: int) -> None:
+        """The next pane that is shown; narrow, the panes follow each other."""
+        host = self._host
+        names = [name for name in ("steps", *VIEWS) if name in VIEWS or host.pane_layout.wide]
+        here = names.index(host.pane_layout.pane) if host.pane_layout.pane in names else 0
+        self.to_view(names[(here + by) % len(names)])
+
+    def view(self) -> None:
+        """Narrow: the next view.  Wide: this pane large, or all of them again."""
+        host = self._host
+        if host.pane_layout.wide:
+            host.pane_layout.large = not host.pane_layout.large
+            host.set_out()
+        else:
+            views = list(VIEWS)
+            here = views.index(host.pane_layout.pane) if host.pane_layout.pane in views else 0
+            self.to_view(views[(here + 1) % len(views)])
+
+    def to_view(self, name: str) -> None:
+        host = self._host
+        host.at_pane(name)
+        if name == "inputs":
+            host.form.focus_place(None)
+        else:
+            host.pane_named(name).target.focus()
+
+    def leave(self) -> None:
+        """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
+        host = self._host
+        if isinstance(host.focused, (Entry, Choice)):
+            host.form.focus(scroll_visible=False)
+        elif host.pane_layout.pane == "curve" and host.curve_pane.put_away():
+            pass
+        elif host.pane_layout.large:
+            host.pane_layout.large = False
+            host.set_out()
+        elif host.pane_layout.pane != "inputs":
+            host.at_pane("inputs")
+            host.form.focus(scroll_visible=False)
+
+    def go_on(self) -> None:
+        """Enter: choose in a list, go into the form, add an element, or on to the next field."""
+        host = self._host
+        if isinstance(host.focused, ItemList):
+            host.focused.choose()
+        elif host.focused is host.form:
+            if host.step.key in host.session.data:
+                host.form.focus_place(None)
+            else:
+                host.form.ask()
+        elif isinstance(host.focused, (ArrayHeading, TableHeading)) and host.focused.adds:
+            host.focused.action_add()
+        elif host.pane_layout.pane == "inputs":
+            host.form.go(1)

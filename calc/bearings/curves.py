@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves of a bearing: its film over the speeds and over the clearance it could have."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..sheet.arrays import each, many
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Amount, Text
+from .inputs import IN_WORDS
+from .result import BearingResult
+from .routes.states import BearingCase, OperatingPoint
+
+POINTS = 25
+SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
+
+
+def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
+    return _over_speed(place, r), _over_clearance(place, r)
+
+
+def _over_speed(place: str, r: BearingResult) -> Curve:
+    rpm, film = np.array(r.sweep.speeds) * 60, np.array(r.sweep.films) * 1e6
+    edge = (r.film - r.film_edge) * 1e6
+    title = Text("Smallest film of the {place} bearing over speed, warm", place=IN_WORDS[place])
+    return Curve(f"film_{place}", title, axis_label("speed", "rpm"), axis_label("h_0", "µm"),
+        (Series(Text("mid-bearing"), rpm, film), Series(Text("at the edge"), rpm, film - edge)),
+        limits=((Text("Kreisle"), r.kreisle_film * 1e6),))  # fmt: skip
+
+
+def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
+    """More and less clearance, all else as designed: at the load, then at twice the load."""
+    load = np.repeat([duty.load, 2 * duty.load], POINTS)
+    return replace(seat, clearance=each(np.tile(seat.clearance * SHARES, 2))), replace(duty, load=each(load))
+
+
+def _over_clearance(place: str, r: BearingResult) -> Curve:
+    film, edge = many(r.over_clearance.film), r.film - r.film_edge
+    clearance = r.clearance * SHARES * 1e6
+    series = (
+        Series(Text("at the edge"), clearance, (film[:POINTS] - edge) * 1e6),
+        Series(Text("twice the load"), clearance, film[POINTS:] * 1e6),
+    )
+    limits = ((Text("Kreisle"), r.kreisle_film * 1e6), (Text("Trumpler"), r.trumpler_film * 1e6))
+    T_ref = Amount(r.seat.inputs.clearance_reference_temperature, form="g")
+    title = Text("Film of the {place} bearing over its clearance at {clearance_reference_temperature} °C", place=IN_WORDS[place],
+        clearance_reference_temperature=T_ref)  # fmt: skip
+    return Curve(f"film_over_clearance_{place}", title, axis_label("clearance", "µm"), axis_label("h", "µm"), series, limits=limits)

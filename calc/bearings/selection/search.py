@@ -1,0 +1,355 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search itself: inputs and results in, rows to choose from out.  What is offered first has been through the whole solution once more.
+
+In this order: what fits the room on the shaft by its sizes, by another oil, another supply, smoother surfaces; then by closer fits; then
+what keeps the limits as given, where a corner of tolerances that are only assumed is passed; and beside it what is too long for the room.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from itertools import chain
+
+from ...sheet.check import Check
+from ...sheet.errors import NoSolution
+from ...sheet.progress import Progress, part, tell
+from ...sheet.record import record
+from ...sheet.text import SEMICOLON, Text
+from ...sheet.units import Metre, Radian
+from .case import Case
+from .convergence import Settled, settle, slopes_of
+from .grid import Field, alike, field
+from .ranking import Fields, Pick, Row, Slopes, best, best_diameters, by_change, by_excess, by_power, closest, pareto, picks, rank
+from .rules import check_of
+from .states import Task, without_rise
+from .variants import Variant, closer_fits, crossings, placed, tasks, variants
+from .words import PLACES, against, size
+
+VERIFIED = 4  # rows that are solved as whole designs before they are shown; the others when they are taken
+NEAREST = 3  # that are tried as whole designs, until one holds
+STIFFER = Text("stiffen the shaft, or widen its envelope")
+
+Tasks = dict[str, list[Task]]
+Every = Sequence[tuple[Variant, Fields]]
+Thin = dict[tuple[str, str, float], float]  # by supply, place and diameter: viscosity of oils whose film passes nowhere
+
+
+@record
+class Found:
+    """What there is to choose.  `rows`: numbered from 1, the nearest first, then the least power by oil and supply; they fit the shaft.
+
+    `kind`: "all" they keep every rule; "fits" the same with closer fits; "given" the limits as given, not every corner; "none".
+    `beyond`: rows that keep every rule and are too long for the room, numbered on; then `pareto`.
+    `now`: the design as it is, None where it has no film.  `refused`: variants without a row, with what stops them.
+    `slopes`: those of the design, then those that the solved rows were judged with.
+    `elsewhere`: by row number, limits of other steps that fail with it and did not before.  `crossing`: what overlaps now.
+    `placed`: whether the fits of the design have a place.
+    """
+
+    case: Case
+    kind: str
+    now: Row | None
+    rows: tuple[Row, ...]
+    beyond: tuple[Row, ...]
+    pareto: tuple[Row, ...]
+    tasks: Tasks
+    variants: tuple[Variant, ...]
+    slopes: tuple[dict[str, Radian], ...]
+    refused: tuple[tuple[Variant, Text], ...]
+    dropped: tuple[Text, ...]
+    elsewhere: dict[int, tuple[Check, ...]]
+    crossing: tuple[Check, ...]
+    placed: bool
+    verified: int
+
+    @property
+    def all(self) -> tuple[Row, ...]:
+        return (*self.rows, *self.beyond, *self.pareto)
+
+    def slopes_of_row(self, number: int) -> dict[str, Radian]:
+        return self.slopes[number if number <= self.verified else 0]
+
+
+def search(case: Case, progress: Progress | None = None) -> Found:
+    """Rows to choose from for the bearings of a design.
+
+    Raises NoSolution where nothing keeps all rules, with what comes nearest and what stops it.
+    """
+    bearings, offered, slopes = _possible(tasks(case)), variants(case), slopes_of(case)
+    too_thin: Thin = {}
+    every: list[tuple[Variant, Fields]] = []
+    of_oil: dict[str, dict[str, Metre]] = {}
+    for n, variant in enumerate(offered):
+        tell(progress, 0.5 * n / len(offered), variant.name)
+        there = fields_of(variant, _promising(bearings, of_oil.get(variant.oil)), slopes, too_thin=too_thin)
+        every.append((variant, there))
+        if variant.supply == offered[0].supply and (diameters := best_diameters(there, slopes)) is not None:
+            of_oil[variant.oil] = diameters
+    dropped: list[Text] = []
+    of: Every = [(variant, in_room(fields, slopes)) for variant, fields in every]
+    kind, rows = "all", _settled(case, of, slopes, dropped, part(progress, 0.5, 0.6))
+    able = all(any(one.carries(slopes[place]) for _, fields in every for one in fields[place]) for place in PLACES)
+    ways = _further(case, offered, bearings, slopes) if able and not rows else []
+    for n, (way, some, asked) in enumerate(ways):
+        here = part(progress, 0.6 + 0.4 * n / len(ways), 0.6 + 0.4 * (n + 1) / len(ways))
+        kind, of = way, list(short_fields(some, asked, slopes, part(here, 0.0, 0.5)))
+        rows = _settled(case, of, slopes, dropped, part(here, 0.5, 1.0))
+        if rows:
+            break
+    fitting = [one.row for one in rows if one.row is not None]
+    own = {id(row.variant) for row in fitting} if kind == "all" else set()
+    pairs = ((variant, best(fields, slopes, by_excess)) for variant, fields in every if id(variant) not in own)
+    beyond = [row for variant, pair in pairs if pair for row in (Row("too long", variant, *pair),) if any(row.too_long)]
+    beyond.sort(key=lambda row: (max(row.too_long), row.power))
+    if not fitting and not beyond:
+        raise _none_whole(dropped) if dropped else nothing(every, slopes)
+    shown = {id(row.variant) for row in (*fitting, *beyond)}
+    refused = [
+        (v, _stopped(closest(fields, slopes)) if all(fields.values()) else _left_out(v, too_thin))
+        for v, fields in every if id(v) not in shown
+    ]  # fmt: skip
+    verified = min(len(rows), VERIFIED)
+    return Found(case, kind if fitting else "none", as_is(bearings, offered[0], slopes), tuple(fitting), tuple(beyond),
+        tuple(pareto(of if fitting else every, slopes)), bearings, tuple(offered), (slopes, *(one.slopes for one in rows[:verified])),
+        tuple(refused), tuple(dropped), {number: one.broken for number, one in enumerate(rows, 1) if one.broken},
+        tuple(crossings(case.results)), placed(case.bearings) is not None, verified)  # fmt: skip
+
+
+def nearest_row(case: Case, progress: Progress | None = None, only: Sequence[Variant] = ()) -> Settled:
+    """The one row that is nearest to the design, found as `search` finds its first, without all the others beside it.
+
+    `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops it.
+    """
+    tell(progress, 0.0, Text("bearings"))
+    bearings, slopes = _possible(tasks(case)), slopes_of(case)
+    offered = list(only) or variants(case)
+    fields = short_fields(offered, bearings, slopes, part(progress, 0.0, 0.3))
+    first = next(fields)
+    own = _nearest(case, [first], slopes, [])
+    if own is not None and own.row is not None and own.row.level == 0:  # sizes alone: no other oil or supply goes before
+        return own
+    ways: list[Iterable[tuple[Variant, Fields]]] = [chain([first], fields)]
+    if not only:
+        further = _further(case, offered, bearings, slopes)
+        ways = [] if not any(kind == "fits" for kind, *_ in further) and closer_fits(case.bearings) else ways
+        ways += [short_fields(some, asked, slopes, part(progress, 0.3, 1.0)) for _, some, asked in further]
+    dropped: list[Text] = []
+    for way in ways:
+        if (settled := _nearest(case, way, slopes, dropped)) is not None:
+            return settled
+    raise _none_whole(dropped) if dropped else nothing([first, *fields], slopes)
+
+
+def _further(case: Case, offered: list[Variant], bearings: Tasks, slopes: Slopes) -> list[tuple[str, list[Variant], Tasks]]:
+    """What is looked at where nothing fits as the fits are: closer ones, then the limits as given where the fits are only assumed.
+
+    The closest fits allow all that wider ones do: where no oil has a film that passes with these, no closer ones are looked at.
+    """
+    ways = [("fits", [replace(one, fits=fits) for one in offered], bearings) for fits in closer_fits(case.bearings)]
+    if ways:
+        thick = sorted(ways[-1][1], key=lambda one: -one.lubricant.at(case.bearings.supply_temperature).mu)
+        if not any(_may_pass(fields, slopes) for _, fields in short_fields(thick, bearings, slopes)):
+            ways = []
+    return ways if case.bearings.fits_given else [*ways, ("given", offered, as_given(bearings))]
+
+
+def _may_pass(fields: Fields, slopes: Slopes) -> bool:
+    return all(any(one.holds(slopes[place]) for one in fields[place]) for place in PLACES)
+
+
+def _possible(bearings: Tasks) -> Tasks:
+    """The same.  Raises NoSolution where the oil enters hotter than it may leave: no film has to be solved to know that none passes."""
+    for task in (one for some in bearings.values() for one in some):
+        if (coolest := without_rise(task)).margin < 0:
+            check = check_of(coolest, ())
+            tried = Text("even without any rise: {limit}", limit=against(check))
+            raise NoSolution(Text("no bearings keep every limit"), tried, check.advice)
+    return bearings
+
+
+def fields_of(
+    variant: Variant, bearings: Tasks, slopes: Slopes, *, too_thin: Thin | None = None, short: bool = False
+) -> dict[str, list[Field]]:  # fmt: skip
+    """`too_thin` gathers oils whose film passes nowhere; a thinner one is not looked at any more.
+
+    `short`: only lengths in the room, and no rear bearing where no front one has a film that passes.
+    """
+    known = too_thin if too_thin is not None else {}
+    fields: dict[str, list[Field]] = {place: [] for place in PLACES}
+    for place in PLACES:
+        held = False
+        for task in bearings[place]:
+            key, mu = (variant.supply, place, task.seat.bearing.diameter), variant.lubricant.at(task.duty.supply_temperature).mu
+            if mu < known.get(key, 0.0):
+                continue
+            same = (one for one in fields["front"] if place == "rear" and alike(one.task, task) and slopes["front"] == slopes["rear"])
+            twin = next(same, None)
+            one = twin.of(task) if twin is not None else field(task, variant, slopes[place], short)
+            if one is None:
+                continue
+            fields[place].append(one)
+            if one.holds(slopes[place]):
+                held = True
+            elif not one.hot(slopes[place]):
+                known[key] = max(mu, known.get(key, 0.0))
+        if short and not held:
+            break
+    return fields
+
+
+def _promising(bearings: Tasks, diameters: dict[str, Metre] | None) -> Tasks:
+    """Of all diameters the design's own and, where it is known, the one that needs least power with the design's supply."""
+    if diameters is None:
+        return bearings
+    return {
+        place: [t for n, t in enumerate(some) if n == 0 or t.seat.bearing.diameter == diameters[place]] for place, some in bearings.items()
+    }
+
+
+def in_room(fields: Fields, slopes: Slopes) -> dict[str, list[Field]]:
+    """What fits, with its own surfaces, and where these are too rough with ever smoother ones until some candidate passes."""
+    inside: dict[str, list[Field]] = {place: [] for place in PLACES}
+    for place in PLACES:
+        for one in (some for outside in fields[place] if (some := outside.in_room()) is not None):
+            inside[place] += _smooth_enough(one, slopes[place]) if one.holds(slopes[place]) else [one]
+    return inside
+
+
+def _smooth_enough(one: Field, slope: Radian) -> list[Field]:
+    """With its own surfaces and smoother ones, up to the first that lets some candidate pass; its own alone where none does."""
+    levels = list[Field]()
+    for level in one.smoother():
+        levels.append(level)
+        if level.passing(slope).any():
+            return levels
+    return levels[:1]
+
+
+def as_given(bearings: Tasks) -> Tasks:
+    """The same tasks, judged as they are given and not at the corners of the tolerances."""
+    return {place: [replace(task, corners=False) for task in some] for place, some in bearings.items()}
+
+
+def short_fields(
+    offered: Sequence[Variant], bearings: Tasks, slopes: Slopes, progress: Progress | None = None
+) -> Iterator[tuple[Variant, Fields]]:  # fmt: skip
+    """Of every variant what fits, and that alone, one after the other."""
+    thin: Thin = {}
+    for n, variant in enumerate(offered):
+        tell(progress, 0.8 * n / len(offered), variant.name)
+        yield variant, in_room(fields_of(variant, bearings, slopes, too_thin=thin, short=True), slopes)
+
+
+def _nearest(
+    case: Case, every: Iterable[tuple[Variant, Fields]], slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
+) -> Settled | None:  # fmt: skip
+    """The nearest row of all variants that holds in the whole design."""
+    for n, (variant, fields) in enumerate(_by_nearness(case, every, slopes)):
+        if n == NEAREST:
+            break
+        tell(progress, n / NEAREST, Text("{row} in the whole design", row=variant.name))
+        pair = best(fields, slopes, by_change)
+        assert pair is not None
+        settled = settle(case, Row("nearest", variant, *pair), fields, slopes)
+        if settled.row is not None:
+            return settled
+        dropped.append(settled.why)
+    return None
+
+
+def _by_nearness(case: Case, every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> Iterator[tuple[Variant, Fields]]:
+    """Preferred is what changes sizes alone, then oil, then supply, then surfaces; then the smaller change.
+
+    Variants come in this order, so that the next oil or supply is only solved where those before have nothing that holds.
+    """
+    waiting: list[tuple[tuple[float, ...], int, Variant, Fields]] = []
+    own, stage = case.bearings, 0
+    for n, (variant, fields) in enumerate(every):
+        fed, oil = variant.supply != own.supply, variant.oil != own.oil
+        if (next_stage := 2 if fed else int(oil)) > stage:
+            stage = next_stage
+            waiting.sort(key=lambda one: one[:2])
+            while waiting and waiting[0][0][0] == 0:
+                yield waiting.pop(0)[2:]
+        if (one := rank(fields, slopes, by_change)) is not None:
+            waiting.append(((one[0], fed, oil, *one[1:]), n, variant, fields))
+    for _, _, variant, fields in sorted(waiting, key=lambda one: one[:2]):
+        yield variant, fields
+
+
+def _settled(
+    case: Case, every: Every, slopes: dict[str, Radian], dropped: list[Text], progress: Progress | None = None
+) -> list[Settled]:  # fmt: skip
+    """Rows of every variant that has candidates: the nearest, then by power; the first few solved as whole designs."""
+    by_variant = {id(variant): fields for variant, fields in every}
+    least = [Row("least power", variant, *pair) for variant, fields in every if (pair := best(fields, slopes, by_power)) is not None]
+    nearest = _nearest(case, every, slopes, dropped, part(progress, 0.0, 0.3))
+    rows = [] if nearest is None else [nearest]
+    waiting = [Settled(row, slopes) for row in least]
+    done: list[Settled] = []
+    while waiting and len(rows) < VERIFIED:
+        waiting.sort(key=_rank)
+        one = waiting.pop(0)
+        assert one.row is not None
+        if one in done:  # still the least after its slopes were read again
+            rows.append(one)
+            continue
+        tell(progress, 0.3 + 0.7 * len(done) / VERIFIED, Text("{row} in the whole design", row=one.row.variant.name))
+        settled = settle(case, one.row, by_variant[id(one.row.variant)], slopes)
+        if settled.row is None:
+            dropped.append(settled.why)
+        else:
+            done.append(settled)
+            waiting.append(settled)
+    return [*rows, *sorted(waiting, key=_rank)] if rows else []
+
+
+def _rank(one: Settled) -> tuple[int, float, float]:
+    """Smoother surfaces are the dearer ones; then power."""
+    assert one.row is not None
+    return one.row.level, one.row.power, one.row.change
+
+
+def as_is(bearings: Tasks, variant: Variant, slopes: Slopes) -> Row | None:
+    """The design as it stands, judged by the same rules; None where a bearing has no film."""
+    both = []
+    for place in PLACES:
+        task = bearings[place][0].with_oil(variant.lubricant, variant.supply)
+        both += picks(task, [task.length], [task.clearance], slopes[place])
+    return Row("now", variant, *both) if all(one.power == one.power for one in both) else None
+
+
+# --- why there is nothing --------------------------------------------------------------------------------------------------
+def _stopped(both: tuple[Pick, Pick] | None) -> Text:
+    if both is None:
+        return Text("no length is left between l/d, oil supply and room, or no clearance between the cold one and the usual factor K")
+    worse = min(both, key=lambda one: one.margin)
+    return Text("{limit} at {size}", limit=against(worse.governing), size=size(worse.length, worse.clearance))
+
+
+def _left_out(variant: Variant, too_thin: Thin) -> Text:
+    """Why a variant was not even looked at."""
+    if any(supply == variant.supply for supply, _, _ in too_thin):
+        return Text("a thicker oil has too thin a film already")
+    return _stopped(None)
+
+
+def _none_whole(dropped: list[Text]) -> NoSolution:
+    return NoSolution(Text("no bearings pass in the whole design"), SEMICOLON.join(dropped[:2]), STIFFER)
+
+
+def nothing(every: Every, slopes: Slopes) -> NoSolution:
+    """What comes nearest over all oils and supplies, and what stops it."""
+    nearest = [
+        (min(one.margin for one in both), variant, both) for variant, fields in every if (both := closest(fields, slopes)) is not None
+    ]
+    if not nearest:
+        advice = Text("more room for the journals, a narrower oil supply, or a smaller journal")
+        return NoSolution(Text("no bearing is left to look at"), _stopped(None), advice)
+    _, variant, both = max(nearest, key=lambda row: row[0])
+    worse = min(both, key=lambda one: one.margin)
+    front, rear = (size(one.length, one.clearance) for one in both)
+    tried = Text("nearest: {row}, front {front}, rear {rear}, stopped by {limit}", row=variant.name, front=front, rear=rear,
+        limit=against(worse.governing))  # fmt: skip
+    if worse.corner:
+        tried = Text("{tried} (corner: {corner})", tried=tried, corner=worse.corner)
+    return NoSolution(Text("no bearings keep every limit"), tried, worse.governing.advice)

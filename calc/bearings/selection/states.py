@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Candidates of one bearing in the states that govern, all at once, and the rules on them.
+
+Of the eight corners of the tolerances four can govern: the widest and the narrowest clearance, each with the thinner oil, for the film;
+the narrowest with the thicker oil for the heat; and the film again at twice the load.  What is offered is judged once more at all eight.
+Where tolerances are only assumed, a candidate may also be judged as it is given, as the limits of the step do.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...lubricant import Lubricant
+from ...sheet.arrays import Array, column, each, many
+from ...sheet.record import record
+from ...sheet.search import Judged
+from ...sheet.text import Text
+from ...sheet.units import UNITS, Metre, Radian
+from .. import formulas as f
+from ..corners import widths
+from ..routes import supply
+from ..routes.balance import HOTTEST, settled
+from ..routes.states import BearingCase, OperatingPoint
+from .room import Room
+from .rules import USUAL, Rule
+
+
+@record
+class State:
+    """`side` of the clearance (+1 widest, −1 narrowest), of the `oil`'s viscosity (+1 thicker, −1 thinner), and times the load."""
+
+    name: Text
+    side: int = 0
+    oil: int = 0
+    times: float = 1.0
+
+
+WIDEST, TIGHTEST = Text("smallest journal, largest seat, thinner oil"), Text("largest journal, smallest seat, thinner oil")
+TIGHT = Text("largest journal, smallest seat, thicker oil")
+NOMINAL = Text("as given")
+AT_CORNERS = (
+    State(NOMINAL), State(WIDEST, 1, -1), State(TIGHTEST, -1, -1), State(TIGHT, -1, 1), State(WIDEST, 1, -1, 2.0),
+    State(TIGHTEST, -1, -1, 2.0),
+)  # fmt: skip
+AS_GIVEN = (State(NOMINAL), State(NOMINAL, times=2.0))
+ROUGHNESSES = (0.6e-6, 0.4e-6, 0.3e-6, 0.2e-6)  # Ra; rule of this program
+SAME = 1e-10  # m
+BALANCED = 1e-5  # relative, of the rise: enough for a film to seven digits
+HOT = 45.0  # K: three times the rise that may be chosen; what lies between is still needed to draw a curve through
+
+
+@record
+class Task:
+    """One bearing of the design, at one diameter: what it carries, what it has to keep, and what it is now.
+
+    `length`, `clearance` and `diameter` are those of the design.  `speed_factor`: least speed over the speed of transition, which the
+    surface speed alone decides.  `corners` False: judged as given, only that the clearance is left when cold at the worst corner too.
+    `level`: by how many steps its surfaces are smoother than the design's.
+    """
+
+    place: str
+    seat: BearingCase
+    duty: OperatingPoint
+    rules: dict[str, Rule]
+    room: Room
+    speed_factor: float
+    length: Metre
+    clearance: Metre
+    diameter: Metre
+    corners: bool = True
+    level: int = 0
+
+    @property
+    def states(self) -> tuple[State, ...]:
+        """The first is as given; those at twice the load stand last."""
+        return AT_CORNERS if self.corners else AS_GIVEN
+
+    def with_oil(self, oil: Lubricant, fed: str, fits: tuple[str, str] | None = None) -> "Task":
+        seat = self.seat
+        inputs = replace(seat.inputs, oil=oil.oil.name, supply=fed)
+        if fits is not None:
+            inputs = replace(inputs, journal_fit=fits[0], seat_fit=fits[1])
+        return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs))
+
+    def smoother(self) -> Iterator["Task"]:
+        """The same with its own surfaces, then with ever smoother ones."""
+        bearing, film = self.seat.bearing, self.rules["film_edge"]
+        yield self
+        for level, (Ra_1, Ra_2) in enumerate(smoother(bearing.journal_roughness, bearing.housing_roughness), 1):
+            asked = f.kreisle_film(k_R=self.seat.inputs.roughness_ratio, Ra_1=Ra_1, Ra_2=Ra_2)
+            rule = replace(film, check=replace(film.check, limit=UNITS["µm"].shown(asked)))
+            surfaces = replace(bearing, journal_roughness=Ra_1, housing_roughness=Ra_2)
+            yield replace(self, seat=replace(self.seat, bearing=surfaces), rules={**self.rules, "film_edge": rule}, level=level)
+
+
+def smoother(Ra_1: Metre, Ra_2: Metre) -> Iterator[tuple[Metre, Metre]]:
+    """Smoother surfaces of journal and seat, step by step: the journal first, which is ground, then the seat.  Rule of this program."""
+    for step in ROUGHNESSES:
+        if step < Ra_1 - SAME:
+            Ra_1 = step
+            yield Ra_1, Ra_2
+        if step < Ra_2 - SAME:
+            Ra_2 = step
+            yield Ra_1, Ra_2
+
+
+@record
+class States:
+    """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and clearance; `power`
+    and `flow` of the first state alone."""
+
+    length: Any
+    clearance: Any
+    film: Any
+    rise: Any
+    viscosity: Any
+    power: Any
+    flow: Any
+
+
+def solved(task: Task, length: Any, clearance: Any, *, all_rises: bool = True) -> States:
+    """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no film.
+
+    `all_rises` False: sooner, with nan as well where the rise is far beyond what may be chosen.
+    """
+    l, g = np.broadcast_arrays(np.asarray(length, dtype=float), np.asarray(clearance, dtype=float))
+    axes = (slice(None), *(None,) * l.ndim)
+    side, oil, times = (column(task.states, name)[axes] for name in ("side", "oil", "times"))
+    seat, duty = task.seat, task.duty
+    band = sum(widths(seat.inputs, seat.bearing.diameter)) / 2
+    at = replace(
+        seat, bearing=replace(seat.bearing, length=each(l[None])), clearance=each(g[None] + side * band),
+        viscosity_factor=each(1 + oil * seat.inputs.viscosity_tolerance))  # fmt: skip
+    with np.errstate(all="ignore"):
+        film = settled(at, replace(duty, load=each(duty.load * times)), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED)
+    viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
+    return States(l, g, film.film, film.temperature_rise, viscosity, many(film.friction_power)[0], many(film.oil_flow)[0])
+
+
+def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
+    """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
+    seat, duty, rule = task.seat, task.duty, task.rules
+    inputs, d = seat.inputs, seat.bearing.diameter
+    l, g = states.length, states.clearance
+    bare = each(supply.bare_length(inputs, l))
+    once = sum(state.times == 1 for state in task.states)
+    with np.errstate(all="ignore"):
+        films, doubled, rise = states.film[:once], states.film[once:], states.rise[:once]
+        thinnest: Any = films.min(axis=0)
+        edge = f.film_at_edge(h_0=thinnest, theta=slope, l=l)
+        p = f.specific_load(F=duty.load, d=d, l=bare)
+        n_T: Any = f.transition_speed(p=p, mu=states.viscosity[:once], d=d)
+        least: Any = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
+        cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
+        left = cold if task.corners else replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)
+        ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
+        hottest: Any = rise.max(axis=0)
+        judged = [
+            rule["film_edge"].on(edge, where=_where(films, "min")), rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
+            rule["film_double_load"].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
+            rule["temperature_rise"].on(hottest, where=_where(rise, "max")),
+            rule["temperature"].on(f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")),
+            rule["specific_load"].on(p), rule["heat_index"].on(f.heat_index(F=duty.load, n=duty.speed, l=l)),
+            rule["length_ratio"].on(ratio), rule["length_ratio_usual"].on(ratio),
+            rule["transition"].on(np.full(least.shape, duty.effective_speed), least, _where(n_T, "max")),
+            rule["clearance_cold"].on(left, where=TIGHT if task.corners else -1),
+        ]  # fmt: skip
+        return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
+
+
+def usual(task: Task, clearance: Array) -> Judged | None:
+    """The relative clearance against that of the application; None: it has none."""
+    rule, d = task.rules.get(USUAL), task.seat.bearing.diameter
+    return None if rule is None else rule.on(f.relative_clearance(g=clearance, d=d))  # type: ignore[arg-type]
+
+
+def without_rise(task: Task) -> Judged:
+    """The outlet temperature of oil that leaves as it enters."""
+    return task.rules["temperature"].on(f.outlet_temperature(T_in=task.duty.supply_temperature, Delta_T=0.0))
+
+
+def _where(numbers: Any, way: str) -> Any:
+    """The index of the governing state; one without film is the worst."""
+    filled = np.where(np.isnan(numbers), -np.inf if way == "min" else np.inf, numbers)
+    return filled.argmin(axis=0) if way == "min" else filled.argmax(axis=0)
+
+
+def mckee(task: Task, states: States) -> Any:
+    """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
+    p = f.specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length)))
+    return f.mckee_number(mu=states.viscosity[0], n_h=task.duty.effective_speed, p=p)

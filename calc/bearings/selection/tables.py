@@ -1,0 +1,271 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rows of the search as tables, and why not one step further: each neighbour with the rule that refuses it, or what it costs."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ...sheet.number import short
+from ...sheet.record import record
+from ...sheet.search import beside
+from ...sheet.step import Table
+from ...sheet.text import COMMA, EMPTY, Amount, Name, Text
+from ...sheet.units import Watt
+from .grid import CLEARANCE_STEP, LENGTH_STEP, SAME, USUAL_FACTORS, widest_usual
+from .grid import WIDEST as WIDEST_CLEARANCE
+from .ranking import Pick, Row, Slopes, picks
+from .search import Found
+from .states import TIGHT, TIGHTEST, WIDEST
+from .variants import SUPPLY, Variant, thinner
+from .words import LETTER, PLACE, PLACES, short_mm, value_of
+
+EXPLAINED = 3  # rows whose neighbours are shown
+EXPLAIN = Text(
+    "F front, R rear bearing: l length, g diametral clearance, d diameter. P_f: friction power of both. h_edge, h_2F: thinner film of both "
+    "at the edge, and at twice the load. rise: of the oil. ZN/P: McKee's number, cP·rpm/psi; it binds nothing (150 is advice). margin: the "
+    "least of all rules, and by which."
+)
+RULES = {
+    "film_edge": Name("h_edge"), "film_edge_trumpler": Name("h_edge T"), "film_double_load": Name("h_2F"), "temperature": Text("outlet"),
+    "temperature_rise": Text("rise"), "specific_load": Name("p"), "heat_index": Text("heat"), "length_ratio": Name("l/d"),
+    "length_ratio_usual": Name("l/d"), "transition": Text("speed"),
+    "clearance_cold": Text("cold g"), "clearance_cold_corner": Text("cold g"),
+}  # fmt: skip
+CORNERS = {  # where the name is longer than a column can bear
+    WIDEST: Text("widest fit, thinner oil"), TIGHTEST: Text("tightest fit, thinner oil"), TIGHT: Text("tightest fit, thicker oil"),
+}  # fmt: skip
+NUMBER, TOO_LONG, ASKS = Text("no."), Text("too long"), Text("asks for")
+OIL, SUPPLIED = Text("oil"), Text("supply")
+POWER, EDGE, MCKEE = Name("P_f"), Name("h_edge"), Name("ZN/P")
+
+Cells = tuple[str | float | None, ...]
+
+
+def titles(found: Found) -> tuple[Text, Text]:
+    """Of the rows that fit, and of those that are too long."""
+    known = any(some[0].room.longest is not None for some in found.tasks.values())
+    keeps = Text("Bearings that fit and keep every limit") if known else Text("Bearings that keep every limit (their room is not known)")
+    fits = "/".join(found.rows[0].variant.fits or ()) if found.rows else ""
+    of = {
+        "all": Text("{keeps}: the nearest, then the least power of each oil and supply", keeps=keeps),
+        "fits": Text("{keeps} with closer fits, {fits}", keeps=keeps, fits=fits),
+        "given": Text("No bearing that fits keeps every limit at every corner: these keep them as given"),
+        "none": Text("No bearing fits: those that keep every limit are too long for their room"),
+    }[found.kind]
+    if found.crossing:
+        fail = found.crossing[0].id
+        of = {
+            "all": Text("The design FAILS {check}. {keeps}", check=fail, keeps=keeps),
+            "fits": Text("The design FAILS {check}. {keeps} with closer fits", check=fail, keeps=keeps),
+            "given": Text("The design FAILS {check}. Those that fit keep the limits only as given", check=fail),
+            "none": Text("The design FAILS {check}. No bearing fits", check=fail),
+        }[found.kind]
+    return of, Text("Bearings that keep every limit and are too long for their room")
+
+
+def choices_table(found: Found, top: int) -> Table:
+    """The design as it is, then the first `top` rows; where none fits, those that are too long."""
+    return _rows_table("bearings", titles(found)[0], found, (found.rows or found.beyond)[:top], 1, now=True)
+
+
+def beyond_table(found: Found, top: int) -> Table | None:
+    """Rows that are too long for the room, numbered on, so many that `top` are shown in all."""
+    shown = found.beyond[: max(top - len(found.rows), 0)] if found.rows else ()
+    return _rows_table("too_long", titles(found)[1], found, shown, len(found.rows) + 1, now=False) if shown else None
+
+
+def _rows_table(id: str, title: Text, found: Found, rows: tuple[Row, ...], first: int, *, now: bool) -> Table:
+    shown: list[tuple[str, Row]] = [(Text("now"), found.now)] if now and found.now is not None else []
+    shown += [(str(number), row) for number, row in enumerate(rows, first)]
+    of = [row for _, row in shown]
+    wide, extra = _wide(of), _extra(of)
+    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide)]
+    columns += [(POWER, "W"), (EDGE, "µm"), (Name("h_2F"), "µm"), (Text("rise"), "K"), (MCKEE, ""), (Text("margin"), "%"), (Text("by"), "")]
+    if wide and extra:
+        columns.remove((MCKEE, ""))  # what binds nothing makes room
+    if extra:
+        columns.append((extra, "mm" if extra == TOO_LONG else ""))
+    return Table(id, title, tuple(columns), tuple(_cells(number, row, wide, extra) for number, row in shown), EXPLAIN if now else EMPTY)
+
+
+def _wide(rows: list[Row]) -> bool:
+    """Whether some row has another diameter."""
+    return any(one.diameter != one.task.diameter for row in rows for one in row.both)
+
+
+def _extra(rows: list[Row]) -> Text:
+    """What has to be said of some row beside its sizes."""
+    return TOO_LONG if any(any(row.too_long) for row in rows) else ASKS if any(map(_asks, rows)) else EMPTY
+
+
+def _size_columns(wide: bool) -> list[tuple[Text, str]]:
+    pairs = (
+        (Text("{letter} d×l", letter=one) if wide else Text("{letter} l", letter=one), Text("{letter} g", letter=one))
+        for one in LETTER.values()
+    )
+    return [column for size, clearance in pairs for column in ((size, "mm"), (clearance, "µm"))]
+
+
+def _sizes(row: Row, wide: bool) -> Cells:
+    cells: list[str | float | None] = []
+    for one in row.both:
+        size = Text("{d}×{l}", d=short_mm(one.diameter), l=short_mm(one.length))
+        cells.append(size if wide else _rounded(one.length * 1e3, 4))
+        cells.append(_rounded(one.clearance * 1e6, 3))
+    return tuple(cells)
+
+
+def _cells(number: str, row: Row, wide: bool, extra: Text) -> Cells:
+    worse, letter = min(zip(row.both, LETTER.values()), key=lambda pair: pair[0].margin)
+    films = (row.film * 1e6, min(one.film_double_load for one in row.both) * 1e6, max(one.rise for one in row.both))
+    mckee = () if wide and extra else (min(one.mckee for one in row.both),)
+    numbers = (_rounded(x, 3) for x in (*films, *mckee, round(worse.margin * 100, 1)))
+    by = Text("{rule} {letter}", rule=RULES[_key(worse)], letter=letter)
+    cells: Cells = (*_first_cells(number, row, wide), _rounded(row.power, 4), *numbers, by)
+    return (*cells, _too_long(row) if extra == TOO_LONG else _asks(row)) if extra else cells
+
+
+def _first_cells(number: str, row: Row, wide: bool) -> Cells:
+    return (number, row.variant.oil, SUPPLY[row.variant.supply], *_sizes(row, wide))
+
+
+def _too_long(row: Row) -> Text:
+    return Text(" ").join(
+        Text("{a} {b}", a=letter, b=Amount(x * 1e3, form=".1f")) for letter, x in zip(LETTER.values(), row.too_long) if x > 0
+    )
+
+
+def _asks(row: Row) -> Text:
+    """Smoother surfaces and closer fits that a row needs."""
+    words: list[str] = []
+    for letter, one in zip(LETTER.values(), row.both):
+        if one.task.level:
+            b = one.task.seat.bearing
+            both = Amount(b.journal_roughness * 1e6), Amount(b.housing_roughness * 1e6)
+            words.append(Text("{letter} Ra {journal}/{seat}", letter=letter, journal=both[0], seat=both[1]))
+    return COMMA.join([*words, *(["/".join(row.variant.fits)] if row.variant.fits else [])])
+
+
+def _key(one: Pick) -> str:
+    return one.governing.id.rsplit(".", 1)[1]
+
+
+def _rounded(number: float, digits: int = 6) -> float | None:
+    return float(f"{number:.{digits}g}") if abs(number) < float("inf") else None
+
+
+def changed(row: Row) -> Text:
+    """`front length 27.5 → 31 mm, rear clearance 90 → 80 µm`; empty where nothing changes but oil and supply."""
+    words: list[Text] = []
+    for place, one in zip(PLACES, row.both):
+        own, b = one.task, one.task.seat.bearing
+        for what, now, to, factor, unit in (
+            (Text("diameter"), own.diameter, one.diameter, 1e-3, "mm"), (Text("length"), own.length, one.length, 1e-3, "mm"),
+            (Text("clearance"), own.clearance, one.clearance, 1e-6, "µm"),
+        ):  # fmt: skip
+            if abs(to - now) > 1e-9 * now:
+                ends = Amount(now / factor), Amount(to / factor, unit)
+                words.append(Text("{place} {what} {now} → {to}", place=PLACE[place], what=what, now=ends[0], to=ends[1]))
+        if own.level:
+            both = Amount(b.journal_roughness * 1e6, "µm"), Amount(b.housing_roughness * 1e6, "µm")
+            words.append(Text("{place} Ra {journal} (journal), {seat} (seat)", place=PLACE[place], journal=both[0], seat=both[1]))
+    if row.variant.fits:
+        words.append(Text("fits {fits}", fits="/".join(row.variant.fits)))
+    return COMMA.join(words)
+
+
+# --- why not one step further -----------------------------------------------------------------------------------------------
+@record
+class Neighbour:
+    """One bearing of a row with one thing changed, or both with another oil.  `more`: the power that it costs."""
+
+    place: Text
+    change: Text
+    instead: Pick
+    of: Pick
+    more: Watt
+    oil: str = ""
+
+
+def neighbours(row: Row, variants: tuple[Variant, ...], slopes: Slopes) -> Iterator[Neighbour]:
+    """Of each bearing: one step shorter, one tighter, one wider, and the next thinner oil."""
+    for place, one in zip(PLACES, row.both):
+        l, g = one.length, one.clearance
+        (shorter, _), (tighter, wider) = beside(l, LENGTH_STEP), beside(g, CLEARANCE_STEP)
+        steps = (
+            (Text("l {now} → {to}", now=Amount(l * 1e3), to=Amount(shorter * 1e3, "mm")), shorter, g),
+            (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(tighter * 1e6, "µm")), l, tighter),
+            (Text("g {now} → {to}", now=Amount(g * 1e6), to=Amount(wider * 1e6, "µm")), l, wider),
+        )
+        kept = [step for step in steps if min(step[1:]) > 0]
+        made = picks(one.task, [length for _, length, _ in kept], [clearance for _, _, clearance in kept], slopes[place])
+        for (change, *_), pick in zip(kept, made):
+            yield Neighbour(PLACE[place], change, pick, one, pick.power - one.power)
+    oil = thinner(list(variants), replace(row.variant, fits=None), row.front.task.duty.supply_temperature)
+    if oil is not None:  # in both bearings, which share it; the worse of them says
+        both = []
+        for place, one in zip(PLACES, row.both):
+            task = one.task.with_oil(oil.lubricant, oil.supply)
+            both.append((picks(task, [one.length], [one.clearance], slopes[place])[0], one))
+        worse, of = min(both, key=lambda pair: pair[0].margin)
+        more = sum(pick.power - one.power for pick, one in both)
+        yield Neighbour(Text("both"), Text("oil {oil}", oil=oil.oil), worse, of, more, oil.oil)
+
+
+def outside(one: Neighbour) -> Text:
+    """Which bound of the search the step passes; empty: none."""
+    to, of = one.instead, one.of
+    if one.oil or to.clearance <= of.clearance:
+        return EMPTY
+    usual = widest_usual(of.task)
+    if of.clearance <= usual + SAME:
+        return Name(f"K ≤ {USUAL_FACTORS[1]:g}") if to.clearance > usual + SAME else EMPTY
+    return Name(f"≤ {WIDEST_CLEARANCE * 1e3:g} ‰") if to.clearance > WIDEST_CLEARANCE * of.diameter + SAME else EMPTY
+
+
+def neighbours_table(found: Found) -> Table:
+    """For the first rows: what lies one step outside, and why it is not offered."""
+    shown = (found.rows or found.beyond)[:EXPLAINED]
+    rows = [
+        (str(number), one.place, one.change, *_outcome(found, row, one))
+        for number, row in enumerate(shown, 1) for one in neighbours(row, found.variants, found.slopes_of_row(number))
+    ]  # fmt: skip
+    columns = (NUMBER, Text("bearing"), Text("one step"), Text("stopped by"), Text("value"), Text("needs"), Text("corner"))
+    note = Text(
+        "One thing changed at a time. A step that passes is not offered where it costs power, or goes further from the design, or past the "
+        "end of the search; with a thinner oil other sizes are better still: see its row."
+    )
+    title = Text("The neighbours of the first {n} rows", n=len(shown))
+    return Table("neighbours", title, tuple((label, "") for label in columns), tuple(rows), note)
+
+
+def _outcome(found: Found, row: Row, one: Neighbour) -> Cells:
+    """What stops it, the value, the limit and the corner; or what it costs, and which bound of the search it passes."""
+    c = one.instead.governing
+    if one.instead.margin < 0:
+        digits = 4 if f"≥ {short(c.value)} {c.unit}" != c.limit_text() else 6  # a miss that four digits would hide
+        return _key(one.instead), value_of(c, digits), c.limit_text(), CORNERS.get(one.instead.corner, one.instead.corner)
+    more = Amount(abs(one.more), "W", form=".2g")
+    words = Text("passes, {power} more", power=more) if one.more >= 0 else Text("passes, {power} less", power=more)
+    wanted = (one.oil, row.variant.supply)
+    if n := next((n for n, other in enumerate(found.rows, 1) if (other.variant.oil, other.variant.supply) == wanted), 0):
+        words = Text("{words} (row {n})", words=words, n=n)
+    bound = outside(one)
+    return (Text("end of the search") if bound else "", words, bound, "")
+
+
+def pareto_table(found: Found) -> Table:
+    """More film for more power: numbered on from the rows, so that these can be taken as well."""
+    wide, extra = _wide(list(found.pareto)), _extra(list(found.pareto))
+    columns = [(NUMBER, ""), (OIL, ""), (SUPPLIED, ""), *_size_columns(wide), (POWER, "W"), (EDGE, "µm")]
+    columns += [(extra, "mm" if extra == TOO_LONG else "")] if extra else []
+    rows = []
+    for number, row in enumerate(found.pareto, len(found.rows) + len(found.beyond) + 1):
+        last = (_too_long(row) if extra == TOO_LONG else _asks(row),) if extra else ()
+        rows.append((*_first_cells(str(number), row, wide), _rounded(row.power, 4), _rounded(row.film * 1e6, 3), *last))
+    note = Text("h_edge: the thinner of both. Between two rows lies no candidate with less power for its film.")
+    title = Text("Pareto set: power against film")
+    if not found.rows:
+        title = Text("Pareto set: power against film, whatever the room")
+    elif found.kind == "given":
+        title = Text("Pareto set: power against film, of those that keep every limit as given")
+    return Table("pareto", title, tuple(columns), tuple(rows), note)

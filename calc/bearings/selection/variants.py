@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties them."""
+
+import re
+from dataclasses import replace
+from functools import lru_cache
+from typing import Any, cast
+
+from ... import fits
+from ...lubricant import Lubricant
+from ...sheet.check import Check
+from ...sheet.errors import NoSolution
+from ...sheet.quantity import keys
+from ...sheet.record import record
+from ...sheet.step import Outcome
+from ...sheet.text import EMPTY, Text
+from ..inputs import BearingInputs, BearingsInputs
+from ..solve import clearance_of
+from .case import Case
+from .room import room
+from .rules import rules
+from .states import Task
+from .words import PLACES
+
+ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or without a maker's behind them
+SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}
+SUPPLY = {"hole": Text("hole"), "shaft": Text("shaft"), "groove": Text("groove"), "pocket": Text("pocket")}
+DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
+DIAMETER = keys(BearingInputs)["diameter_mm"].about
+SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
+FINEST = 5  # IT grade of a ground journal: closer ones are not asked for; rule of this program
+PROBES = ((0.5, 1.5e-3), (0.5, 2.5e-3), (0.75, 1.5e-3), (0.75, 2.5e-3), (0.3, 1.5e-3))  # l/d and ψ; rule of this program
+
+
+@record
+class Variant:
+    """An oil and a way to supply it.  `fits`: closer ones of journal and seat; None: the design's own."""
+
+    oil: str
+    supply: str
+    lubricant: Lubricant
+    fits: tuple[str, str] | None = None
+
+    @property
+    def name(self) -> Text:
+        row = Text("{oil}, {supply}", oil=self.oil, supply=SUPPLY[self.supply])
+        return Text("{row}, {fits}", row=row, fits="/".join(self.fits)) if self.fits else row
+
+
+def tasks(case: Case) -> dict[str, list[Task]]:
+    """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be known."""
+    solved = _solved(case, case.bearings)
+    by_place = {place: [_task(case, case.bearings, solved, place)] for place in PLACES}
+    free = [place for place in PLACES if not tied(case, place)]
+    for share in DIAMETERS if free else ():
+        other = _with_diameters(case.bearings, share, free)
+        try:
+            there = _solved(case, other)
+        except NoSolution:
+            continue
+        for place in free:
+            by_place[place].append(_task(case, other, there, place, by_place[place][0]))
+    return by_place
+
+
+def tied(case: Case, place: str) -> Text:
+    """What ties the diameter of a journal; empty where nothing does.
+
+    The largest seat lets the sectors through where they are small enough for it, the front one the gear.
+    """
+    shaft, own = case.shaft, case.bearings
+    if shaft is None:
+        return EMPTY
+    if shaft.sections:
+        return Text("the sections of the shaft have it")
+    outline = drawn(case).outcomes["countershaft"].result.outline
+    radii = [p.outer_radius for p in outline.pieces if p.what == "sector"] if outline is not None else []
+    R = max(radii, default=shaft.outer_radius)
+    if R is None:
+        return Text("the shaft's outline is not known")
+    d = getattr(own, place).diameter
+    if R <= d / 2 + 1e-9 and d >= max(own.front.diameter, own.rear.diameter):
+        return Text("the sectors are threaded in through its seat")
+    if place == "front" and case.gear_tip is not None and case.gear_tip < d:
+        return Text("the gear goes through its seat")
+    return EMPTY
+
+
+def _solved(case: Case, own: BearingsInputs) -> Any:
+    """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
+
+    Only loads, speeds and limits are taken from them, which do not depend on either.
+    """
+    results = case.results if own is case.bearings else case.solve(own, last=True)
+    outcome: Outcome[Any] = results.outcomes["bearings"]
+    if outcome.state == "solved":
+        return results
+    if outcome.state == "blocked":
+        raise NoSolution(Text("the bearings are not solved yet"), outcome.reason, Text("solve the steps before"))
+    for ratio, psi in PROBES:
+        both: dict[str, Any] = {}
+        for place in PLACES:
+            b = getattr(own, place)
+            both[place] = replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
+        probed = case.solve(replace(own, **both), last=True)
+        if probed.outcomes["bearings"].state == "solved":
+            return probed
+    raise NoSolution(Text("no bearing can be chosen: the step has no answer"), outcome.reason, Text("look at load, speed and supply first"))
+
+
+def _task(case: Case, own: BearingsInputs, solved: Any, place: str, at_own: Task | None = None) -> Task:
+    """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts from."""
+    there = solved.outcomes["bearings"]
+    one = there.result.bearings[place]
+    bearing = getattr(own, place)
+    space = room(case.shaft, drawn(case).outcomes["countershaft"].result, place, bearing.diameter)
+    widths = placed(own)  # a clearance that is searched for is not that of the fits: they are taken as widths about it
+    about = replace(own, journal_fit=widths[0], seat_fit=widths[1]) if widths else own
+    seat = replace(one.seat, bearing=bearing, inputs=about)
+    if at_own is not None:
+        l, g, d = at_own.length, at_own.clearance, at_own.diameter
+    else:
+        l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
+    factor = one.least_speed / one.transition_speed
+    return Task(place, seat, one.duty, rules(place, there.checks), space, factor, l, g, d)
+
+
+def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
+    """The design's own, whatever clearance the bearing was solved with."""
+    if bearing.clearance is not None:
+        return cast(float, bearing.clearance)
+    if one.seat.bearing.clearance is None:
+        return cast(float, one.seat.clearance)
+    return clearance_of(inputs, bearing, one.duty.speed)  # the design itself has no film
+
+
+def drawn(case: Case) -> Any:
+    """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing, where that helps."""
+    results = case.results
+    if case.shaft is None or results.outcomes["countershaft"].result is None or not crossings(results):
+        return results
+    return _with_short_journals(case)
+
+
+@lru_cache(maxsize=1)
+def _with_short_journals(case: Case) -> Any:
+    own = case.bearings
+    short = {place: replace(b, length=SHORT * b.diameter) for place in PLACES for b in (getattr(own, place),)}
+    shortened = case.solve(replace(own, **short), last=True)
+    return case.results if crossings(shortened) else shortened
+
+
+def crossings(results: Any) -> list[Check]:
+    """Pieces of the shaft that overlap."""
+    return [c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
+
+
+def placed(own: BearingsInputs) -> tuple[str, str] | None:
+    """The widths alone of fits that both have a place, which makes the clearance; None: they have none."""
+    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+    return None if any(field.letter is None for field in fields) else (f"IT{fields[0].grade}", f"IT{fields[1].grade}")
+
+
+def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
+    """Fits of journal and seat by one grade closer and by two, up to IT5; widths about the clearance where they have a place."""
+    widths = placed(own)
+    if widths is not None:
+        own = replace(own, journal_fit=widths[0], seat_fit=widths[1])
+    fields = [fits.parse(own.journal_fit), fits.parse(own.seat_fit)]
+    closer: list[tuple[str, str]] = []
+    for steps in (1, 2):
+        grades = [max(min(field.grade, FINEST), field.grade - steps) for field in fields]
+        words = tuple(f"{field.letter or 'IT'}{grade}" for field, grade in zip(fields, grades))
+        if words not in [(own.journal_fit, own.seat_fit), *closer]:
+            closer.append((words[0], words[1]))
+    return closer
+
+
+def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
+    """Diameters changed by a share, on the step of their input."""
+    changed: dict[str, Any] = {}
+    for place in places:
+        b = getattr(own, place)
+        step = DIAMETER.units.inside(DIAMETER.step or 0.5)
+        d = max(round(b.diameter * (1 + share) / step), 1) * step
+        changed[place] = replace(b, diameter=round(d, 9))
+    return replace(own, **changed)
+
+
+def variants(case: Case) -> list[Variant]:
+    """The design's oil and supply first, then every engine oil, thickest first, with every supply that the design has the width for."""
+    own = case.bearings
+    lubricants = {name: Lubricant(oil, own.viscosity_law) for name, oil in case.oils.items()}
+    oils = [n for n in lubricants if n == own.oil or n in case.own_oils or ENGINE_OIL.match(n)]
+    oils.sort(key=lambda name: (name != own.oil, -lubricants[name].at(own.supply_temperature).mu))
+    supplies = [own.supply, *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None)]
+    return [Variant(name, fed, lubricants[name]) for fed in supplies for name in oils]
+
+
+def thinner(offered: list[Variant], than: Variant, T: float) -> Variant | None:
+    """The next thinner oil with the same supply, at a temperature."""
+    mine = than.lubricant.at(T).mu
+    below = [v for v in offered if v.supply == than.supply and v.fits == than.fits and v.lubricant.at(T).mu < mine]
+    return max(below, key=lambda v: v.lubricant.at(T).mu, default=None)

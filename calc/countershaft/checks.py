@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The checks of the counter-shaft: what it leaves, how it bends, whether it fits.  Those of its making stand with their subjects."""
+
+import math
+from collections.abc import Iterator
+
+from .. import notch
+from ..catalogue import Material
+from ..journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
+from ..sheet.check import Check, check
+from ..sheet.functions import argument
+from ..sheet.remedy import by_key, down
+from ..sheet.text import Amount, Text
+from ..sheet.units import Metre
+from .bending.shaft import RIGID, Bending
+from .inputs import CountershaftInputs
+from .result import CountershaftResult
+from .stationary_load import Gear
+from .task import LEFT_OVER, WORDS, Task
+
+Journals = tuple[tuple[Metre, Metre], ...]
+
+
+def checks(shaft: CountershaftInputs, todo: Task, shaft_result: CountershaftResult, journals: Journals,
+    gear: Gear | None) -> Iterator[Check]:  # fmt: skip
+    """All checks of the step but those of its bending and its making."""
+    yield from _residuals(shaft, todo, shaft_result)
+    yield from _slopes(shaft_result)
+    if journals:
+        yield from _envelope(shaft, shaft_result, journals, gear)
+    yield from _supports(shaft_result)
+    yield from _outline(todo, shaft_result)
+
+
+def _residuals(shaft: CountershaftInputs, todo: Task, shaft_result: CountershaftResult) -> Iterator[Check]:
+    """The couple and the force of the shaft's order that are left over."""
+    each = Text("each of both shafts ") if shaft.pair == "yes" else Text("the shaft ")
+    aim_couple = Text("Aim at {couple} N·m at {direction}: the couple of {each}grows with mass, radius and arm.",
+        couple=Amount(todo.couple, form=".1f"), direction=_opposite(todo.C), each=each)  # fmt: skip
+    aim_force = Text("Aim at {f} N at {direction}: the force of {each}grows with mass and radius.", f=Amount(abs(todo.F), form=".0f"),
+        direction=_opposite(todo.F), each=each)  # fmt: skip
+    alike = Text("Balance the masses against each other (mass times radius), so that only a couple remains.")
+    force = LEFT_OVER * todo.one_force
+    for key, word, limit, before, unit, source, advice in (
+        ("residual", Text("couple"), todo.may_leave, abs(todo.C) + abs(todo.C_against), "N·m",
+            Text("rule of this program: 5 % of the couple to be balanced, or of m·r·ω²·a where there is none"), aim_couple),
+        ("residual_force", Text("force"), force, abs(todo.F) + abs(todo.F_against), "N",
+            Text("rule of this program: 5 % of m·r·ω² of one cylinder"), aim_force if abs(todo.F) > force else alike),
+    ):  # fmt: skip
+        left = getattr(shaft_result, f"residual_order_{todo.order}_{word}") or 0.0
+        # shafts at twice crank speed are for comfort and often take a part only; they fail where they make it worse
+        kind = "limit" if todo.order == 1 or left > max(before, limit) else "advice"
+        yield check(f"countershaft.{key}", Text("{words}-order {word} left over", words=WORDS[todo.order], word=word), left, "<=", limit,
+            unit, source, advice, kind=kind, value_id=f"countershaft.residual_order_{todo.order}_{word}")  # fmt: skip
+
+
+def _opposite(engine: complex) -> Amount:
+    """The direction opposite to the engine's vector, in degrees."""
+    return Amount(math.degrees(argument(-engine)), "°", form=".1f")
+
+
+def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:
+    for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
+        if slope is not None:
+            yield check(f"countershaft.slope_{place}", Text("Slope of the {place} journal", place=Text(place)), slope, "<=", SLOPE, "mrad",
+                Text("Finotti 2013, ch. 6: target of the engine's maker"),
+                Text("A stiffer shaft between its bearings: a larger core, or a shorter span."))  # fmt: skip
+
+
+def _envelope(shaft: CountershaftInputs, shaft_result: CountershaftResult, journals: Journals, gear: Gear | None) -> Iterator[Check]:
+    """Whether sectors and gear can be threaded in, and the sectors end before the journals begin; also where they can not be drawn."""
+    seats, outline = shaft.bearing_positions, shaft_result.outline
+    parts = [p for p in outline.pieces if p.what in ("sector", "full")] if outline is not None else []
+    radii = [p.outer_radius for p in parts if not any(p.start < z < p.end for z in seats)]  # those at a bearing are journals
+    R = max(radii, default=shaft.outer_radius)
+    clearance = shaft.radial_clearance if shaft.radial_clearance is not None else 0.0 if shaft.mode == "size" else None
+    if clearance is not None and R is not None:
+        room = max(d for d, _ in journals) / 2 - R
+        smaller = by_key(CountershaftInputs, "countershaft.outer_radius_mm", down(R + room - clearance), bound="<=")
+        yield check("countershaft.envelope", Text("Room around the sectors in the largest seat"), round(room, 9), ">=", clearance, "mm",
+            Text("Finotti 2013, 4.1: the shaft is threaded in through its seat"),
+            Text("A smaller outer radius takes longer or wider sectors; a larger journal helps as well."),
+            remedies=smaller if R == shaft.outer_radius else None)  # fmt: skip
+    if clearance is not None and gear is not None:
+        yield check("countershaft.gear_seat", Text("Room around the gear's tip in the front seat"),
+            round((journals[0][0] - gear.tip_diameter) / 2, 9), ">", 0.0, "mm",
+            Text("Finotti 2013, 4.1: the gear goes through the front seat with the shaft"),
+            Text("A larger front journal, fewer teeth or a smaller module."))  # fmt: skip
+    if shaft.mode == "size" and shaft.half_length is not None:
+        face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
+        yield check("countershaft.envelope_length", Text("Room between the sectors and the nearest journal"),
+            round(face - shaft.half_length, 9), ">=", 0.0, "mm", Text("the sectors end where the journals begin"),
+            Text("Or set the bearings further apart."),
+            remedies=by_key(CountershaftInputs, "countershaft.half_length_mm", down(face), bound="<="))  # fmt: skip
+
+
+def _supports(shaft_result: CountershaftResult) -> Iterator[Check]:
+    """Specific load and heat index of journals that are not part of [bearings]: a screening, without their film."""
+    for name, support in shaft_result.support.items():
+        for what, label, number, limit, unit in (
+            ("specific_load", Text("Specific load"), support.specific_load, SPECIFIC_LOAD, "MPa"),
+            ("heat_index", Text("Heat index"), support.heat_index, HEAT_INDEX, "N·rpm/mm"),
+        ):
+            if number is not None:
+                yield check(f"countershaft.support.{name}.{what}", Text("{label}, support {name}", label=label, name=name), number, "<=",
+                    limit, unit, Text("Finotti 2013, 3.2.3.1: the most that is accepted, with forced oil and cooling"),
+                    Text("A longer journal, or a larger one."))  # fmt: skip
+
+
+def _outline(todo: Task, shaft_result: CountershaftResult) -> Iterator[Check]:
+    """Given sections against given masses: both must describe one shaft."""
+    couple, force = shaft_result.outline_couple_deviation, shaft_result.outline_force_deviation
+    if couple is None or force is None:
+        return
+    source = Text("rule of this program: within 5 %, else masses and sections are not of one shaft")
+    advice = Text("Look at radii, half-angles, angles and places of the sections: the bending is that of the outline.")
+    yield check("countershaft.outline", Text("Couple of the given sections, off that of the masses"), couple, "<=",
+        LEFT_OVER * max(shaft_result.couple, todo.may_leave), "N·m", source, advice)  # fmt: skip
+    yield check("countershaft.outline_force", Text("Force of the given sections, off that of the masses"), force, "<=",
+        LEFT_OVER * max(shaft_result.force, todo.one_force), "N", source, advice)  # fmt: skip
+
+
+def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
+    """Stress and speed of the shaft; the slopes are judged with the journals."""
+    yield check("countershaft.first_critical_speed", Text("First natural frequency of bending, as a speed"), bent.natural_frequency, ">=",
+        RIGID * bent.speed, "rpm",
+            Text("rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"),
+        Text("A stiffer or lighter shaft: larger core, shorter span."))  # fmt: skip
+    # the stresses are nominal: of the full sections, whatever their share in the stiffness
+    proof, source = material.proof_stress, Text("proof stress of {name}", name=material.name)
+    advice = Text("A larger core where the moment is largest, or a shorter span.")
+    if proof is not None:
+        yield check("countershaft.bending_stress", Text("Largest bending stress, nominal"), bent.bending_stress, "<=", proof, "MPa",
+            Text("{source}; fatigue is not judged: the stress stands still in the turning shaft", source=source), advice)  # fmt: skip
+    if proof is not None and bent.notch_stress is not None:
+        yield check("countershaft.notch_stress", Text("Bending stress at the fillet of a shoulder"), bent.notch_stress, "<=", proof, "MPa",
+            Text("{source}: above it the fillet yields locally", source=source),
+            Text("A larger fillet. {advice}", advice=advice))  # fmt: skip
+    if bent.step_over_fillet is not None:
+        yield check("countershaft.fillet", Text("Height of the governing shoulder over its fillet radius"), bent.step_over_fillet, "in",
+            notch.FIT, "", Text("range of the notch factor ({peterson})", peterson=notch.PETERSON),
+            Text("Outside it the notch stress is an extrapolation."))  # fmt: skip
+    if bent.fillet is not None and bent.fillet_room is not None:
+        yield check("countershaft.fillet_room", Text("Fillet radius in the gap between two shoulders"), bent.fillet, "<=",
+            round(bent.fillet_room, 9), "mm", Text("a fillet takes its radius of the length of the thinner piece"),
+            Text("Or set the shoulders further apart."),
+            remedies=by_key(CountershaftInputs, "countershaft.fillet_radius_mm", down(bent.fillet_room), bound="<="))  # fmt: skip

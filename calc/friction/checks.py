@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from .. import oils
+from ..sheet.check import Check, check
+from ..sheet.errors import NoSolution
+from ..sheet.remedy import by_key
+from ..sheet.step import Erratum
+from ..sheet.text import EMPTY, SEMICOLON, Text
+from . import curves, notes
+from .balance.closure import Drive
+from .inputs import FrictionInputs
+from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
+from .mesh.loss import loss_factor, solve_mesh
+from .mesh.path import array, line_load
+from .mesh.traction import THESIS
+from .models.compared import MODELS
+from .result import FrictionResult, MeshResult, by_regime
+
+OWN = Text("rule of this program")
+BALANCE_LIMIT = 1e-6  # W
+BULK_LIMIT = 10.0  # K
+HOT_TEETH = 150.0  # °C
+
+
+def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
+    """Checks, curves, errata and notes of a closed balance."""
+    friction = d.friction
+    return {
+        "checks": checks(friction, result), "curves": curves.curves(result), "errata": errata(friction, result, d.oil),
+        "notes": notes.notes(friction, result, d.oil), "tables": curves.tables(result, d),
+    }  # fmt: skip
+
+
+# --- checks ----------------------------------------------------------------------------------------------------------------
+def checks(friction: FrictionInputs, result: FrictionResult) -> tuple[Check, ...]:
+    balance = check(
+        "friction.train.balance",
+        Text("Power balance of the train: what is left over"),
+        abs(result.residual),
+        "<=",
+        BALANCE_LIMIT,
+        "W",
+        Text("conservation of energy"),
+        Text("A fault of the program, not of the design: please report it."),
+    )
+    delivered = () if result.delivered_power is None else (_delivers(result.delivered_power),)
+    return (
+        balance,
+        *delivered,
+        _models(result),
+        *(c for name, mesh in result.meshes.items() for c in _of_mesh(f"friction.{name}", friction, mesh)),
+    )
+
+
+def _models(result: FrictionResult) -> Check:
+    """How many of the published regressions hold for every mesh."""
+    meshes = result.meshes.values()
+    outside = [name for name in MODELS if any(one is None or one.outside for one in (m.published_models[name] for m in meshes))]
+    return check(
+        "friction.train.models",
+        Text("Published regressions inside their range at every mesh"),
+        float(len(MODELS) - len(outside)),
+        ">=",
+        float(len(MODELS)),
+        "",
+        Text("ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley"),
+        Text(
+            "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is judged by them.",
+            authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
+        ),
+    )
+
+
+def _delivers(power: float) -> Check:
+    return check(
+        "friction.train.delivered",
+        Text("Power that the last wheel delivers: more than nothing"),
+        power,
+        ">",
+        0.0,
+        "W",
+        Text("conservation of energy"),
+        Text("Windage, other losses and the meshes eat all of the power: give more power, or less speed, mist or face width."),
+    )
+
+
+def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
+    """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would like."""
+    yield check(
+        f"{id}.power_out",
+        Text("Mesh {title} passes on more than nothing", title=mesh.case.mesh.title),
+        mesh.power_out,
+        ">",
+        0.0,
+        "W",
+        Text("conservation of energy"),
+        Text(
+            "The loss, whose rolling part is an upper bound, comes up to the power: "
+            "give more power, less speed, a narrower face, or a thinner oil."
+        ),
+    )
+    yield check(
+        f"{id}.regime",
+        Text("EHL film over rigid isoviscous film at the pitch point, {title}", title=mesh.case.mesh.title),
+        by_regime(mesh).lead_at_pitch,
+        ">=",
+        1.0,
+        "",
+        Text("Johnson 1970, regimes of fluid-film lubrication"),
+        Text("EHL formula outside its validity: the load is so light that the rigid isoviscous film governs. ")
+        + (Text("The rolling loss is an upper bound.") if friction.film == "judged" else EMPTY),
+        remedies=None if friction.film == "judged" else by_key(FrictionInputs, "friction.film", "judged"),
+    )
+    yield check(
+        f"{id}.lambda",
+        Text("Smallest film over roughness, {title}", title=mesh.case.mesh.title),
+        mesh.judged.lambda_min,
+        ">=",
+        1.0,
+        "",
+        Text("mixed friction below about 1 (AGMA 925-A03, as generally published)"),
+        Text(
+            "The flanks touch: smoother flanks, thicker or cooler oil, more speed. Below 0.8 the mixed law is harsher than Schlenk's tests."
+        ),
+    )
+    yield check(
+        f"{id}.deborah",
+        Text("Largest Deborah number, {title}", title=mesh.case.mesh.title),
+        mesh.judged.deborah_max,
+        "<=",
+        1.0,
+        "",
+        Text("{thesis}: range of Eyring's law", thesis=THESIS),
+        Text("The oil answers as a solid: its friction is overestimated."),
+    )
+    yield check(
+        f"{id}.inlet_heating",
+        Text("Smallest thermal reduction of the film, {title}", title=mesh.case.mesh.title),
+        mesh.judged.thermal_reduction_min,
+        ">",
+        LEAST_FACTOR,
+        "",
+        OWN,
+        Text("The inlet is hotter than Gupta's formula allows, the film is held at 5 %: less speed or a thinner oil."),
+    )
+    if friction.bulk_temperature is None and friction.bulk == "oil":
+        yield check(
+            f"{id}.bulk",
+            Text("Estimated warming of the teeth above the oil, {title}", title=mesh.case.mesh.title),
+            mesh.bulk_rise,
+            "<=",
+            BULK_LIMIT,
+            "K",
+            OWN,
+            Text("The teeth run hotter than the oil: estimate their temperature, or give it."),
+            remedies=by_key(FrictionInputs, "friction.bulk", "estimated"),
+        )
+
+    if mesh.judged.bulk_temperature is not None:
+        yield check(
+            f"{id}.bulk_temperature",
+            Text("Estimated temperature of the teeth, {title}", title=mesh.case.mesh.title),
+            mesh.judged.bulk_temperature,
+            "<=",
+            HOT_TEETH,
+            "°C",
+            Text("case-hardened steel loses hardness from about 150 to 180 °C on, as generally published"),
+            Text("The teeth run hot: less power or loss, a wider face, more oil on them."),
+        )
+
+
+# --- where the source is wrong ---------------------------------------------------------------------------------------------
+def errata(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Erratum, ...]:
+    meshes = [e for name, mesh in result.meshes.items() for e in _of_source(f"friction.{name}", friction, mesh)]
+    name, mesh = next(iter(result.meshes.items()))
+    meshes += oils.errata(oil.lubricant, oil.T_m, "friction.oil_viscosity")
+    if not mesh.case.mesh.spur:
+        return tuple(meshes)  # the source's pair is spur: the rest is about its own calculation
+    loss_ratio = Erratum(
+        f"friction.{name}.efficiency",
+        Text("Efficiency of the mesh"),
+        1 - mesh.judged.efficiency,
+        "",
+        Text("method of the {thesis}, eq. 1", thesis=THESIS),
+        Text("The printed quotient is the share that is lost, not the efficiency."),
+    )
+    return (*meshes, loss_ratio)
+
+
+def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Erratum]:
+    c, P = mesh.case, mesh.judged.load
+    if by_regime(mesh).lead_at_pitch < 1 and friction.film == "judged":
+        yield Erratum(
+            f"{id}.film_min",
+            Text("Thinnest film"),
+            mesh.source.film_min * 1e6,
+            "µm",
+            Text("method of the {thesis}, section on film thickness", thesis=THESIS),
+            Text(
+                "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
+                "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
+            ),
+        )
+    if not c.mesh.spur:
+        return
+    try:
+        elliptical = solve_mesh(c, P, False, ELLIPTICAL)
+    except NoSolution:  # the thinner film of the source can get too hot where the right one does not: then it has no value
+        elliptical = None
+    if elliptical is not None:
+        yield Erratum(
+            f"{id}.source.loss",
+            Text("Power lost in the mesh, EHL film"),
+            elliptical.loss,
+            "W",
+            Text("method of the {thesis}, eq. 26", thesis=THESIS),
+            Text("The printed exponent of the materials parameter, 0.53, belongs to elliptical contacts; line contacts have 0.56."),
+        )
+    if friction.load_sharing == "linear":
+        share = np.where(np.asarray(c.path.carried) < 1, 0.99, 1.0)
+        w, _ = line_load(c.mesh, c.path, P / (c.motion.omega_1 * c.mesh.driver.base_radius))
+        short_of_load = loss_factor(s=c.path.weight, w=array(share * w), V_s=c.motion.V_s, P=P)
+        yield Erratum(
+            f"{id}.loss_factor",
+            Text("Loss factor"),
+            short_of_load,
+            "",
+            Text("method of the {thesis}, load sharing", thesis=THESIS),
+            Text("Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody."),
+        )

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The losses of the closed balance over speed and oil temperature, all points at once; and what they cost in fuel and CO₂.
+
+The journals' load grows with the square of the speed, their oil comes at the temperature of the map; other losses that are given stay.
+A train alone carries its torque at every speed.
+"""
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.step import Curve, Series, Table, axis_label
+from ...sheet.text import Amount, Text
+from ...sheet.trace import untraced
+from ...sheet.units import Celsius, RevPerSecond, Watt
+from ..balance.closure import Drive, Losses, drive, losses_of, shaft_loss
+from ..inputs import FrictionInputs
+from ..journals import Journals, OnShaft, journals_at
+from ..mesh.many import HELICAL_POINTS, SPUR_POINTS, STRIPS
+from ..result import carbon_dioxide, fuel
+
+SPEEDS = 7
+SLOWEST = 0.4  # of the speed of the design
+COOLER, STEPS, WARMER = 40.0, 4, 10.0  # K: the temperatures around that of the design
+COLDEST, HOTTEST = -20.0, 160.0
+GRAM_PER_HOUR = 1e-3 / 3600
+BOUND = Text(
+    "Clearances as made; rolling as an upper bound, which in cold oil lies far above what a real inlet rolls; other losses that are given "
+    "stay. With fewer positions than the balance: within some 0.1 % of it, 2 % where a film changes its regime."
+)
+AS_OIL = Text(" Teeth as warm as the oil: the measured bulk temperature is that of one point.")
+
+
+@record
+class Map:
+    """Losses at speeds (rows) and oil temperatures (columns) in W; nan where there is no balance, `missing` says why."""
+
+    speeds: Array
+    temperatures: Array
+    journals: Array
+    mesh: Array
+    wheels: Array
+    missing: str
+
+    @property
+    def total(self) -> Array:
+        return self.journals + self.mesh + self.wheels
+
+
+def axes(friction: FrictionInputs, T: Celsius, n: RevPerSecond) -> tuple[Array, Array]:
+    """Speeds and temperatures of the map; both hold those of the design, unless others are asked for."""
+    low, high = friction.map_speeds or (SLOWEST * n, n)
+    speeds = np.linspace(min(low, high), max(low, high), SPEEDS)
+    if friction.map_temperatures is not None:
+        return speeds, np.array(sorted(set(friction.map_temperatures)))
+    around = np.array([T - COOLER, T - COOLER / 2, T, T + WARMER])
+    return speeds, around[(around == T) | ((around >= COLDEST) & (around <= HOTTEST))]
+
+
+def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None) -> Map:
+    """The map of a train whose design point is `d`."""
+    n = d.wheels[d.first].speed
+    speeds, temperatures = axes(d.friction, d.T_oil, n)
+    grid_n, grid_T = (x.ravel() for x in np.meshgrid(speeds, temperatures, indexing="ij"))
+    ratio: Any = grid_n / n
+    T: Any = grid_T
+    shaft = None
+    good = np.ones(grid_n.shape, dtype=bool)
+    if on is not None:
+        with untraced(), np.errstate(all="ignore"):
+            shaft = journals_at(on, ratio, T)
+            good &= np.isfinite(shaft_loss(shaft, None))
+    parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
+    missing = (
+        ""
+        if good.all()
+        else Text("at {sum} of {size} points a journal has no film in the range of its table", sum=int((~good).sum()), size=good.size)
+    )
+    if good.any():
+        try:
+            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, ratio[good], T[good])
+            for name, values in parts.items():
+                values[good] = getattr(losses, name)
+        except NoSolution as none:
+            missing = str(none)
+    shape = speeds.size, temperatures.size
+    return Map(speeds=speeds, temperatures=temperatures, missing=missing, **{name: x.reshape(shape) for name, x in parts.items()})
+
+
+def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
+    spur = all(mesh.spur for mesh in d.meshes.values())
+    own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
+    with untraced(), np.errstate(all="ignore"):
+        speeds = d.wheels[d.first].speed * ratio
+        points = SPUR_POINTS if spur else HELICAL_POINTS
+        many = drive(own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS)
+        return losses_of(many, None if power is None else power * ratio)
+
+
+# --- shown -------------------------------------------------------------------------------------------------------------------
+def pictures(found: Map, d: Drive) -> tuple[tuple[Curve, ...], tuple[Table, ...], tuple[Text, ...]]:
+    """A line over the speeds for every temperature; the tables of losses, of fuel and of CO₂; what is missing."""
+    if not np.isfinite(found.total).any():
+        return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=found.missing),)
+    rpm = found.speeds * 60
+    labels = [Text("{T}", T=Amount(T, "°C")) for T in found.temperatures.tolist()]
+    total: Any = found.total
+    lines = tuple(Series(label, rpm, total[:, i]) for i, label in enumerate(labels))
+    at = int(np.argmin(np.abs(found.temperatures - d.T_oil)))
+    parts = tuple(
+        Series(label, rpm, part[:, at])
+        for label, part in (
+            (Text("journals of the counter-shaft"), found.journals),
+            (Text("meshes"), found.mesh),
+            (Text("wheels"), found.wheels),
+        )
+        if np.any(part[:, at] != 0)
+    )
+    curves = [
+        Curve(
+            "over_speed",
+            Text("Power lost over speed and oil temperature"),
+            axis_label("n of the first driver", "rpm"),
+            axis_label("P", "W"),
+            lines,
+        ),
+        Curve(
+            "over_speed_parts",
+            Text("What loses it, oil at {labels}", labels=labels[at]),
+            axis_label("n of the first driver", "rpm"),
+            axis_label("P", "W"),
+            parts,
+        ),
+    ]
+    columns = ((Text("n"), "rpm"), *((label, "W") for label in labels))
+    note = BOUND + (AS_OIL if d.friction.bulk_temperature is not None else "")
+    tables = [Table("map", Text("Power lost over speed and oil temperature"), columns, _rows(rpm, total), note)]
+    b_e = d.friction.specific_fuel_consumption
+    if b_e is not None:
+        with untraced():
+            m_B: Any = fuel(b_e=b_e, P=total)
+            m_CO2: Any = carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
+        curves.append(
+            Curve("over_speed_fuel", Text("Fuel that the losses cost"), axis_label("n of the first driver", "rpm"),
+                axis_label("m_B", "g/h"),
+                  tuple(Series(label, rpm, m_B[:, i] / GRAM_PER_HOUR) for i, label in enumerate(labels)))
+        )  # fmt: skip
+        columns = ((Text("n"), "rpm"), *((label, "g/h") for label in labels))
+        note = Text("At {b_e} g/kWh at every point of the map.", b_e=Amount(b_e * 3600000000.0))
+        tables.append(Table("map_fuel", Text("Fuel that the losses cost"), columns, _rows(rpm, m_B / GRAM_PER_HOUR), note))
+        note = Text("{co2_per_fuel} kg per kg of fuel, burnt completely.", co2_per_fuel=Amount(d.friction.co2_per_fuel))
+        tables.append(Table("map_co2", Text("CO₂ of that fuel"), columns, _rows(rpm, m_CO2 / GRAM_PER_HOUR), note))
+    return tuple(curves), tuple(tables), (Text("Map of losses: {missing}.", missing=found.missing),) if found.missing else ()
+
+
+def _rows(rpm: Array, values: Array) -> tuple[tuple[float | None, ...], ...]:
+    return tuple((float(n), *(float(x) if np.isfinite(x) else None for x in row)) for n, row in zip(rpm, values))

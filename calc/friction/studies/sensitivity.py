@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the constants do that the literature leaves open: one by one to the ends of what they may be, the whole balance closed anew.
+
+A range is what the sources support: the spread of published values where there are several, else a rule of this program, and it says which.
+"""
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.record import record
+from ...sheet.step import Curve, Series, Table, axis_label
+from ...sheet.text import Amount, Text, listed
+from ...sheet.trace import untraced
+from ...sheet.units import Watt
+from ..balance.closure import Drive, drive, total_losses
+from ..losses.windage import AIR_DENSITY
+from ..mesh.geometry import column
+
+WARMER = 10.0  # K
+DUST = 1e-9  # of the losses: what the last digits make
+LAWS = {"barus": Text("Barus"), "roelands": Text("Roelands")}
+
+
+@record
+class Swing:
+    """One constant: what it is, its symbol, its two ends in words, the power at each end (None: no solution there), and why this far."""
+
+    name: Text
+    symbol: str
+    low: Text
+    high: Text
+    at_low: Watt | None
+    at_high: Watt | None
+    why: Text
+
+    def span(self, nominal: Watt) -> Watt:
+        ends = [P for P in (self.at_low, self.at_high) if P is not None]
+        span = max((*ends, nominal)) - min((*ends, nominal))
+        return span if span > DUST * abs(nominal) else 0.0
+
+
+def swings(d: Drive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
+    """The losses of the train with each constant at its ends, the widest first."""
+    with untraced(), np.errstate(all="ignore"):
+        found = [*_numbers(d, power), *_laws(d, power, nominal)]
+    return tuple(sorted(found, key=lambda swing: -swing.span(nominal)))
+
+
+def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
+    """The constants that are numbers: all ends of all of them at once."""
+    f = d.friction
+    Lambda, mu_s, rho_m = d.oil.Lambda, f.solid_friction, f.mist_density
+    shown = listed(Text("{Ra}", Ra=Amount(Ra * 1e6)) for Ra in f.flank_roughness)
+    thin = min(AIR_DENSITY, rho_m)
+    why_Lambda = Text("as given, ±40 %") if d.lubricant.oil.limiting_shear is not None else Text("by base stock, ±40 %")
+    open_: list[tuple[str, float, tuple[float, float], Text, str, tuple[Text, Text], Text]] = [
+        ("Lambda", Lambda, _about(Lambda, 0.4), Text("limiting shear Λ"), "Λ", _both(Lambda, 0.4), why_Lambda),
+        (
+            "thickening",
+            1.0,
+            _about(1.0, 0.2),
+            Text("pressure-viscosity α"),
+            "α",
+            (Text("−20 %"), Text("+20 %")),
+            Text("published laws for one oil differ so much"),
+        ),
+        (
+            "rough",
+            1.0,
+            _about(1.0, 0.3),
+            Text("flank roughness Ra"),
+            "Ra",
+            (Text("{shown} µm −30 %", shown=shown), Text("+30 %")),
+            Text("new to run-in flanks, own rule"),
+        ),
+        (
+            "mu_s",
+            mu_s,
+            _about(mu_s, 0.2),
+            Text("friction of the solids μ_s"),
+            "μ_s",
+            _both(mu_s, 0.2),
+            Text("±20 %, the spread of the literature"),
+        ),
+        (
+            "mist",
+            rho_m,
+            (thin, 2 * rho_m),
+            Text("density of the oil mist"),
+            "mist",
+            _kgm3(thin, 2 * rho_m),
+            Text("air alone to twice what is assumed"),
+        ),
+    ]
+    T: Any = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
+    if f.bulk_temperature is None and f.bulk == "oil":
+        words = (Text("{t} °C", t=Amount(T)), Text("{t} °C", t=Amount(T + WARMER)))
+        open_.append(
+            ("bulk", T, (T, T + WARMER), Text("temperature of the teeth"), "T_b", words, Text("taken as the oil's; often some 10 K above"))
+        )
+    at: dict[str, Any] = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
+    for i, (key, _, ends, *_) in enumerate(open_):
+        at[key][2 * i : 2 * i + 2] = ends
+    P = _ends(d, power, at)
+    if P is None:  # some end has no solution: one by one then
+        P = [_ends(d, power, {key: values[k : k + 1] for key, values in at.items()}) for k in range(2 * len(open_))]
+    return [
+        Swing(name, symbol, *words, _number(P[2 * i]), _number(P[2 * i + 1]), why)
+        for i, (_, _, _, name, symbol, words, why) in enumerate(open_)
+    ]
+
+
+def _ends(d: Drive, power: Watt | None, at: dict[str, Any]) -> Any:
+    """The losses at many ends at once, `at` holding every constant at each of them; None where one has no solution."""
+    f = d.friction
+    many = replace(
+        f, flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness), solid_friction=column(at["mu_s"]),
+        mist_density=at["mist"], bulk_temperature=at.get("bulk", f.bulk_temperature),
+    )  # fmt: skip
+    return _power(d, many, power, {"Lambda": column(at["Lambda"]), "thickening": column(at["thickening"])})
+
+
+def _number(P: Any) -> Watt | None:
+    return None if P is None else float(np.squeeze(P))
+
+
+def _about(x: float, share: float) -> tuple[float, float]:
+    return x * (1 - share), x * (1 + share)
+
+
+def _both(x: float, share: float) -> tuple[Text, Text]:
+    return Text("{low}", low=Amount(x * (1 - share))), Text("{high}", high=Amount(x * (1 + share)))
+
+
+def _kgm3(low: float, high: float) -> tuple[Text, Text]:
+    return Text("{low} kg/m³", low=Amount(low)), Text("{high} kg/m³", high=Amount(high))
+
+
+SHARINGS = {"linear": Text("linear"), "smooth": Text("smooth")}
+
+
+def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
+    """The laws between which one has to choose: the one that is taken stands at the nominal value."""
+    f = d.friction
+    found = []
+
+    def other(name: Text, symbol: str, taken: Text, instead: Text, why: Text, **change: Any) -> None:
+        found.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, replace(f, **change), power)), why))
+
+    if all(mesh.spur for mesh in d.meshes.values()):
+        sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
+        other(
+            Text("load sharing of two pairs"),
+            "X_Γ",
+            SHARINGS[f.load_sharing],
+            SHARINGS[sharing],
+            Text("flanks as generated, or both tips relieved"),
+            load_sharing=sharing,
+        )
+    law = {"barus": "roelands", "roelands": "barus"}[f.pressure_law]
+    other(Text("viscosity under pressure"), "η(p)", LAWS[f.pressure_law], LAWS[law], Text("two laws"), pressure_law=law)
+    film = {"judged": "source", "source": "judged"}[f.film]
+    words = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
+    other(Text("film"), "film", words[f.film], words[film], Text("the friction source's model, or by Johnson's regimes"), film=film)
+    if f.film == "judged":
+        P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
+        found.append(
+            Swing(Text("rolling of the rigid film"), "rolling", Text("none: a starved inlet"), Text("full inlet"), P, nominal, why)
+        )
+    return found
+
+
+def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, rolling: bool = True) -> Any:
+    """The power of the train's losses under other constants; None where one of them has no solution."""
+    first_speed = d.wheels[d.first].speed
+    try:
+        other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, assumed)
+        return total_losses(replace(other, rolling=rolling), power)
+    except NoSolution:
+        return None
+
+
+# --- shown -------------------------------------------------------------------------------------------------------------------
+def tornado(found: tuple[Swing, ...], nominal: Watt) -> tuple[Curve, Table]:
+    """Bars of what each constant changes, the widest first, and the numbers behind them."""
+    places = np.arange(1.0, len(found) + 1)
+    ends: tuple[tuple[Text, Callable[[Swing], Watt | None]], ...] = (
+        (Text("low end"), lambda s: s.at_low),
+        (Text("high end"), lambda s: s.at_high),
+    )
+    series = tuple(Series(label, places, np.array([_off(at(s), nominal) for s in found])) for label, at in ends)
+    names = tuple(s.name for s in found)
+    x_label = Text(", ").join(f"{i} {s.symbol}" for i, s in enumerate(found, 1))
+    curve = Curve(
+        "open_constants",
+        Text("What the open constants of mesh and mist change in the power lost"),
+        x_label,
+        axis_label("ΔP", "W"),
+        series,
+        bars=True,
+        names=names,
+    )
+    rows = tuple((s.name, s.low, s.high, s.at_low, s.at_high, s.span(nominal), s.why) for s in found)
+    columns = (
+        (Text("Constant"), ""),
+        (Text("Low end"), ""),
+        (Text("High end"), ""),
+        (Text("P at low"), "W"),
+        (Text("P at high"), "W"),
+        (Text("Span"), "W"),
+        (Text("Why this far"), ""),
+    )
+    note = Text(
+        "One constant at a time, the whole balance closed anew; as assumed {nominal} W. The ends are no "
+        "tolerances: no probability is implied.",
+        nominal=Amount(nominal),
+    )
+    if any(s.at_low is None or s.at_high is None for s in found):
+        note += Text(" An empty cell: no solution with the constant there.")
+    return curve, Table("tornado", Text("Sensitivity to what the literature leaves open"), columns, rows, note)
+
+
+def _off(P: Watt | None, nominal: Watt) -> float:
+    return 0.0 if P is None else P - nominal

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One mesh with all that its play depends on: both wheels, their teeth at the base circle, runout, the parts between the centres.
+
+Whatever its kind, a part between the centres moves them by at most half its field.  The kinds differ in how it is spread over that: the
+zone of a position is a circle, filled evenly; the wheel rests on the wall of its clearance, somewhere; an eccentricity points anywhere; a
+radial shift lies evenly between its ends.  Only the part along the line of centres counts: a direction at random is a projection.
+"""
+
+from math import sqrt
+from typing import Any
+
+import numpy as np
+
+from ...sheet.arrays import Array, column
+from ...sheet.errors import NoSolution
+from ...sheet.linked_array import gathered
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.trace import about
+from ...sheet.units import Metre
+from ..inputs import GearsInputs, Mesh
+from ..result import MeshResult, ToothSystem, TrainResult, WheelResult
+from ..words import mm
+from . import formulas as b
+
+SPREAD = {"position": 1 / 2, "fit": 1 / sqrt(2), "runout": 1 / sqrt(2), "radial": 1 / sqrt(3)}  # standard deviation over the largest shift
+EVEN = "radial"  # how a field of no kind, or a bare tolerance, is spread
+
+
+@record
+class Stack:
+    """Fields of the parts of one mesh, each with its kind."""
+
+    names: tuple[str, ...]
+    kinds: tuple[str, ...]
+    fields: Any  # (parts,): an array that knows its links, handed to formulas of numbers
+
+    @property
+    def spread(self) -> Array:
+        """(parts,): standard deviation of each part over half its field."""
+        return np.array([SPREAD[kind] for kind in self.kinds])
+
+
+def stack_of(mesh: Mesh) -> Stack | None:
+    """None where the parts are not given."""
+    if mesh.stack:
+        return Stack(tuple(c.name for c in mesh.stack), tuple(c.kind for c in mesh.stack), column(mesh.stack, "field"))
+    if mesh.contributors:
+        count = len(mesh.contributors)
+        return Stack(tuple(Text("part {i}", i=i + 1) for i in range(count)), (EVEN,) * count, gathered(mesh.contributors))
+    return None
+
+
+def centre_tolerance(mesh: Mesh) -> Metre:
+    """± tolerance of the centre distance by which a mesh is judged: given, else the root of squares of its parts, else none."""
+    if mesh.tolerance is not None:
+        return mesh.tolerance
+    stack = stack_of(mesh)
+    return 0.0 if stack is None else b.tolerance_of_contributors(stack.fields)
+
+
+@record
+class Teeth:
+    """Transverse thickness at the base circle of a wheel, over its allowance."""
+
+    thickest: Metre
+    middle: Metre
+    thinnest: Metre
+
+
+@record
+class BacklashCase:
+    key: str
+    name: str  # driver–driven
+    index: int  # of the mesh in the design
+    system: ToothSystem
+    inputs: Mesh
+    mesh: MeshResult
+    driver: WheelResult
+    driven: WheelResult
+    teeth: tuple[Teeth, Teeth]
+    runouts: tuple[Metre, Metre] | None  # None: not given for either wheel
+    stack: Stack | None
+    closest: Metre  # the smallest centre distance within the tolerance and, where it is given, the runout
+
+    @property
+    def place(self) -> str:
+        return f"gears.meshes.{self.index}"
+
+    @property
+    def touching(self) -> Metre:
+        """The centre distance at which the base circles would touch."""
+        return (self.driver.base_diameter + self.driven.base_diameter) / 2
+
+    @property
+    def eccentricity(self) -> Metre:
+        return sum(self.runouts) / 2 if self.runouts else 0.0
+
+    def must_mesh(self, a: Metre, by: str) -> None:
+        """Nothing can be said of wheels whose base circles overlap."""
+        if a <= self.touching:
+            raise NoSolution(
+                Text("{place}: {by} leaves {a} mm between {name} and {name2}: they can not mesh", place=self.place, by=by,
+                    a=mm(a, ".6g"), name=self.driver.name, name2=self.driven.name),
+                advice=Text("smaller fields: the centre distance must stay above {touching} mm, where the base circles touch",
+                    touching=mm(self.touching, ".6g")),
+            )  # fmt: skip
+
+
+def cases(gears: GearsInputs, train: TrainResult) -> list[BacklashCase]:
+    """Every mesh of the train, in the order of the inputs."""
+    wanted = {w.name: w for w in gears.wheels}
+    teeth = {name: _teeth(train.system, wheel) for name, wheel in train.wheels.items()}
+    cases = []
+    for i, (inputs, (key, mesh)) in enumerate(zip(gears.meshes, train.meshes.items())):
+        driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
+        F_r1, F_r2 = wanted[mesh.driver].runout, wanted[mesh.driven].runout
+        runouts = None if F_r1 is None and F_r2 is None else (F_r1 or 0.0, F_r2 or 0.0)
+        with about(Text("mesh {name}, centres at their closest", name=mesh.title)):
+            closest = b.narrowest(mesh.centre_distance, mesh.centre_tolerance)
+            if runouts is not None:
+                closest = b.narrowest_with_runout(closest, *runouts)
+        both = teeth[mesh.driver], teeth[mesh.driven]
+        cases.append(BacklashCase(key, mesh.title, i, train.system, inputs, mesh, driver, driven, both, runouts, stack_of(inputs), closest))
+    return cases
+
+
+def _teeth(system: ToothSystem, wheel: WheelResult) -> Teeth:
+    def thickness(E_W: Metre) -> Metre:
+        return b.base_thickness(d_b=wheel.base_diameter, s_t=wheel.reference_thickness, d=wheel.reference_diameter,
+            alpha_t=system.transverse_pressure_angle, E_W=E_W, beta_b=system.base_helix_angle)  # fmt: skip
+
+    if wheel.allowance is None:
+        with about(Text("wheel {name}", name=wheel.name)):
+            s_b = thickness(0.0)
+        return Teeth(s_b, s_b, s_b)
+    upper, lower = wheel.allowance
+    ends = []
+    for tooth, E_W in ((Text("thickest"), upper), (Text("middle"), None), (Text("thinnest"), lower)):
+        with about(Text("wheel {name}, {tooth} tooth", name=wheel.name, tooth=tooth)):
+            ends.append(thickness(b.middle_allowance(upper, lower) if E_W is None else E_W))
+    return Teeth(*ends)

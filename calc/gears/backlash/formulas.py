@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Backlash of a pair at a centre distance and at a temperature, what parts add up to, and the free turn that it leaves a train.
+
+Backlash is exact at the very centre distance.  For small changes it is −(E_W1 + E_W2) + 2·Δa·sin α_wt·cos β_b: an allowance of
+the span acts on it micrometre for micrometre.
+"""
+
+from ...sheet.formula import formula
+from ...sheet.functions import cos, inv, pi, rss, sin, smallest, tan, total
+from ...sheet.text import Text
+from ...sheet.units import Celsius, Kelvin, Metre, NewtonMetre, Number, PerKelvin, Radian
+from ..formulas import ISO
+
+DUST: Metre = 1e-12  # a backlash below this is none
+GUIDE = Text("ISO/TR 10064-2, from memory")
+LEAST_BACKLASH: Metre = 0.06e-3  # the constant term of the guide value
+REFERENCE: Celsius = 20.0  # of all measures, ISO 1
+
+
+# --- tolerances, thicknesses and the backlash of a pair ---------------------------------------------------------------------
+@formula("T_a", "root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm")
+def tolerance_of_contributors(T: Metre) -> Metre:
+    return rss(T) / 2
+
+
+@formula("a_max", "centre distance at the upper end of its tolerance", unit="mm")
+def widest(a_w: Metre, T_a: Metre) -> Metre:
+    return a_w + T_a
+
+
+@formula("a_min", "centre distance at the lower end of its tolerance", unit="mm")
+def narrowest(a_w: Metre, T_a: Metre) -> Metre:
+    return a_w - T_a
+
+
+@formula("E_W", "middle of the allowance", unit="µm")
+def middle_allowance(E_Ws: Metre, E_Wi: Metre) -> Metre:
+    return (E_Ws + E_Wi) / 2
+
+
+@formula("j_wt", Text("{iso}: circumferential backlash at the working circle", iso=ISO), unit="µm")
+def circumferential_backlash(d_w1: Metre, z_1: Number, s_w1: Metre, s_w2: Metre) -> Metre:
+    return pi * d_w1 / z_1 - s_w1 - s_w2
+
+
+@formula("j_bn", Text("{iso}: normal backlash", iso=ISO), unit="µm")
+def normal_backlash(j_wt: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    """>>> normal_backlash(j_wt=4.133e-05, alpha_wt=0.376, beta_b=0.3584)
+    3.600004...e-05
+    """
+    return j_wt * cos(alpha_wt) * cos(beta_b)
+
+
+@formula("j_bn", "rule of this program: a backlash below 10⁻⁶ µm is that of the last digits, and none", unit="µm", shows="0")
+def no_backlash(j_bn: Metre) -> Metre:
+    return 0.0 * abs(j_bn)
+
+
+@formula("s_bt", Text("{iso}: transverse tooth thickness at the base circle, thinned by the change E_W of its span", iso=ISO), unit="mm")
+def base_thickness(d_b: Metre, s_t: Metre, d: Metre, alpha_t: Radian, E_W: Metre, beta_b: Radian) -> Metre:
+    return d_b * (s_t / d + inv(alpha_t)) + E_W / cos(beta_b)
+
+
+@formula("j_bn", Text("{iso}: normal backlash by the thicknesses at the base circles; exact", iso=ISO), unit="µm")
+def backlash_of_bases(p_bt: Metre, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    return (p_bt - s_b1 - s_b2 + (d_b1 + d_b2) * inv(alpha_wt)) * cos(beta_b)
+
+
+@formula("j_wt", Text("{iso}: circumferential backlash at the working circle", iso=ISO), unit="µm")
+def circumferential_of_normal(j_bn: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
+    return j_bn / (cos(alpha_wt) * cos(beta_b))
+
+
+@formula("j_t", Text("{iso}: circumferential backlash at the reference circle", iso=ISO), unit="µm")
+def reference_backlash(j_wt: Metre, d: Metre, d_w: Metre) -> Metre:
+    return j_wt * d / d_w
+
+
+@formula("j_r", Text("{iso}: radial backlash, by which the centres can approach; to first order", iso=ISO), unit="µm")
+def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
+    return j_wt / (2 * tan(alpha_wt))
+
+
+@formula("a_min", "eccentricity of both wheels, half of each runout, towards each other", unit="mm")
+def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
+    return a_min - (F_r1 + F_r2) / 2
+
+
+@formula("j_bn,rec", Text("{guide}: recommended smallest backlash, steel or iron wheels in an iron housing", guide=GUIDE), unit="µm")
+def recommended_backlash(a_w: Metre, m_n: Metre) -> Metre:
+    """From memory; public summaries have the same three terms.  Meant for wheels of general engineering; it is no requirement."""
+    return 2 * (LEAST_BACKLASH + 0.0005 * a_w + 0.03 * m_n) / 3
+
+
+@formula("φ_j", "free turn of the driven wheel")
+def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
+    """>>> play_angle(j_wt=5.74e-05, d_w2=0.07768)
+    0.001477857...
+    """
+    return j_wt / (d_w2 / 2)
+
+
+@formula("Δφ", "free turns along the train, each reduced to the last wheel by the ratio of the teeth")
+def reduced_play(phi_before: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
+    return phi_before + phi_j * z / z_last
+
+
+@formula("φ_j", "free turn of the driven wheel by the backlash along its base circle")
+def play_angle_at_base(j_bn: Metre, beta_b: Radian, d_b: Metre) -> Radian:
+    """The same as j_wt/(d_w/2); growth of the base circle by temperature, 1 ‰, is left out."""
+    return j_bn / cos(beta_b) / (d_b / 2)
+
+
+@formula("Δφ", "where the sum over the train begins: the first driver stands", shows="0")
+def no_play() -> Radian:
+    return 0.0
+
+
+@formula("C_Δφ", "exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
+def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
+    return 2 * C * sin(Delta_phi / 2)
+
+
+# --- the parts between two centres ------------------------------------------------------------------------------------------
+@formula("T_wc", "worst case: every part at the end of its field, on the line of centres", unit="µm")
+def worst_case(T: Metre) -> Metre:
+    return total(T) / 2
+
+
+@formula("3σ_a", "root of squares of the standard deviations; k: that of each part over half its field, by its kind", unit="µm")
+def three_deviations(k: Number, T: Metre) -> Metre:
+    """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their distributions."""
+    return 3 * rss(k * T) / 2
+
+
+# --- temperature ------------------------------------------------------------------------------------------------------------
+@formula("T_W", "wheels warmer than the housing")
+def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
+    return T_H + Delta_T
+
+
+@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
+def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: Number) -> PerKelvin:
+    return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
+
+
+@formula("ε_T", "linear expansion from 20 °C (ISO 1)")
+def expansion(alpha: PerKelvin, T: Celsius) -> Number:
+    return alpha * (T - REFERENCE)
+
+
+@formula("ε_g", "expansion of both base circles together, which fixes the working pressure angle")
+def expansion_of_wheels(eps_1: Number, eps_2: Number, d_b1: Metre, d_b2: Metre) -> Number:
+    return (eps_1 * d_b1 + eps_2 * d_b2) / (d_b1 + d_b2)
+
+
+@formula("Δa_eff", "change of the centre distance against the wheels", unit="µm")
+def change_against_wheels(a_w: Metre, eps_a: Number, eps_g: Number) -> Metre:
+    return a_w * (eps_a - eps_g) / (1 + eps_g)
+
+
+@formula("a_eff", "centre distance referred to the wheels as they are at 20 °C", unit="mm")
+def effective_centre(a: Metre, eps_a: Number, eps_g: Number) -> Metre:
+    return a * (1 + eps_a) / (1 + eps_g)
+
+
+@formula("j_bn,T", "normal backlash of wheels that have grown by ε; of a tooth in a space with the smaller base pitch", unit="µm")
+def warm_backlash(
+    p_bt: Metre, eps_1: Number, eps_2: Number, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian
+) -> Metre:
+    return (
+        (1 + smallest(eps_1, eps_2)) * p_bt
+        - (1 + eps_1) * s_b1
+        - (1 + eps_2) * s_b2
+        + ((1 + eps_1) * d_b1 + (1 + eps_2) * d_b2) * inv(alpha_wt)
+    ) * cos(beta_b)
+
+
+# --- root of squares over the train -----------------------------------------------------------------------------------------
+@formula("δφ", "what the tolerances of one mesh add to its play at mid-tolerance, reduced to the last wheel", names={"phi_max": "φ_j,max"})
+def deviation_at_shaft(phi_max: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
+    return (phi_max - phi_j) * z / z_last
+
+
+@formula("Δφ_rss", "play at mid-tolerance and the root of squares of the meshes' deviations", names={"Delta_phi": "Δφ", "delta": "δφ"})
+def phase_error_rss(Delta_phi: Radian, delta: Radian) -> Radian:
+    return Delta_phi + rss(delta)

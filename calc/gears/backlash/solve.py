@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The play of a train: what its backlash is over tolerances, chance, runout and temperature, and how far it lets the last wheel turn."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+from ...catalogue import Material
+from ...sheet.arrays import each
+from ...sheet.check import Check
+from ...sheet.record import record
+from ...sheet.step import Curve, Table
+from ...sheet.text import Text
+from ...sheet.trace import about
+from ...sheet.units import Metre, NewtonMetre
+from .. import formulas as f
+from ..inputs import GearsInputs
+from ..result import TrainResult
+from . import chance as c
+from . import formulas as b
+from . import temperature as t
+from .backlash import free_turn, settled, way_to
+from .case import BacklashCase, cases
+from .checks import checks
+from .curves import curves, tables
+from .notes import notes
+from .result import PlayResult, TrainPlay
+
+WAYS = {
+    "nominal": Text("mid-tolerance"), "rss": Text("root of squares"), "95": Text("95 % of the trains"),
+    "running": Text("running temperature"),
+}  # fmt: skip
+
+
+@record
+class Played:
+    """What `play` gives; tables and curves are made when they are looked at."""
+
+    meshes: dict[str, PlayResult]
+    train: TrainPlay
+    checks: tuple[Check, ...]
+    notes: tuple[Text, ...]
+    known: tuple[tuple[BacklashCase, t.Expansions], ...]
+    gears: GearsInputs
+
+    def tables(self) -> tuple[Table, ...]:
+        return tables(self.gears, self.known, self.meshes)
+
+    def curves(self) -> tuple[Curve, ...]:
+        return curves(self.gears, self.known)
+
+
+def play(gears: GearsInputs, train: TrainResult, materials: Mapping[str, Material], housing: str | None = None) -> Played:
+    """`train`: geometry and backlash over the tolerances.  `housing`: the material between the centres, None: it grows as the wheels.
+
+    Raises NoSolution where a tolerance or the cold lets the base circles overlap.
+    """
+    meshes_of = cases(gears, train)
+    known = tuple((m, t.expansions(m, gears, materials, housing)) for m in meshes_of)
+    last = gears.meshes[-1].driven
+    with about(Text("train, running")):
+        states = t.states(gears)
+    way = way_to(last, train.meshes)
+    values: dict[str, dict[str, float]] = {}
+    smallest: dict[str, tuple[t.AtState, ...]] = {}
+    for m, alpha in known:
+        values[m.key] = _kinds(m) | _stacked(m)
+        warm, smallest[m.key] = _warm(m, alpha, states)
+        values[m.key] |= warm
+    chance = c.by_chance(meshes_of, train.wheels, way, last)
+    meshes = {m.key: PlayResult(**values[m.key], **c.of_mesh(m, chance)) for m in meshes_of}
+    whole = _train(train, meshes, way, last, chance)
+    judged = tuple(check for m in meshes_of for check in checks(gears, m, meshes[m.key], smallest[m.key]))
+    return Played(meshes, whole, judged, notes(gears, known, housing, chance is not None), known, gears)
+
+
+def with_couple(play: TrainPlay, couple: NewtonMetre) -> TrainPlay:
+    """The same with what each phase error leaves of a couple that the last wheel should cancel."""
+    left: dict[str, NewtonMetre] = {}
+    for name, words in WAYS.items():
+        error = getattr(play, f"phase_error_{name}")
+        if error is not None:
+            with about(Text("train, by its backlash, {said}", said=words)):
+                left[f"residual_couple_{name}"] = b.residual_couple(couple, error)
+    return replace(play, **left)
+
+
+def _kinds(m: BacklashCase) -> dict[str, float]:
+    """The backlash at mid-tolerance along other lines, and what is recommended."""
+    alpha_wt, beta_b, j_bn = m.mesh.working_pressure_angle, m.system.base_helix_angle, m.mesh.backlash_nominal
+    with about(Text("mesh {name}, backlash at mid-tolerance", name=m.name)):
+        j_wt = b.circumferential_of_normal(j_bn=j_bn, alpha_wt=alpha_wt, beta_b=beta_b)
+        return dict(
+            backlash_circumferential=j_wt,
+            backlash_transverse=b.reference_backlash(j_wt=j_wt, d=m.driven.reference_diameter, d_w=m.mesh.working_diameter_driven),
+            backlash_radial=b.radial_backlash(j_wt=j_wt, alpha_wt=alpha_wt),
+            backlash_recommended=b.recommended_backlash(a_w=m.mesh.centre_distance, m_n=m.system.m_n),
+            play_angle_nominal=b.play_angle_at_base(j_bn=j_bn, beta_b=beta_b, d_b=m.driven.base_diameter),
+        )
+
+
+def _at(m: BacklashCase, a: Metre) -> Metre:
+    """The smallest normal backlash at a centre distance, at 20 °C."""
+    d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
+    alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
+    s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
+    j = b.backlash_of_bases(
+        p_bt=m.system.base_pitch, s_b1=s_b1, s_b2=s_b2, d_b1=d_b1, d_b2=d_b2, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle
+    )
+    return settled(j)
+
+
+def _stacked(m: BacklashCase) -> dict[str, float]:
+    """What the parts between the centres add up to, and what runout takes."""
+    values: dict[str, float] = {}
+    a_w = m.mesh.centre_distance
+    reach = m.mesh.centre_tolerance
+    if m.stack is not None:
+        fields, spread = m.stack.fields, m.stack.spread
+        with about(Text("mesh {name}, parts between the centres", name=m.name)):
+            T_wc = b.worst_case(T=fields)
+            values = dict(
+                centre_tolerance_rss=b.tolerance_of_contributors(T=fields), centre_tolerance_worst=T_wc,
+                centre_tolerance_chance=b.three_deviations(k=each(spread), T=fields),
+            )  # fmt: skip
+            reach = max(reach, T_wc)
+            m.must_mesh(a_w - reach - m.eccentricity, Text("the worst case of the parts between the centres, with the runout,"))
+            values["backlash_min_worst"] = _at(m, b.narrowest(a_w, T_wc))
+    if m.runouts:
+        with about(Text("mesh {name}, smallest backlash with runout", name=m.name)):
+            m.must_mesh(a_w - reach - m.eccentricity, Text("the tolerance of the centre distance with the runout"))
+            values["backlash_min_runout"] = _at(m, m.closest)
+    return values
+
+
+def _warm(m: BacklashCase, alpha: t.Expansions, states: tuple[t.State, ...]) -> tuple[dict[str, float], tuple[t.AtState, ...]]:
+    """The smallest backlash of every state, and the largest free turn when all is warm."""
+    values: dict[str, float] = {}
+    smallest = []
+    for state, word in zip(states, ("cold", "running", "warmer")):
+        with about(Text("mesh {name}, smallest backlash, {name2}", name=m.name, name2=state.name)):
+            grown = t.grown(m, alpha, state.housing, state.wheels)
+            values[f"centre_change_{word}"] = t.change(m, grown)
+            at = t.at_state(m, grown, m.closest, *(teeth.thickest for teeth in m.teeth))
+        values[f"backlash_{word}"] = at.backlash
+        smallest.append(at)
+        if word == "running":
+            with about(Text("mesh {name}, largest backlash, {name2}", name=m.name, name2=state.name)):
+                a = b.widest(m.mesh.centre_distance, m.mesh.centre_tolerance)
+                loose = t.at_state(m, grown, a, *(teeth.thinnest for teeth in m.teeth)).backlash
+                values["play_angle_running"] = b.play_angle_at_base(loose, m.system.base_helix_angle, m.driven.base_diameter)
+    return values, tuple(smallest)
+
+
+def _train(train: TrainResult, meshes: dict[str, PlayResult], way: list[str], last: str, chance: c.Chance | None) -> TrainPlay:
+    """The free turns of all meshes, reduced to the last wheel."""
+    wheels = train.wheels
+    with about(Text("train, to {last}, at mid-tolerance", last=last)):
+        nominal = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_nominal for key in way})
+    deviations = []
+    with about(Text("train, to {last}, root of squares", last=last)):
+        for key in way:
+            most, mid = train.meshes[key].play_angle, meshes[key].play_angle_nominal
+            if most > 0:
+                z = wheels[train.meshes[key].driven].teeth
+                deviations.append(b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth))
+        delta: Any = tuple(deviations)  # formulas are typed for one number
+        rooted = b.phase_error_rss(Delta_phi=nominal, delta=delta)
+    with about(Text("train, to {last}, running", last=last)):
+        warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})
+    return TrainPlay(phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(last, chance))

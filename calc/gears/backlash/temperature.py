@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Backlash over temperature: housing and support carry the centres apart, each wheel grows by itself.
+
+A wheel that grows evenly keeps its angles; its base circle, thickness and pitch grow alike.  Referred to the wheels the centre
+distance changes by Δa_eff.  Wheels of different growth have base pitches that differ by some nanometres: the backlash is that of a tooth in
+a space, exact, with the smaller pitch of the two.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+from ...catalogue import Material
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.trace import about
+from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
+from .. import formulas as f
+from ..inputs import GearsInputs
+from . import formulas as b
+from .backlash import settled
+from .case import BacklashCase
+
+
+@record
+class State:
+    name: Text
+    housing: Celsius
+    wheels: Celsius
+
+
+@record
+class Expansions:
+    """Of the centre distance of one mesh, and of its two wheels."""
+
+    centres: PerKelvin
+    driver: PerKelvin
+    driven: PerKelvin
+
+
+@record
+class Grown:
+    """Expansion of the centre distance, of each wheel, and of both base circles together."""
+
+    centres: Number
+    driver: Number
+    driven: Number
+    wheels: Number
+
+
+@record
+class AtState:
+    """One mesh at one temperature and one pair of tooth thicknesses."""
+
+    backlash: Metre
+    pressure_angle: Radian
+    centre_growth: Number
+    wheel_growth: Number  # the smaller one
+
+
+def states(gears: GearsInputs) -> tuple[State, State, State]:
+    """Cold start; all warm; the wheels warmer than the housing."""
+    cold, warm = gears.lowest_temperature, gears.running_temperature
+    return (State(Text("cold"), cold, cold), State(Text("running"), warm, warm),
+        State(Text("wheels warmer"), warm, b.wheel_temperature(T_H=warm, Delta_T=gears.wheels_warmer)))  # fmt: skip
+
+
+def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Material], housing: str | None) -> Expansions:
+    """Without a housing material the housing grows as the driver does."""
+    alpha_1, alpha_2 = materials[m.driver.material].expansion, materials[m.driven.material].expansion
+    alpha_H = alpha_1 if housing is None else materials[housing].expansion
+    share = m.inputs.support_share
+    if not share or gears.support_material is None:
+        return Expansions(alpha_H, alpha_1, alpha_2)
+    support = materials[gears.support_material].expansion
+    with about(Text("mesh {name}", name=m.name)):
+        return Expansions(b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
+
+
+def grown(m: BacklashCase, alpha: Expansions, T_housing: Any, T_wheels: Any) -> Grown:
+    """At the temperatures of housing and wheels, numbers or arrays."""
+    eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
+    eps_1, eps_2 = b.expansion(alpha=alpha.driver, T=T_wheels), b.expansion(alpha=alpha.driven, T=T_wheels)
+    eps_g = b.expansion_of_wheels(eps_1=eps_1, eps_2=eps_2, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter)
+    return Grown(eps_a, eps_1, eps_2, eps_g)
+
+
+def change(m: BacklashCase, by: Grown) -> Metre:
+    return b.change_against_wheels(a_w=m.mesh.centre_distance, eps_a=by.centres, eps_g=by.wheels)
+
+
+def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> AtState:
+    """`a`, `s_b1`, `s_b2`: centre distance and thicknesses at the base circles, at 20 °C."""
+    a_eff = b.effective_centre(a=a, eps_a=by.centres, eps_g=by.wheels)
+    m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
+    alpha_wt = f.working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a_eff)
+    return AtState(settled(warm(m, by, alpha_wt, s_b1, s_b2)), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
+
+
+def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:
+    """`alpha_wt`: at the effective centre distance."""
+    return b.warm_backlash(p_bt=m.system.base_pitch, eps_1=by.driver, eps_2=by.driven, s_b1=s_b1, s_b2=s_b2, d_b1=m.driver.base_diameter,
+        d_b2=m.driven.base_diameter, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle)  # fmt: skip

@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the rating rests on, in words: what was chosen where nothing is given, and where a method leaves its range."""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from ...sheet.number import short
+from ...sheet.text import Amount, Text
+from ...sheet.units import NewtonPerMetre, Number
+from ..result import MeshResult, ToothSystem
+from .classes import classes_of
+from .context import RatingContext
+from .life import LONGEST, endurance, flank_knees, root_knees
+from .load import Load
+from .result import Influence, MeshRating, MeshStrength
+from .screening.result import Screening
+from .screening.scuffing import LOAD_STAGE
+from .screening.solve import PERMISSIBLE_FILM
+
+TESTED = Text("modules of 3 to 11 mm and 8 to 60 m/s")
+LIGHT: NewtonPerMetre = 100e3  # of line load, ISO 6336-1: below, its load factors are no longer proportional
+
+
+def notes(context: RatingContext, rated: Mapping[str, MeshRating], load: Mapping[str, Load]) -> tuple[Text, ...]:
+    """All notes of the rating, each once; `rated` and `load` by DRIVER_DRIVEN."""
+    gears, train = context.gears, context.train
+    notes = [*_load_notes(context, next(iter(load.values())))]
+    for w in gears.wheels:
+        if w.name not in context.classes:
+            usual = classes_of(w.material)
+            notes.append(
+                Text("Wheel {name}: no strength class is given, and that of {material} is not plain: its meshes have no load "
+                    "factors and no safety. Give gears.wheels.{name}.gear_material{choices}.",
+                    name=w.name, material=w.material, choices=Text(" ({usual})", usual=Text(" or ").join(usual)) if usual else "")
+            )  # fmt: skip
+    for key, rating in rated.items():
+        mesh = train.meshes[key]
+        if rating.influence is not None:
+            notes += influence_notes(mesh, rating.influence, gears.accuracy_grade)
+        elif not rating.tangential_force:
+            notes.append(Text("Mesh {pair}: no load, so no load factors and no safety.", pair=mesh.title))
+    notes += strength_notes({key: rating.strength for key, rating in rated.items() if rating.strength is not None}, gears.iso_6336_edition)
+    screened = [rating.screening for rating in rated.values() if rating.screening is not None]
+    if context.oil is not None:
+        notes += screening_notes(train.system, screened, context.oil.lubricant.oil.base)
+    return tuple(dict.fromkeys(notes))
+
+
+def _load_notes(context: RatingContext, load: Load) -> Iterator[Text]:
+    gears = context.gears
+    K_A = Amount(load.K_A, form="g")
+    yield Text(
+        "Rating by ISO 6336:{iso_6336_edition}, method B; contact_stress and root_stress are nominal, K = 1.",
+        iso_6336_edition=gears.iso_6336_edition,
+    )
+    if gears.application_factor is not None:
+        yield Text("Load: the mean torque times the given application factor {application_factor}.", application_factor=K_A)
+    elif load.dynamic is not None:
+        yield Text("Load: the mean torque plus the dynamic torque of the crank's irregularity, its peak; K_A = 1.")
+    else:
+        yield Text(
+            "Application factor: not given; chosen: {k_a} on the mean torque. The torque by the crank's irregularity "
+            "is the larger load of such a train: give gears.speed_irregularity, or engine.gas and "
+            "engine.flywheel_inertia_kgm2.",
+            k_a=K_A,
+        )
+    if gears.flank_rz is None:
+        yield Text("Flank roughness: not given; chosen: Rz {flank_rz} µm.", flank_rz=Amount(context.flank_rz * 1e6, form="g"))
+    if context.nu_40 is None:
+        yield Text("No oil is known: the lubricant factor is that of 100 mm²/s at 40 °C, and film and flash temperature have no value.")
+
+
+def influence_notes(mesh: MeshResult, factors: Influence, grade: Number) -> Iterator[Text]:
+    """What was assumed, and what is outside its range."""
+    pair = mesh.title
+    if not factors.misalignment_given:
+        yield Text(
+            "Mesh {pair}: misalignment by manufacture not given; chosen: {manufacturing_misalignment} µm from the "
+            "helix slopes that grade {grade} of ISO 1328-1 permits both wheels; no crowning.", pair=pair, grade=Amount(grade, form="g"),
+            manufacturing_misalignment=Amount(factors.manufacturing_misalignment * 1e6, form=".3g"),
+        )  # fmt: skip
+    if factors.face_load_factor_at_100 is not None:
+        yield Text(
+            "Mesh {pair}: K_Hβ is that of the load as it is, {face_load_factor_flank}; held at 100 N/mm, as DIN "
+            "3990-11 does, it would be {face_load_factor_at_100}.", pair=pair,
+            face_load_factor_flank=Amount(factors.face_load_factor_flank, form=".3g"),
+            face_load_factor_at_100=Amount(factors.face_load_factor_at_100, form=".3g"),
+        )  # fmt: skip
+    if factors.out_of_range:
+        sizes = Text(", ").join(factors.out_of_range)
+        yield Text("Mesh {pair}: ISO 1328-1 has no tolerances for {out_of_range}: they are extrapolated.", pair=pair, out_of_range=sizes)
+
+
+def strength_notes(meshes: Mapping[str, MeshStrength], edition: int) -> Iterator[Text]:
+    """What was assumed: classes, life, and what an edition or a range leaves open."""
+    sides = [side for mesh in meshes.values() for side in mesh.sides]
+    for side in sides:
+        yield from (Text("Wheel {name}: {note}.", name=side.name, note=note) for note in side.strength.notes)
+    if any(side.cycles is None for side in sides):
+        knees = sorted({endurance(flank_knees(side.strength.kind)) for side in sides})
+        yield Text(
+            "No life is given: flanks by their strength at {map} cycles (Z_NT = 1), roots at 3·10⁶ (Y_NT = 1). A "
+            "given life past these takes up to 15 % off, down to 0.85 at 10¹⁰ cycles.",
+            map=Text(" or ").join(map(short, knees)),
+        )
+    lives = [(s.name, s.cycles, endurance(root_knees(s.strength.kind))) for s in sides if s.cycles is not None]
+    if brief := dict.fromkeys(name for name, cycles, knee in lives if cycles < knee):
+        yield Text(
+            "Short life of {brief}: film, notch and surface factors are kept as for long life, which the standard "
+            "lets fade towards static strength.",
+            brief=", ".join(brief),
+        )
+    if beyond := dict.fromkeys(name for name, cycles, _ in lives if cycles > LONGEST):
+        yield Text(
+            "More than 10¹⁰ cycles of {beyond}: the life curves of ISO 6336 end there; their last lines are continued.",
+            beyond=", ".join(beyond),
+        )
+    yield Text(
+        "Safety: S_H ≥ 1.0 and S_F ≥ 1.4 are limits, 1.2 and 1.6 advice: a rule of this program from the usual values; "
+        "ISO 6336 leaves them to agreement."
+    )
+    if edition >= 2019:
+        yield Text(
+            "ISO 6336-2:2019 adds f_ZCa to the flanks of helical wheels without tip relief (from memory up to 1.2 on the square of the "
+            "contact stress): not applied."
+        )
+
+
+def screening_notes(system: ToothSystem, screened: list[Screening], base: str) -> Iterator[Text]:
+    """What the screening of all meshes rests on; `base` is the base stock of the oil."""
+    if not screened:
+        return
+    loads = [s.line_load / 1e3 for s in screened]
+    light = Text(", and the line loads of {span} N/mm are far below those of the tests.", span=_span(loads))
+    yield Text(
+        "Film against micropitting and flash temperature against scuffing are a screening, not a rating: that of "
+        "the film is made from tests with {tested} (ISO/TS 6336-22:2018); here m_n is {m_n} mm, {span} m/s",
+        tested=TESTED, m_n=Amount(system.m_n * 1e3), span=_span([s.pitch_line_speed for s in screened]),
+    ) + (light if max(loads) < LIGHT / 1e3 else ".")  # fmt: skip
+    if not all(s.load_stage_given for s in screened):
+        yield Text(
+            "No FZG load stage of the oil is given: stage {load_stage} of the test A/8.3/90 is assumed for its scuffing temperature.",
+            load_stage=Amount(LOAD_STAGE, form="g"),
+        )
+    if not all(s.permissible_given for s in screened):
+        yield Text(
+            "No micropitting test of the oil is given: a specific film thickness of {permissible_film} is taken as permissible.",
+            permissible_film=Amount(PERMISSIBLE_FILM, form="g"),
+        )
+    if base not in ("mineral", "PAO", "PAG"):
+        yield Text("The lubricant factor of {base} oil is not in the methods: it counts as mineral oil.", base=base)
+    for s in screened:
+        if not s.method_applies:
+            yield Text(
+                "Mesh {title}: with ε_α of 2 or more the methods give no load sharing; one pair is taken to carry all, on the safe side.",
+                title=s.title,
+            )
+        if s.specific_film_min is None:
+            yield Text("Mesh {title}: a contact hotter than 500 °C is beyond the law of the oil: no film is given.", title=s.title)
+
+
+def _span(numbers: Iterable[float]) -> Text:
+    low, high = (Amount(extreme(numbers), form=".3g") for extreme in (min, max))
+    return Text("{low}", low=low) if low.written() == high.written() else Text("{low} to {high}", low=low, high=high)

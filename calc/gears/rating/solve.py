@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The rating of every mesh of a train, once its torque is known: load, nominal stresses, influence factors, strength, screening."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+
+from ...catalogue import Material
+from ...sheet.formula import formula
+from ...sheet.quantity import Described, Stated
+from ...sheet.step import Outcome, Table
+from ...sheet.text import Text
+from ...sheet.trace import about, trace
+from ...sheet.units import NewtonMetre, Number
+from ..finite import finite
+from ..inputs import GearsInputs
+from ..result import MeshResult, TrainResult
+from . import checks as c
+from . import curves, nominal, source_sheet
+from . import stress as s
+from .context import REFERENCE_NU, RatingContext, Surroundings, rating_context
+from .influence import influence
+from .life import contacts_per_turn, load_cycles
+from .load import Load, Power, loads, mean_torques
+from .notes import notes
+from .result import MeshRating, RatingResult, Side
+from .root_strength import loading_of, rim_of
+from .screening.solve import screening
+from .strength import MeshLoad, mesh_strength
+
+ALONE = Surroundings()
+
+
+@formula("K_H", "ISO 6336-1: product of the load factors, contact", names={"beta": "K_Hβ", "alpha": "K_Hα"})
+def contact_load_factor(K_A: Number, K_V: Number, beta: Number, alpha: Number) -> Number:
+    return K_A * K_V * beta * alpha
+
+
+@formula("K_F", "ISO 6336-1: product of the load factors, root", names={"beta": "K_Fβ", "alpha": "K_Fα"})
+def root_load_factor(K_A: Number, K_V: Number, beta: Number, alpha: Number) -> Number:
+    return K_A * K_V * beta * alpha
+
+
+def rating(
+    gears: GearsInputs, train: TrainResult, torque: Mapping[str, NewtonMetre] | NewtonMetre | Power, materials: Mapping[str, Material],
+    around: Surroundings = ALONE,
+) -> Outcome[RatingResult]:  # fmt: skip
+    """Stresses, load factors and safeties of every mesh by the edition of the inputs.
+
+    `torque` is the mean of the first driver, handed on without loss, or that of the driver in every mesh: by the mesh ("a_b"), else by
+    the driver's name; or the power of the one or the others.
+    """
+    with trace() as lines:
+        mean = mean_torques(train, torque)
+        load = loads(gears, train, mean, around.uneven, materials)
+        context = rating_context(gears, train, materials, around)
+        rated = {key: _mesh(context, mesh, load[key], mean) for key, mesh in train.meshes.items()}
+    strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
+    influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
+    checks = [check for key, mesh_rating in rated.items() for check in c.checks(train.meshes[key], key, mesh_rating, load[key])]
+    checks += [*c.strength_checks(strengths), *c.unrated_checks(w.name for w in gears.wheels if w.name not in context.classes)]
+    checks.append(c.roughness_check(gears.root_rz))
+    for name, strength in context.classes.items():
+        checks += c.hardness_checks(name, strength)
+    tables: list[Table] = [curves.influence_table(influences), *curves.strength_tables(strengths)] if influences else []
+    tables.append(curves.classes_table(context.classes))
+    if gears.source_sheet == "finotti":
+        tables.append(source_sheet.comparison(train, rated))
+    return finite(
+        Outcome(
+            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines), curves=curves.curves(rated),
+            tables=tuple(tables), errata=source_sheet.errata(train, rated), notes=notes(context, rated, load),
+        )
+    )  # fmt: skip
+
+
+# --- one mesh --------------------------------------------------------------------------------------------------------------
+def _mesh(context: RatingContext, mesh: MeshResult, load: Load, mean: Mapping[str, NewtonMetre]) -> MeshRating:
+    gears, train, system = context.gears, context.train, context.train.system
+    driver, driven = wheels = train.wheels[mesh.driver], train.wheels[mesh.driven]
+    pair = Text("mesh {pair}", pair=mesh.title)
+    with about(pair):
+        F_t = s.tangential_force(load.rated, driver.pitch_diameter)
+        contact = nominal.contact(system, mesh, driver, driven, F_t, context.materials)
+    roots: dict[str, nominal.Root] = {}
+    for wheel in wheels:
+        with about(Text("root of {name} in {name2}", name=wheel.name, name2=pair)):
+            roots[wheel.name] = nominal.root(system, mesh, wheel, F_t, gears.iso_6336_edition)
+    sheet = source_sheet.sheet(system, mesh, wheels, mean[next(iter(mean))]) if gears.source_sheet == "finotti" else None
+    rating = MeshRating(
+        mean_torque=load.mean, dynamic_torque=load.dynamic, least_torque=load.least, application_factor=load.K_A, tangential_force=F_t,
+        zone_factor=contact.Z_H, contact_ratio_factor=contact.Z_eps, helix_factor=contact.Z_beta, contact_stress=contact.sigma_H0,
+        root_helix_factor=roots[mesh.driven].Y_beta,
+        form={id: stated for wheel, root in roots.items() for id, stated in _stated_form(wheel, root).items()},
+        root_stress={f"root_stress_{wheel}": Stated(_labels(wheel)[3], root.sigma_F0) for wheel, root in roots.items()},
+        sheet=sheet, torque=load.rated, forms={wheel: root.form for wheel, root in roots.items()},
+    )  # fmt: skip
+    rated = F_t > 0 and mesh.driver in context.classes and mesh.driven in context.classes
+    return _loaded(context, mesh, load, rating, roots) if rated else rating
+
+
+def _stated_form(wheel: str, root: nominal.Root) -> dict[str, Stated]:
+    ids, form = ("form_factor", "stress_correction", "notch_parameter"), root.form
+    return {f"{id}_{wheel}": Stated(about, x) for id, about, x in zip(ids, _labels(wheel), (form.Y_F, form.Y_S, form.q_s))}
+
+
+@cache
+def _labels(wheel: str) -> tuple[Described, ...]:
+    return (
+        Described(Text("Form factor of {wheel}", wheel=wheel), "", "Y_F"),
+        Described(Text("Stress correction factor of {wheel}", wheel=wheel), "", "Y_S"),
+        Described(Text("Notch parameter of {wheel}", wheel=wheel), "", "q_s"),
+        Described(Text("Nominal root stress of {wheel}, K = 1", wheel=wheel), "MPa", "σ_F0"),
+    )
+
+
+def _loaded(context: RatingContext, mesh: MeshResult, load: Load, rating: MeshRating, roots: Mapping[str, nominal.Root]) -> MeshRating:
+    """The same with load factors, strength and screening: of a mesh that carries something, whose wheels have a strength class."""
+    gears, train, system = context.gears, context.train, context.train.system
+    driver, driven = mesh.driver, mesh.driven
+    given = next(m for m in gears.meshes if (m.driver, m.driven) == (driver, driven))
+    K = influence(
+        system, mesh, context.bodies[driver], context.bodies[driven], F_t=rating.tangential_force, K_A=load.K_A, grade=gears.accuracy_grade,
+        f_sh=given.shaft_deflection or 0.0, f_ma=given.mesh_misalignment, C_a=gears.tip_relief, Z_eps=rating.contact_ratio_factor,
+    )  # fmt: skip
+    with about(Text("mesh {pair}", pair=mesh.title)):
+        K_H = contact_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_flank, K.transverse_load_factor_flank)
+        K_F = root_load_factor(load.K_A, K.dynamic_factor, K.face_load_factor_root, K.transverse_load_factor_root)
+        eps_alphan = s.virtual_contact_ratio(mesh.transverse_contact_ratio, system.base_helix_angle)
+    strength = mesh_strength(
+        _side(context, driver, roots[driver], load), _side(context, driven, roots[driven], load),
+        MeshLoad(
+            rating.contact_stress, K_H, K_F, mesh.working_pressure_angle, mesh.transverse_contact_ratio, eps_alphan, mesh.overlap_ratio,
+            system.m_n, K.pitch_line_velocity, REFERENCE_NU if context.nu_40 is None else context.nu_40, context.flank_rz, gears.root_rz,
+            gears.accuracy_grade,
+        ),
+    )  # fmt: skip
+    screened = None
+    if context.oil is not None:
+        mates = max(sum(name in (m.driver, m.driven) for m in gears.meshes) for name in (driver, driven))
+        screened = screening(
+            system, mesh, train.wheels[driver], train.wheels[driven], F_t=rating.tangential_force, oil=context.oil,
+            materials=context.materials, roughness=context.flank_ra, load_factor=K_H, application_factor=load.K_A,
+            accuracy_grade=gears.accuracy_grade, mates=mates, load_stage=gears.scuffing_load_stage,
+            permissible_film=gears.permissible_film, mesh_stiffness=K.mesh_stiffness,
+            structural_factor=min(context.structural[driver], context.structural[driven]),
+        )  # fmt: skip
+    return replace(rating, influence=K, contact_load_factor=K_H, root_load_factor=K_F, strength=strength, screening=screened)
+
+
+def _side(context: RatingContext, name: str, root: nominal.Root, load: Load) -> Side:
+    gears, wheel = context.gears, context.train.wheels[name]
+    given = next(w for w in gears.wheels if w.name == name)
+    driven, drives = sum(m.driven == name for m in gears.meshes), sum(m.driver == name for m in gears.meshes)
+    cycles, reverses = None, load.least is not None and load.least < 0
+    if gears.life is not None:
+        with about(Text("wheel {name}", name=name)):
+            cycles = load_cycles(n=abs(wheel.speed), L_h=gears.life, c=float(contacts_per_turn(driven, drives)))
+    return Side(
+        name, context.classes[name], wheel.teeth, wheel.tip_diameter, wheel.base_diameter, wheel.tooth_depth,
+        rim_of(wheel.root_diameter, given.bore_diameter, given.rim_thickness), root.form.q_s, root.sigma_F0,
+        loading_of(driven, drives, reverses), cycles,
+    )  # fmt: skip

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The free shifts that make the largest specific sliding least, among those that keep every rule.
+
+Shifts are looked for on the lattice of round numbers that can be written into a design.  One free shift: every point of it is
+looked at.  Several: a grid that narrows around its best point, which follows that point until it stays.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any, cast
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.quantity import keys
+from ...sheet.record import record
+from ...sheet.search import Judged, least, least_wanted, multiples, narrowed
+from ..inputs import GearsInputs
+from ..result import ToothSystem
+from ..wheel_inputs import Wheel
+from .free_shifts import Freedom
+from .rules import HARD_CASE, USUAL, Bar, judge, keeps
+from .states import States, states
+
+ROUND = 10_000  # points of the lattice per unit of the shift
+HIGHEST = keys(Wheel)["profile_shift"].about.high or 3.0  # shift coefficient: the end of its input
+OTHERS = 1e-3  # weight of all meshes beside the largest sliding: it decides only what the largest leaves open
+GRID = {1: 41, 2: 33, 3: 15, 4: 9, 5: 7}  # points a side (odd), by the number of free shifts; there is no search for more
+
+
+@record
+class Case:
+    """`bars`: limits to choose by, the strictest first."""
+
+    system: ToothSystem
+    gears: GearsInputs
+    bars: tuple[Bar, ...] = (HARD_CASE, USUAL)
+
+
+@record
+class Best:
+    """A point of the lattice.  `margin`: the least of all rules there; negative: no point keeps them, and this misses by least.
+
+    `wanted`: what is made least.
+    """
+
+    free: Mapping[str, float]
+    margin: float
+    wanted: float
+
+
+@record
+class Slice:
+    """Every point of the lattice along one free shift, the others standing still.  `low`, `high`: wheels whose shift ends it."""
+
+    freedom: Freedom
+    leader: str
+    t: Array
+    states: States
+    rules: list[Judged]
+    low: str
+    high: str
+
+
+def evaluated(case: Case, freedom: Freedom, free: Mapping[str, Any], cuts: Mapping[str, float]) -> States:
+    return states(case.system, freedom.gears, freedom.shifts(free), cuts)
+
+
+def ends(case: Case, freedom: Freedom) -> dict[str, tuple[float, float, str, str]]:
+    one = evaluated(case, freedom, {name: freedom.start[name] for name in freedom.free}, {})
+    return freedom.bounds(one.undercut_limit, HIGHEST)
+
+
+def slice_of(case: Case, freedom: Freedom, at: Mapping[str, float] | None = None, bar: Bar = HARD_CASE) -> Slice | None:
+    """Along the first free shift, the others at `at`; None where undercut leaves nothing between its two ends."""
+    leader = freedom.free[0]
+    points = along(case, freedom, leader, at or {})
+    if points is None:
+        return None
+    _, _, by_low, by_high = ends(case, freedom)[leader]
+    return Slice(freedom, leader, *points, judge(points[1], case.system, bar), by_low, by_high)
+
+
+def along(case: Case, freedom: Freedom, leader: str, at: Mapping[str, float] | None = None) -> tuple[Array, States] | None:
+    """Every point of the lattice along one free shift, the others at `at`, else as they are; None where undercut leaves none."""
+    low, high, _, _ = ends(case, freedom)[leader]
+    t = multiples(1, low * ROUND, high * ROUND) / ROUND
+    others = {name: freedom.start[name] for name in freedom.free} if at is None else at
+    return (t, evaluated(case, freedom, {**others, leader: t}, {})) if len(t) else None
+
+
+def objective(found: States) -> Array:
+    """The largest sliding, and what tells two equal ones apart."""
+    meshes = np.array([found.largest_of(mesh) for mesh in found.contact_ratio])
+    return cast(Array, np.max(meshes, axis=0) + OTHERS * np.sum(meshes, axis=0))
+
+
+def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = ()) -> Best | None:
+    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well."""
+    bounds = ends(case, freedom)
+    low = np.array([math.ceil(bounds[name][0] * ROUND - 1e-6) for name in freedom.free])
+    high = np.array([math.floor(bounds[name][1] * ROUND + 1e-6) for name in freedom.free])
+    if (low > high).any():
+        return None
+    if len(freedom.free) == 1 and not cuts:
+        made = slice_of(case, freedom, bar=bar)
+        assert made is not None
+        margin, wanted = least(made.rules), objective(made.states)
+        i = least_wanted(wanted, margin)
+        return Best({freedom.free[0]: float(made.t[i])}, float(margin[i]), float(wanted[i]))
+
+    def evaluate(points: Array) -> tuple[Array, Array]:
+        there = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
+        return keeps(there, case.system, bar), objective(there)
+
+    side = GRID[len(freedom.free)]
+    step = np.maximum(-(-(high - low) // (side - 1)), 1)
+    starts = [((low + high) // 2, step)]
+    for shifts in near:
+        point = np.array([round(float(shifts[name]) * ROUND) for name in freedom.free])
+        starts.append((np.clip(point, low, high), np.ones_like(step)))
+    reached = [narrowed(evaluate, low, high, *start, side) for start in starts]
+    reach = min(reached, key=lambda one: (0.0, one[2]) if one[1] >= 0 else (1.0, -one[1]))
+    return Best(dict(zip(freedom.free, (reach[0] / ROUND).tolist())), *reach[1:])
+
+
+def refined(case: Case, freedom: Freedom, at: float, bar: Bar) -> tuple[float, float]:
+    """(shift, largest sliding) of the optimum between the points of the lattice next to one, for one free shift."""
+    width = 1.0 / ROUND
+    for _ in range(5):
+        t = np.linspace(at - width, at + width, 101)
+        found = evaluated(case, freedom, {freedom.free[0]: t}, {})
+        i = least_wanted(objective(found), keeps(found, case.system, bar))
+        at, width = float(t[i]), width / 40
+    return at, float(found.largest[i])

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search for shifts: a gear train in, rows to choose from out.
+
+In this order: the optimum of each way to leave shifts free, what each pair alone would want, round shifts around the optimum, tip cuts
+with the shifts as they are, and tip cuts with the shift that is then the best.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ...sheet.errors import NoSolution
+from ...sheet.progress import Progress, part, tell
+from ...sheet.record import record
+from ...sheet.search import Judged, governing, least, least_wanted, stretch
+from ...sheet.text import EMPTY, Name, Text
+from ..inputs import GearsInputs, Wheel
+from ..train import tooth_system
+from .free_shifts import Freedom, freedoms, settled
+from .limits import Limit, limits, nothing, too_narrow
+from .optimum import GRID, Case, Slice, best, evaluated, refined, slice_of
+from .rules import HARD_CASE, USUAL, Bar, eased, judge
+from .states import Place, States, states
+
+AROUND = 0.05  # step of the shift between the rows around the optimum
+EACH_SIDE = 5  # of such rows
+CUTS = 4  # steps of the tip cut that are looked at
+GAIN = 5e-4  # of the largest sliding: less is no gain
+CUT_STEP = 0.05  # of the module: the step of the tip cut, before it is made round
+
+
+@record
+class Row:
+    """One train that can be written.  `freedom` None: the shifts as they are.  `cuts`: those that change.
+
+    `least`: the rule with the least margin, and where.  `bar`: the limits that it is judged by.
+    `wants`: the mesh that would have it so, where it is one alone.
+    """
+
+    name: Text
+    freedom: Freedom | None
+    free: Mapping[str, float]
+    cuts: Mapping[str, float]
+    states: States
+    largest: float
+    of: Place
+    least: Judged
+    bar: Bar
+    wants: str = ""
+
+    @property
+    def margin(self) -> float:
+        return float(self.least.margin[0])
+
+    @property
+    def passes(self) -> bool:
+        return self.margin >= 0
+
+    @property
+    def usual(self) -> bool:
+        """Whether it keeps the usual limits, and not only those that the design itself keeps."""
+        return self.passes and self.bar in (HARD_CASE, USUAL)
+
+
+@record
+class Found:
+    """What there is to choose.  `now`: None where the design contradicts itself.  `along`: what limits, wants and curve belong to.
+
+    Numbered through in this order: `optima`, `wants` that pass, `around`, `cut_now` that pass, `cut_best`.
+    """
+
+    case: Case
+    freedoms: tuple[Freedom, ...]
+    now: Row | None
+    optima: tuple[Row, ...]
+    wants: tuple[Row, ...]
+    around: tuple[Row, ...]
+    cut_now: tuple[Row, ...]
+    cut_best: tuple[Row, ...]
+    limits: tuple[Limit, ...]
+    along: Slice
+    exact: tuple[float, float] | None  # shift and largest sliding of the optimum along one free shift, unrounded
+    refused: tuple[Text, ...]  # ways to leave shifts free in which nothing passes
+    no_better: tuple[Text, ...]  # those in which something does, but nothing better than with less freedom
+    unsought: tuple[Text, ...]  # those with more free shifts than are searched
+
+    @property
+    def all(self) -> tuple[Row, ...]:
+        wants, cuts = (tuple(row for row in rows if row.passes) for rows in (self.wants, self.cut_now))
+        return (*self.optima, *wants, *self.around, *cuts, *self.cut_best)
+
+    def number(self, row: Row) -> str:
+        return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
+
+
+def search(gears: GearsInputs, progress: Progress | None = None) -> Found:
+    """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
+    case = Case(tooth_system(gears), gears)
+    every = freedoms(gears, case.system)
+    ways = tuple(one for one in every if len(one.free) in GRID)
+    if not ways:
+        raise NoSolution(Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train"))
+    now = _now(case)
+    if now is not None and (bar := eased(now.states, case.system)) is not None:
+        case = replace(case, bars=(*case.bars, bar))
+    offered: list[Row] = []
+    passed: set[Text] = set()
+    for n, way in enumerate(ways):
+        tell(progress, 0.5 * n / len(ways), way.name)
+        within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
+        rows = _optima(case, way, within=within)
+        passed |= {way.name for _ in rows}
+        offered += [row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))]
+    optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
+    main = next((row for row in optima if len(row.free) == 1), optima[0] if optima else None)
+    way = main.freedom if main and main.freedom else min(ways, key=lambda way: len(way.free))
+    bar = main.bar if main else case.bars[-1]
+    nearest = main.free if main else one.free if (one := best(case, way, {}, bar)) else None
+    along = slice_of(case, way, nearest, bar)
+    if along is None or nearest is None:
+        raise too_narrow(case, way)
+    cut_best = tuple(_cut_best(case, way, [row for row in optima if row.freedom is way], part(progress, 0.5, 1.0)))
+    if not optima and not cut_best:
+        raise nothing(along)
+    i = int(np.argmin(np.abs(along.t - nearest[along.leader])))
+    exact = refined(case, way, nearest[along.leader], bar) if main and len(way.free) == 1 else None
+    return Found(
+        case=case, freedoms=ways, now=now, optima=tuple(optima), wants=tuple(_wants(case, along, nearest)),
+        around=tuple(_around(case, along, nearest, i)), cut_now=tuple(_cut_now(case, now)), cut_best=cut_best,
+        limits=tuple(limits(along, i)), along=along, exact=exact,
+        refused=tuple(one.name for one in ways if one.name not in passed),
+        no_better=tuple(one.name for one in ways if one.name in passed and not any(row.freedom is one for row in optima)),
+        unsought=tuple(one.name for one in every if one not in ways),
+    )  # fmt: skip
+
+
+# --- rows ------------------------------------------------------------------------------------------------------------------
+def _row(
+    case: Case, name: Text, freedom: Freedom | None, free: Mapping[str, float], cuts: Mapping[str, float], made: States, wants: str = ""
+) -> Row:
+    """Judged by the strictest limits that it keeps; where it keeps none, by the usual ones."""
+    for bar in (*case.bars, USUAL):
+        rules = judge(made, case.system, bar)
+        if float(least(rules)[0]) >= 0:
+            break
+    sliding = {at: abs(float(zeta[0])) for at, zeta in made.sliding.items()}
+    of = max(sliding, key=lambda at: np.inf if np.isnan(sliding[at]) else sliding[at])
+    return Row(name, freedom, free, cuts, made, float(made.largest[0]), of, governing(rules, 0), bar, wants)
+
+
+def _now(case: Case) -> Row | None:
+    train = settled(case.gears, case.system)
+    return None if train is None else _row(case, Text("now"), None, {}, {}, states(case.system, case.gears, train.shifts))
+
+
+def _shown(row: Row) -> float:
+    """The largest sliding, without the digits that are those of round shifts."""
+    return round(row.largest, 4)
+
+
+def _keeps(case: Case, row: Row, bar: Bar) -> bool:
+    """Whether a row that passes keeps these limits, or stricter ones."""
+    return case.bars.index(row.bar) <= case.bars.index(bar)
+
+
+def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, name: Text = EMPTY, within: Sequence[Row] = ()) -> list[Row]:
+    """By the strictest limits that let something pass; then by each of the less strict ones that allow less sliding.
+
+    `within`: rows of ways with less freedom, beside which is looked as well.
+    """
+    found: list[Row] = []
+    for bar in case.bars:
+        near = [row.states.shifts for row in within if _keeps(case, row, bar)]
+        one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near])
+        if one is not None and one.margin >= 0:
+            row = _row(case, name or way.name, way, one.free, cuts or {}, evaluated(case, way, one.free, cuts or {}))
+            if not found or _shown(row) < _shown(found[-1]):
+                found.append(row)
+    return found
+
+
+def _along(case: Case, along: Slice, at: Mapping[str, float], t: float, name: Text, wants: str = "") -> Row:
+    free = {**at, along.leader: t}
+    return _row(case, name, along.freedom, free, {}, evaluated(case, along.freedom, free, {}), wants)
+
+
+def _wants(case: Case, along: Slice, at: Mapping[str, float]) -> list[Row]:
+    """The optimum of each pair alone, by its own rules."""
+    found = []
+    for mesh in case.gears.meshes if len(case.gears.meshes) > 1 else ():
+        key = mesh.key
+        places = ((key, ""), (key, mesh.driver), (key, mesh.driven), ("", mesh.driver), ("", mesh.driven))
+        own = [one for one in along.rules if (one.where.mesh, one.where.wheel) in places]
+        margin = least(own)
+        if (margin >= 0).any():
+            t = float(along.t[least_wanted(along.states.largest_of(key), margin)])
+            found.append(_along(case, along, at, t, Name(f"{mesh.driver}–{mesh.driven}"), key))
+    return found
+
+
+def _around(case: Case, along: Slice, at: Mapping[str, float], i: int) -> list[Row]:
+    passing = stretch(least(along.rules) >= 0, i)
+    if passing is None:
+        return []
+    low = max(along.t[passing[0]], along.t[i] - EACH_SIDE * AROUND)
+    high = min(along.t[passing[1]], along.t[i] + EACH_SIDE * AROUND)
+    n = np.arange(np.ceil(low / AROUND - 1e-6), np.floor(high / AROUND + 1e-6) + 1)
+    return [_along(case, along, at, float(t), Text("round")) for t in np.round(n * AROUND, 4) + 0.0 if t != at[along.leader]]
+
+
+# --- tip cuts --------------------------------------------------------------------------------------------------------------
+def cut_steps(case: Case, wheel: Wheel) -> list[float]:
+    """None, steps of a round part of the module, and that of the design."""
+    wanted = CUT_STEP * case.system.m_n * 1e3
+    size = 10.0 ** np.floor(np.log10(wanted))
+    step = size * min((1, 2, 5, 10), key=lambda n: abs(np.log(n * size / wanted)))
+    return sorted({round(float(n * step), 6) / 1e3 for n in range(CUTS + 1)} | {wheel.tip_shortening})
+
+
+def _cut_now(case: Case, now: Row | None) -> list[Row]:
+    found = []
+    for wheel in case.gears.wheels if now is not None else ():
+        assert now is not None
+        for k in cut_steps(case, wheel):
+            if k != wheel.tip_shortening:
+                made = states(case.system, case.gears, now.states.shifts, {wheel.name: k})
+                found.append(_row(case, Name(wheel.name), None, {}, {wheel.name: k}, made))
+    return found
+
+
+def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row], progress: Progress | None = None) -> list[Row]:
+    """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
+    found = []
+    for n, wheel in enumerate(case.gears.wheels):
+        tell(progress, n / len(case.gears.wheels), Text("tip cut of {wheel}", wheel=wheel.name))
+        reached = list(uncut)
+        for k in cut_steps(case, wheel):
+            for row in _optima(case, way, {wheel.name: k}, Name(wheel.name)) if k != wheel.tip_shortening else ():
+                if all(row.largest < one.largest - GAIN for one in reached if _keeps(case, one, row.bar)):
+                    reached.append(row)
+                    found.append(row)
+    return sorted(found, key=lambda row: (not row.usual, row.largest))

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Many trains at once: what the shifts and tip cuts of all wheels make of sliding, contact, tips and clearances.
+
+The formulas are those of `formulas.py`, called with arrays: one element for each combination.  Nothing is judged here.
+"""
+
+from collections.abc import Mapping
+from typing import Any, cast
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.record import record
+from .. import formulas as f
+from ..inputs import GearsInputs, Mesh, Wheel
+from ..measures.formulas import generating_shift
+from ..practice import above_fillet
+from ..profile.outline import Cut, form_diameter_of_undercut
+from ..result import ToothSystem
+
+NODES = 33  # of the form diameter over the shift, where it comes from the tool's trochoid
+
+Place = tuple[str, str]  # (mesh, wheel)
+
+
+@record
+class States:
+    """Arrays over the combinations, by wheel, by mesh, or by mesh and wheel.  Where wheels can not mesh: no number (nan).
+
+    `sliding` and `sliding_lpstc`: signed, negative in the dedendum; the latter is no number where ε_α is not from 1 to 2.
+    `margin`: (d_N − d_Ff)/2 with the fillet of the thinnest tooth (x_E of the lower allowance); d_N: where the mate's tip arrives.
+    `clearance`: at the wheel's root.  `tip_thickness`: normal.  `largest`: |ζ| of all at the start of contact.
+    """
+
+    shifts: Mapping[str, Array]
+    cuts: Mapping[str, Array]
+    distances: Mapping[str, Array]
+    undercut_limit: Mapping[str, float]
+    tip_thickness: Mapping[str, Array]
+    contact_ratio: Mapping[str, Array]
+    sap_diameter: Mapping[Place, Array]
+    sliding: Mapping[Place, Array]
+    sliding_lpstc: Mapping[Place, Array]
+    margin: Mapping[Place, Array]
+    clearance: Mapping[Place, Array]
+
+    @property
+    def largest(self) -> Array:
+        return worst(self.sliding.values())
+
+    def largest_of(self, mesh: str) -> Array:
+        return worst(zeta for (key, _), zeta in self.sliding.items() if key == mesh)
+
+
+def worst(sliding: Any) -> Array:
+    """The largest modulus, element by element; ∞ where wheels can not mesh."""
+    found: Array = np.max(np.abs(np.array(list(sliding))), axis=0)
+    return np.where(np.isnan(found), np.inf, found)
+
+
+@record
+class _Circles:
+    """One wheel of every combination."""
+
+    wheel: Wheel
+    d: Any
+    d_b: Any
+    d_a: Any
+    d_f: Any
+    rho_a: Any
+    rho_F: Any
+    d_Ff_E: Any  # of the thinnest tooth
+
+
+def states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], cuts: Mapping[str, Any] | None = None) -> States:
+    """`shifts` of every wheel and `cuts` (left out: those of the design), numbers or arrays that go together.
+
+    A mesh of `gears` with a centre distance has it; with any other the distance follows without backlash.  The shifts have to agree
+    with the given distances; who makes them so is `freedom`.
+    """
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return _states(system, gears, shifts, cuts or {})
+
+
+def _states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], cuts: Mapping[str, Any]) -> States:
+    names = [w.name for w in gears.wheels]
+    given = [shifts[n] for n in names] + [cuts.get(w.name, w.tip_shortening) for w in gears.wheels]
+    every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in given))
+    x, k = dict(zip(names, every)), dict(zip(names, every[len(names) :]))
+    limits = {w.name: float(_undercut_limit(system, w)) for w in gears.wheels}
+    circles, tips = {}, {}
+    for wheel in gears.wheels:
+        circles[wheel.name], tips[wheel.name] = _circles(system, wheel, x[wheel.name], k[wheel.name], limits[wheel.name])
+    distances: dict[str, Array] = {}
+    ratios: dict[str, Array] = {}
+    parts: tuple[dict[Place, Array], ...] = ({}, {}, {}, {}, {})
+    for mesh in gears.meshes:
+        key, a_w = mesh.key, _distance(system, mesh, circles, x)
+        distances[key] = np.broadcast_to(np.asarray(a_w, dtype=float), every[0].shape)
+        ratios[key] = _mesh(system, key, a_w, (circles[mesh.driver], circles[mesh.driven]), parts)
+    sap, sliding, lpstc, margin, clearance = parts
+    return States(
+        shifts=x, cuts=k, distances=distances, undercut_limit=limits, tip_thickness=tips, contact_ratio=ratios, sap_diameter=sap,
+        sliding=sliding, sliding_lpstc=lpstc, margin=margin, clearance=clearance,
+    )  # fmt: skip
+
+
+def _undercut_limit(s: ToothSystem, wheel: Wheel) -> float:
+    return f.undercut_limit(s.h_fP, s.rho_aP0, s.alpha_n, wheel.teeth, s.transverse_pressure_angle, s.beta)
+
+
+def _circles(s: ToothSystem, wheel: Wheel, x: Any, k: Any, x_min: float) -> tuple[_Circles, Any]:
+    alpha_t = s.transverse_pressure_angle
+    d = f.reference_diameter(wheel.teeth, s.transverse_module)
+    d_b = f.base_diameter(d, alpha_t)
+    d_a = f.tip_diameter(d, s.m_n, x, k)
+    s_at = f.thickness_at(d_a, f.reference_thickness(s.m_n, x, s.alpha_n, s.beta), d, alpha_t, f.pressure_angle_at(d_b, d_a))
+    d_Ff = _form_diameter(s, wheel, x, x_min, d, d_b)
+    lower = wheel.span_allowance[1] if wheel.span_allowance else None
+    thinnest = d_Ff if lower is None else _form_diameter(s, wheel, generating_shift(x, lower, s.m_n, s.alpha_n), x_min, d, d_b)
+    made = _Circles(
+        wheel=wheel, d=d, d_b=d_b, d_a=d_a, d_f=f.root_diameter(d, s.m_n, x, s.h_fP), rho_a=f.curvature_at(d_a, d_b),
+        rho_F=f.curvature_at(d_Ff, d_b), d_Ff_E=thinnest,
+    )  # fmt: skip
+    return made, f.normal_thickness_at(s_at, s.beta, d_a, d)
+
+
+def _form_diameter(s: ToothSystem, wheel: Wheel, x: Any, x_min: float, d: float, d_b: float) -> Any:
+    """By the closed form; below x_min and for a tool with protuberance from the trochoid, of many shifts between a few of them."""
+    straight: Any = f.form_diameter(d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b)
+    crossed = np.full(x.shape, True) if s.s_pr > 0 else x < x_min
+    if not crossed.any():
+        return straight
+    at = np.unique(x[crossed])
+    if len(at) > NODES:
+        at = np.linspace(at[0], at[-1], NODES)
+    known = np.array([form_diameter_of_undercut(Cut(s, wheel.teeth, float(one))) for one in at])
+    return np.where(crossed, np.interp(x, at, known), straight)
+
+
+def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[str, Any]) -> Any:
+    if mesh.centre_distance is not None:
+        return mesh.centre_distance
+    z_1, z_2 = circles[mesh.driver].wheel.teeth, circles[mesh.driven].wheel.teeth
+    involute: Any = f.working_involute(s.transverse_pressure_angle, s.alpha_n, x[mesh.driver], x[mesh.driven], z_1, z_2)
+    alpha_wt: Any = f.angle_of_involute(involute)
+    return f.centre_distance(z_1, z_2, s.transverse_module, s.transverse_pressure_angle, alpha_wt)
+
+
+def _mesh(s: ToothSystem, key: str, a_w: Any, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]) -> Array:
+    """Fill the parts of one mesh in; gives its contact ratio."""
+    sap, sliding, lpstc, margin, clearance = parts
+    one, two = wheels
+    alpha_wt: Any = f.working_pressure_angle(one.d_b, two.d_b, a_w)
+    T: Any = f.line_of_action(a_w, alpha_wt)
+    starts: Any = {w.wheel.name: f.start_of_active_profile(T, m.rho_a, w.rho_F) for w, m in ((one, two), (two, one))}
+    path = f.path_of_contact(T, starts[one.wheel.name], starts[two.wheel.name])
+    eps_alpha: Any = f.transverse_contact_ratio(path, s.base_pitch)
+    single = (eps_alpha >= 1) & (eps_alpha < 2)
+    for wheel, mate in ((one, two), (two, one)):
+        at, z, z_m = (key, wheel.wheel.name), wheel.wheel.teeth, mate.wheel.teeth
+        rho_A = starts[wheel.wheel.name]
+        rho_B: Any = f.lowest_single_contact(T, starts[mate.wheel.name], s.base_pitch)
+        sap[at] = f.diameter_at(wheel.d_b, rho_A)  # type: ignore[assignment]
+        sliding[at] = np.where((rho_A > 0) & (path > 0), f.specific_sliding(T, rho_A, z, z_m), np.nan)
+        lpstc[at] = np.where(single, f.specific_sliding(T, rho_B, z, z_m), np.nan)
+        reached: Any = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
+        margin[at] = reached
+        clearance[at] = f.tip_clearance(a_w, wheel.d_f, mate.d_a)  # type: ignore[assignment]
+    return cast(Array, eps_alpha)

@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the parts of an id are called: the value `bearings.front.film_edge` belongs to "front".
+
+A part of the program is a Text, which a language can say; one that the user named (a wheel, a mesh, a sector, a scenario) is a Name.
+"""
+
+import re
+
+from .sheet.text import Name, Text
+
+NUMBERED = re.compile(r"order_(\d+)")
+WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the user
+    "engine.crank": Text("crank"), "engine.firing": Text("firing"), "engine.gas": Text("gas"), "engine.harmonic": Text("harmonic"),
+    "engine.inertia_torque": Text("inertia torque"), "engine.reaction_inertia": Text("reaction inertia"), "engine.throw": Text("throw"),
+    "engine.throw.largest_tangential": Text("largest tangential"), "engine.throw.top_dead_centre": Text("top dead centre"),
+    "imbalance.bob_mass": Text("bob mass"), "imbalance.counterweight": Text("counterweight"), "imbalance.crank": Text("crank"),
+    "imbalance.crank.balanced": Text("balanced"), "imbalance.crank.bare": Text("bare"), "imbalance.crank.stated": Text("stated"),
+    "imbalance.remedy": Text("remedy"), "imbalance.remedy.backward_shaft": Text("backward shaft"),
+    "imbalance.remedy.crank": Text("crank"), "imbalance.remedy.crank_and_shafts": Text("crank and shafts"),
+    "imbalance.remedy.first_order_pair": Text("first order pair"), "imbalance.remedy.four_shafts": Text("four shafts"),
+    "imbalance.remedy.second_order_shafts": Text("second order shafts"), "imbalance.unbalances": Text("unbalances"),
+    "countershaft.alternative": Text("alternative"), "countershaft.bolts": Text("bolts"), "countershaft.drain": Text("drain"),
+    "countershaft.holes": Text("holes"), "countershaft.scatter": Text("scatter"), "countershaft.sector": Text("sector"),
+    "countershaft.support": Text("support"),
+    "bearings.front": Text("front"), "bearings.rear": Text("rear"),
+    "gears.train": Text("train"), "gears.*.sheet": Text("sheet"),
+    "friction.journals": Text("journals"), "friction.journals.front": Text("front"), "friction.journals.rear": Text("rear"),
+    "friction.scenarios": Text("scenarios"), "friction.scenarios.*.*.source": Text("source"), "friction.train": Text("train"),
+    "friction.*.source": Text("source"), "friction.*.schlenk": Name("Schlenk"), "friction.*.niemann": Name("Niemann"),
+    "friction.*.xu_kahraman": Name("Xu, Kahraman"), "friction.*.benedict_kelley": Name("Benedict, Kelley"),
+}  # fmt: skip
+INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
+    "imbalance.backward": Text("backward"), "imbalance.backward_2": Text("backward 2"), "imbalance.forward": Text("forward"),
+    "imbalance.forward_2": Text("forward 2"), "imbalance.two_term": Text("two term"),
+    "engine.journal": Text("journal"), "engine.pin": Text("pin"),
+    "bearings.corners": Text("corners"), "bearings.din31652": Name("DIN 31652"), "bearings.dynamics": Text("dynamics"),
+    "bearings.raimondi_boyd": Name("Raimondi & Boyd"), "bearings.reynolds": Name("Reynolds"),
+    "bearings.short_bearing": Text("short bearing"),
+}  # fmt: skip
+
+
+def addressed(key: str) -> list[Text]:
+    """The parts of the key of an input before its last one: the tables of the file as they stand there, front and rear in words."""
+    parts = key.split(".")[:-1]
+    return [WORDS.get(".".join(parts[: n + 1])) or Name(part) for n, part in enumerate(parts)]
+
+
+def belongs(id: str) -> list[Text]:
+    """The parts of the id of a value or check between its step and its last word, in words."""
+    step, *parts = id.split(".")[:-1]
+    way, words = step, []
+    for part in parts:
+        known = WORDS.get(f"{way}.{part}") or INSIDE.get(f"{step}.{part}")
+        if known is None and step == "imbalance" and (numbered := NUMBERED.fullmatch(part)):
+            known = Text("order {n}", n=int(numbered[1]))
+        words.append(known or Name(part.replace("_", "–")))
+        way = f"{way}.{part if known else '*'}"
+    return words

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a plain journal may carry and what is usual: one place for guide texts, checks, screenings and the search."""
+
+from .sheet.text import Amount, Text
+from .sheet.units import Celsius, NewtonPerMetreSecond, Number, Pascal, Radian
+
+FINOTTI = Text("Finotti 2013, 3.2.3.1")
+TRUMPLER = Text("Trumpler, after Finotti 2013, 5.6")
+
+SPECIFIC_LOAD: Pascal = 5e6  # the most that is accepted
+USUAL_SPECIFIC_LOAD: Pascal = 2e6
+HEAT_INDEX: NewtonPerMetreSecond = 500_000 * 1000 / 60  # 500 000 N·rpm/mm, with forced oil and cooling
+USUAL_HEAT_INDEX: NewtonPerMetreSecond = 240_000 * 1000 / 60
+LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
+USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
+RELATIVE_CLEARANCE: Number = 1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
+SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)  # of hole or pocket over the length; DIN 31652-2: range of the supply factors
+TRUMPLER_TEMPERATURE: Celsius = 121.0  # 250 °F
+FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.6
+SLOPE: Radian = 0.25e-3  # Finotti 2013, ch. 6: target of the engine's maker
+STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
+
+# The same rules in words, for guide texts.
+USUAL_LENGTH = Text("usual l/d {low} to {high}", low=Amount(USUAL_LENGTH_RATIO[0]), high=Amount(USUAL_LENGTH_RATIO[1]))
+USUAL_CLEARANCE = Text("usual up to {most} of d as made", most=Amount(RELATIVE_CLEARANCE * 1e3, "‰"))

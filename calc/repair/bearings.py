@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Bearings that fail: the nearest ones of the search that `choose` offers."""
+
+from ..bearings.selection.convergence import changes
+from ..bearings.selection.search import nearest_row
+from ..selection import bearings_case
+from ..sheet.check import Check
+from ..sheet.errors import NoSolution
+from ..sheet.progress import Progress
+from ..sheet.text import Text
+from .state import State
+
+
+def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+    """Lengths, clearances, oil and supply, and where these do not help surfaces, diameters and fits.  Raises NoSolution."""
+    case = bearings_case(state.design, state.results)
+    settled = nearest_row(case, progress)
+    written = changes(settled.row, case.bearings) if settled.row is not None else {}
+    if not written:
+        raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
+    return state.with_changes(written, settled.results)

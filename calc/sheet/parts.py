@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Calls the parts of a solve, and takes over from an earlier solve those whose arguments have not changed."""
+
+from collections.abc import Callable, Mapping
+from typing import Never, ParamSpec, TypeVar, cast
+
+from .errors import Cancelled, NoSolution
+from .step import Outcome
+from .text import Text
+
+P = ParamSpec("P")
+R = TypeVar("R")
+Kept = tuple[tuple[object, ...], Outcome[object]]  # the arguments of a part, and its outcome
+
+
+class Enough(Exception):
+    """What is wanted of a design is known."""
+
+
+class Parts:
+    """`part("engine", engine.solve, …)` calls `engine.solve(…)`; the type checker holds the arguments against its signature.
+
+    `titles`: of the steps by key, in their order; `before`: what an earlier solve kept; `stop` is asked before each part whether nobody
+    waits for the results any more, then Cancelled is raised; `enough` after each part whether its outcome decides all that is asked.
+    """
+
+    def __init__(
+        self,
+        titles: Mapping[str, Text],
+        before: Mapping[str, Kept],
+        *,
+        stop: Callable[[], bool],
+        enough: Callable[[Outcome[object]], bool] | None,
+    ) -> None:
+        self.titles, self.before, self.stop, self.enough = titles, before, stop, enough
+        self.kept: dict[str, Kept] = {}
+        self.last: dict[str, Outcome[object]] = {}
+
+    def __call__(self, key: str, function: Callable[P, Outcome[R]], /, *args: P.args, **kwargs: P.kwargs) -> Outcome[R]:
+        """The outcome of a part of the step `key`; where it finds no solution, or its arithmetic breaks down, an outcome that says so."""
+        if self.stop():
+            raise Cancelled
+        name, arguments = f"{key}.{function.__name__}", (*args, *kwargs.values())
+        known, kept = self.before.get(name, (None, None))
+        outcome: Outcome[R]
+        if known is not None and _same(known, arguments):
+            outcome = cast("Outcome[R]", kept)  # of the same function: parts are kept by its name
+        else:
+            try:
+                outcome = function(*args, **kwargs)
+            except NoSolution as none:
+                outcome = Outcome(key, "no_solution", reason=none.text)
+            except (ArithmeticError, ValueError) as error:  # numbers that are allowed one by one, but not together
+                reason = Text("the arithmetic breaks down ({error}); look for an extreme number", error=error)
+                outcome = Outcome(key, "no_solution", reason=reason)
+        self.kept[name], self.last[key] = (arguments, outcome), outcome
+        if self.enough is not None and self.enough(outcome):
+            raise Enough
+        return outcome
+
+    def absent(self, key: str, inputs: object, after: tuple[Outcome[object], ...]) -> Outcome[Never]:
+        """The outcome of a step that is not called: not asked where it has no inputs, else blocked by those of `after` without result."""
+        if inputs is None:
+            return Outcome(key, "not_asked")
+        late = {outcome.key for outcome in after if outcome.state != "solved"}
+        titles = [title for other, title in self.titles.items() if other in late]
+        return Outcome(key, "blocked", reason=Text("waits for {waiting}", waiting=Text(" and ").join(titles)))
+
+
+def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:
+    """Inputs are compared by value, results by identity (they hold arrays)."""
+    try:
+        return len(known) == len(arguments) and all(a is b or bool(a == b) for a, b in zip(known, arguments))
+    except ValueError:
+        return False

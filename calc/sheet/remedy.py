@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What would make a check hold, as data: new values of keys, and what they do.  The advice of a check is rendered from it."""
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+from .quantity import keys
+from .record import record
+from .text import EMPTY, Amount, Text, alternatives, listed
+
+BOUNDS = {
+    "": Text("{label} {value}"), ">=": Text("{label} at least {value}"), "<=": Text("{label} at most {value}"),
+    "left out": Text("{label} left out"),
+}  # fmt: skip
+
+
+@record
+class Change:
+    """One key with the value that it would have, in the unit of the key; None: left out.  `words`: in the field's own label and unit."""
+
+    key: str
+    value: Any
+    words: Text
+
+
+@record
+class Remedy:
+    """Keys that are changed together, and what that does."""
+
+    changes: tuple[tuple[str, Any], ...]
+    effect: Text
+    words: Text
+
+
+def change(inputs: type, key: str, value: Any, *, place: str = "", bound: str = "") -> Change:
+    """A change of `key`, the last part of which is a field of the class `inputs`.
+
+    `place`: the element that has the key, as the user names it.  `bound`: ">=" or "<=" where more, or less, does as well.
+    """
+    about = keys(inputs)[key.rpartition(".")[2]].about
+    label = Text("{label} of {place}", label=Text(about.label), place=place) if place else Text(about.label)
+    template = BOUNDS["left out" if value is None else bound].template
+    return Change(key, value, Text(template, label=label, value=_written(value, about.unit)))
+
+
+def _written(value: Any, unit: str) -> Any:
+    if isinstance(value, (list, tuple)):
+        return Text("[{values}] {unit}", values=Text("; ").join([Text("{x}", x=Amount(x, digits=6)) for x in value]), unit=unit)
+    return Amount(value, unit, digits=6) if isinstance(value, (int, float)) else Text("{value}", value=str(value))
+
+
+def remedy(*changes: Change, effect: Text = EMPTY) -> Remedy:
+    """All of the changes at once."""
+    words = listed([one.words for one in changes])
+    if effect:
+        words = Text("{change} ({effect})", change=words, effect=effect)
+    return Remedy(tuple((one.key, one.value) for one in changes), effect, words)
+
+
+def sentence(remedies: tuple[Remedy, ...]) -> Text:
+    """Each of them would do."""
+    return Text("To pass: {ways}.", ways=alternatives([one.words for one in remedies])) if remedies else EMPTY
+
+
+def by_key(
+    inputs: type, key: str, value: Any, *, place: str = "", bound: str = "", effect: Text = EMPTY
+) -> Callable[[], tuple[Remedy, ...]]:  # fmt: skip
+    """What makes the remedy of one key, when it is wanted."""
+    return lambda: (remedy(change(inputs, key, value, place=place, bound=bound), effect=effect),)
+
+
+def down(length: float) -> float:
+    """A length [m] in mm, to 0.01 mm below."""
+    return math.floor(length * 1e5 + 1e-6) / 1e2
+
+
+def up(length: float) -> float:
+    """A length [m] in mm, to 0.01 mm above."""
+    return math.ceil(length * 1e5 - 1e-6) / 1e2

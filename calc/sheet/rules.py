@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The table of all checks: of which kind each is and why, what it shares its cause with, which value it judges and what moves it.
+
+It is a table to be read, `calc/tables/checks.md`; the letters in its ids stand for elements that have names of their own.
+"""
+
+from functools import cache
+from pathlib import Path
+
+from .record import record
+
+TABLE = Path(__file__).parent.parent / "tables" / "checks.md"
+KINDS = ("limit", "caution", "advice", "method")  # from what must hold to what concerns the calculation alone
+ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
+
+
+@record
+class Rule:
+    """One row: for one check, or for all checks of its pattern.
+
+    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.  `value`, `limit`: ids of
+    the value that is judged and of that which it is held against; empty: it has none.  `moved_by`: keys of the inputs that move it most,
+    in the order in which a designer uses them; the key of a table stands for the numbers in it.
+    """
+
+    id: str
+    kinds: tuple[str, ...]
+    demand: bool
+    cause: str
+    value: str
+    limit: str
+    moved_by: tuple[str, ...]
+    why: str
+
+
+@cache
+def rules() -> tuple[Rule, ...]:
+    """All rows, in their order."""
+    rows = [line for line in TABLE.read_text(encoding="utf-8").splitlines() if line.startswith("| ")][1:]
+    return tuple(_rule(*(cell.strip() for cell in row[2:-2].split("| "))) for row in rows)
+
+
+def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> Rule:
+    kinds = kind.split()
+    demand = kinds[-1] == "demand"
+    return Rule(
+        id, tuple(kinds[:-1] if demand else kinds), demand, cause, id if value == "=" else value, limit, tuple(moved_by.split()), why
+    )
+
+
+@cache
+def _by_end() -> dict[tuple[str, int, str], list[Rule]]:
+    """The rows by step, number of parts and last part of their ids; of several, those with fewer letters first."""
+    found: dict[tuple[str, int, str], list[Rule]] = {}
+    for rule in sorted(rules(), key=lambda rule: sum(part in ELEMENTS for part in rule.id.split("."))):
+        parts = rule.id.split(".")
+        found.setdefault((parts[0], len(parts), parts[-1].removesuffix("W")), []).append(rule)
+    return found
+
+
+@cache
+def rule_of(id: str, index: int | None = None) -> Rule:
+    """The row of a check with its own elements in place of the letters.  `index`: of the mesh in its array (`#` of the keys).
+
+    Raises KeyError where there is none: every check has its row.
+    """
+    parts = id.split(".")
+    ends = (parts[-1], parts[-1].partition("_")[0] + "_")
+    for rule in [rule for end in ends for rule in _by_end().get((parts[0], len(parts), end), ())]:
+        names = _names(rule.id.split("."), parts)
+        if names is not None:
+            return _filled(rule, names, index)
+    raise KeyError(f"the check {id} has no row in {TABLE.name}")
+
+
+def is_limit(id: str) -> bool:
+    """Whether a check with this id can be nothing but a limit."""
+    try:
+        return rule_of(id).kinds == ("limit",)
+    except KeyError:
+        return False
+
+
+def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
+    """The elements that the letters of a pattern stand for in an id; None where it is not of this pattern.  A mesh is two names with _."""
+    names: dict[str, str] = {}
+    for letter, part in zip(pattern, parts):
+        if letter in ELEMENTS:
+            if letter in "MW" and (letter == "M") != ("_" in part):
+                return None
+            names[letter] = part
+        elif letter.endswith("_W") and part.startswith(letter[:-1]):
+            names["W"] = part[len(letter) - 1 :]
+        elif letter != part:
+            return None
+    if "M" in names:
+        names["DRIVER"], _, names["DRIVEN"] = names["M"].partition("_")
+    return names
+
+
+def _filled(rule: Rule, names: dict[str, str], index: int | None) -> Rule:
+    names = names if index is None else names | {"#": str(index)}
+    keys = tuple(filled for key in rule.moved_by if "#" not in (filled := _put(key, names)))
+    return Rule(
+        _put(rule.id, names),
+        rule.kinds,
+        rule.demand,
+        _put(rule.cause, names),
+        _put(rule.value, names),
+        _put(rule.limit, names),
+        keys,
+        rule.why,
+    )
+
+
+def _put(id: str, names: dict[str, str]) -> str:
+    if not names:
+        return id
+    parts = [names.get(part, part) for part in id.split(".")]
+    if "W" in names and parts[-1].endswith("_W"):
+        parts[-1] = parts[-1][:-1] + names["W"]
+    return ".".join(parts)

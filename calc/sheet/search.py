@@ -1,0 +1,265 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One search for whatever has to be chosen: candidates, limits, dominance, ranking, and why the neighbours fail.
+
+It knows nothing of engines.  A step says its variables (from the metadata of its inputs, or a standard series), its limits (those of its
+own checks) and what it wants least of.  Candidates come in two kinds, and each has its evaluation:
+
+- many at once, as arrays: `judged` puts a limit on all of them, `passing` and `first` choose, `nondominated` and `stretch` sort out;
+- one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they can, stop at the
+  first limit that fails, and keep to a `Budget`.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, Generic, TypeVar
+
+import numpy as np
+
+from .arrays import Array, BoolArray
+from .progress import Progress, tell
+from .quantity import Quantity
+from .record import record
+from .text import EMPTY, Text
+
+T = TypeVar("T")
+R = TypeVar("R")
+
+DUST = 1e-9  # of the limit: a margin that is negative by rounding only
+SAME = 1e-9  # relative: two candidates that are one
+RENARD = {  # preferred numbers of one decade, ISO 3
+    "R5": (1.0, 1.6, 2.5, 4.0, 6.3),
+    "R10": (1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0),
+    "R20": (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0),
+}  # fmt: skip
+MODULES = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)  # mm, ISO 54, series I
+
+
+# --- candidates ------------------------------------------------------------------------------------------------------------
+def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -> Array:
+    """Whole multiples of a step from `low` to `high`, in order; shape (n,).
+
+    `own` numbers stand in the place of a multiple that they equal but for rounding, else between them.
+    """
+    steps: Any = np.arange(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1) * step
+    given = list(own)
+    for number in given:
+        steps = steps[np.abs(steps - number) > step * 1e-5]
+    return np.sort(np.append(steps, given)) if given else steps
+
+
+def preferred(series: str, low: float, high: float) -> tuple[float, ...]:
+    """The numbers of a standard series ("R5", "R10", "R20" of ISO 3, "module" of ISO 54) from `low` to `high`."""
+    if series == "module":
+        return tuple(x for x in MODULES if low * (1 - SAME) <= x <= high * (1 + SAME))
+    decades = range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1)
+    numbers = (float(f"{x * 10.0**n:.12g}") for n in decades for x in RENARD[series])
+    return tuple(x for x in numbers if low * (1 - SAME) <= x <= high * (1 + SAME))
+
+
+def values_of(about: Quantity, low: float | None = None, high: float | None = None, own: Iterable[float] = ()) -> Sequence[Any]:
+    """What an input may be, in its own unit: its choices, or whole numbers or multiples of its step between its ends.
+
+    `low` and `high` narrow the ends of the input, which has to have both where they are left out.
+    """
+    if about.kind == "choice":
+        return about.choices
+    ends = [x for x in (low, about.low) if x is not None], [x for x in (high, about.high) if x is not None]
+    if not all(ends):
+        raise ValueError(f"{about.label} has no {'low' if not ends[0] else 'high'} end to search from")
+    step = 1.0 if about.kind == "integer" else about.step or 0.1
+    found = multiples(step, max(ends[0]), min(ends[1]), own)
+    found = found if about.above is None else found[found > about.above]
+    return [round(x) for x in found] if about.kind == "integer" else list(found)
+
+
+def allowed(about: Quantity, numbers: Iterable[float]) -> bool:
+    """Whether the ends of an input allow these numbers, in its own unit."""
+    low, high, above = about.low, about.high, about.above
+    return not any((low is not None and x < low) or (high is not None and x > high) or (above is not None and x <= above) for x in numbers)
+
+
+def rounded(low: float, high: float) -> float:
+    """The number of the fewest digits that lies beyond `low` and not beyond `high`, seen from `low`."""
+    for digits in range(-3, 7):
+        unit = 10.0**-digits
+        n = math.floor(high / unit + 1e-9) if high > low else math.ceil(high / unit - 1e-9)
+        x = round(n * unit, max(digits, 0))
+        if (low < x <= high * (1 + 1e-12)) if high > low else (high * (1 - 1e-12) <= x < low if high > 0 else high <= x < low):
+            return x
+    return high
+
+
+def beside(number: float, step: float) -> tuple[float, float]:
+    """The whole multiples of a step below and above a number, each more than half a step away."""
+    below, above = math.floor(number / step - 0.5 - 1e-6), math.ceil(number / step + 0.5 + 1e-6)
+    return round(below * step, 12), round(above * step, 12)
+
+
+# --- many candidates at once -----------------------------------------------------------------------------------------------
+@record
+class Judged:
+    """One limit on any number of candidates: value, limit and margin, arrays of one shape (or numbers).  `margin` is that of a check, −∞
+    where there is no number.  `rule`: whatever the step calls the limit by; `where`: what governs it, in the step's own terms."""
+
+    rule: Any
+    value: Any
+    limit: Any
+    margin: Any
+    where: Any = None
+
+
+def judged(rule: Any, value: Any, limit: float | tuple[float, float] | Array, sense: str = ">=", where: Any = None) -> Judged:
+    """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
+    if isinstance(limit, tuple):
+        low, high = limit
+        to_low, to_high = value - low, high - value
+        margin = np.where(to_low <= to_high, to_low / (abs(low) or 1.0), to_high / (abs(high) or 1.0))
+    else:
+        gap = value - limit if sense in (">=", ">") else limit - value
+        margin = gap / np.where(limit == 0, 1.0, np.abs(limit))
+    margin = np.where(np.abs(margin) <= DUST, 0.0, margin)
+    return Judged(rule, value, limit, np.where(np.isnan(margin), -np.inf, margin), where)
+
+
+def least(limits: Iterable[Judged]) -> Array:
+    """The least margin of all limits, candidate by candidate."""
+    margin: Array = np.min(np.array([one.margin for one in limits]), axis=0)
+    return margin
+
+
+def governing(limits: Iterable[Judged], index: Any = ...) -> Judged:
+    """The limit with the least margin of one candidate."""
+    return min(limits, key=lambda one: float(one.margin[index]))
+
+
+def first(kept: BoolArray, *wanted: Array) -> Any:
+    """The index of the candidate that is kept with the least of what is wanted, and of equal ones the least of the next; None: none is."""
+    if not kept.any():
+        return None
+    orders = [np.where(kept, numbers, np.inf).ravel() for numbers in reversed(wanted)]
+    return np.unravel_index(np.lexsort(orders)[0], kept.shape)
+
+
+def nondominated(*wanted: Array) -> BoolArray:
+    """Which candidates no other one beats: less of one of the objectives and no more of any; shape (n,)."""
+    points = np.stack(wanted, axis=-1)
+    order = np.lexsort(points.T[::-1])
+    kept = np.zeros(len(points), dtype=bool)
+    front: list[Any] = []
+    for i in order:  # whoever beats a point stands before it in this order
+        if not any((other <= points[i]).all() and (other < points[i]).any() for other in front):
+            front.append(points[i])
+            kept[i] = True
+    return kept
+
+
+def stretch(kept: BoolArray, i: int) -> tuple[int, int] | None:
+    """First and last index of the stretch of kept candidates around i, or nearest to it; None: none is kept."""
+    held = np.flatnonzero(kept)
+    if not len(held):
+        return None
+    i = int(held[np.argmin(np.abs(held - i))])
+    fails = np.flatnonzero(~kept)
+    before, after = fails[fails < i], fails[fails > i]
+    return (int(before[-1]) + 1 if len(before) else 0), (int(after[0]) - 1 if len(after) else len(kept) - 1)
+
+
+def narrowed(
+    evaluate: Callable[[Array], tuple[Array, Array]], low: Array, high: Array, centre: Array, step: Array, side: int
+) -> tuple[Array, float, float]:  # fmt: skip
+    """The best point of a lattice of whole numbers between `low` and `high` (each of shape (axes,)), its margin and what is wanted.
+
+    A grid of `side` points an axis (odd) follows its best point until it stays, then halves its step, down to 1.  `evaluate` gives margins
+    and what is wanted least of points of shape (n, axes); where no point keeps the limits the largest margin is sought.
+    """
+    offsets = np.stack(np.meshgrid(*[np.arange(side) - side // 2] * len(low), indexing="ij"), -1).reshape(-1, len(low))
+    while True:
+        points = np.clip(centre + offsets * step, low, high)
+        margin, wanted = evaluate(points)
+        middle, i = len(points) // 2, least_wanted(wanted, margin)
+        if wanted[i] < wanted[middle] if margin[middle] >= 0 else margin[i] > margin[middle]:
+            centre = points[i]
+        elif (step == 1).all():
+            return centre, float(margin[middle]), float(wanted[middle])
+        else:
+            step = np.maximum(step // 2, 1)
+
+
+def least_wanted(wanted: Array, margin: Array) -> int:
+    """The index of the candidate that keeps every limit with the least of what is wanted; where none does, the one that misses by least."""
+    kept = margin >= 0
+    return int(np.argmin(np.where(kept, wanted, np.inf))) if kept.any() else int(np.argmax(margin))
+
+
+# --- one candidate after the other -----------------------------------------------------------------------------------------
+@dataclass
+class Budget:
+    """How many candidates may still be evaluated whole: all parts of a search share one."""
+
+    left: int
+
+    def spend(self) -> bool:
+        """Whether there is one left, which is then gone."""
+        if self.left <= 0:
+            return False
+        self.left -= 1
+        return True
+
+
+@record
+class Trial(Generic[R]):
+    """What one candidate gives, and its rank: 0 needs no better one.  `result` None: it fails, and `why`."""
+
+    result: R | None
+    rank: Any = 0
+    why: Text = EMPTY
+
+
+def first_good(
+    candidates: Iterable[T], evaluate: Callable[[T], Trial[R]], progress: Progress | None = None, what: str = "", most: int | None = None
+) -> Trial[R]:  # fmt: skip
+    """The first of rank 0, else the first of the least rank; where all fail, with the reason of the last.
+
+    `most`: how many are tried.
+    """
+    best: Trial[R] = Trial(None)
+    tried = list(candidates)[:most]
+    for n, candidate in enumerate(tried):
+        tell(progress, n / len(tried), what)
+        one = evaluate(candidate)
+        if one.result is None:
+            best = best if best.result is not None else one
+        elif best.result is None or one.rank < best.rank:
+            best = one
+        if best.result is not None and best.rank == 0:
+            break
+    return best
+
+
+def smallest(holds: Callable[[float], bool], guesses: Iterable[float], halvings: int) -> tuple[float, float] | None:
+    """Of changes that help the more the larger they are: the largest that is known not to help, and the smallest that does.
+
+    `guesses`, the smallest first, until one helps; the stretch below it is then halved.  None: no guess helps.
+    """
+    low = 0.0
+    for high in guesses:
+        if holds(high):
+            break
+        low = high
+    else:
+        return None
+    for _ in range(halvings):
+        middle = (low + high) / 2
+        low, high = (low, middle) if holds(middle) else (middle, high)
+    return low, high
+
+
+def least_whole(evaluate: Callable[[int], R | None], low: int, high: int) -> R | None:
+    """What the least whole number from `low` to `high` gives that gives anything, where every larger one does too."""
+    best = evaluate(high) if high >= low else None
+    while best is not None and low < high:
+        middle = (low + high) // 2
+        one = evaluate(middle)
+        best, low, high = (best, middle + 1, high) if one is None else (one, low, middle)
+    return best

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves and tables, and reading them."""
+
+import re
+from functools import partial
+
+import pytest
+from textual.pilot import Pilot
+
+from assistant.screens.curve_list import CurveList
+from assistant.screens.workbench import Workbench
+from assistant.widgets.curve_pane import CurvePane
+
+from ..driving import at_rest, strike, type_in, until, work
+from . import DEEDS, Do, deed, over, still, text, to_curve, wide
+
+
+# --- curves and tables
+def number(pilot: Pilot[int]) -> str:
+    """Which curve of how many, as its title says."""
+    found = re.search(r"(\d+) of 8", text(pilot))
+    return found[1] if found else ""
+
+
+@deed
+async def curve(pilot: Pilot[int], do: Do) -> None:
+    """From where no curve is to be seen, the first key shows it."""
+    if not wide(pilot):
+        assert "Locus of the couple" not in text(pilot)
+        await do()
+        await still(pilot)
+    for n in ("1", "2", "3"):
+        assert number(pilot) == n and work(pilot).query_one(CurvePane).leaves[int(n) - 1].title[:20] in text(pilot)
+        await do()
+        await still(pilot)
+
+
+@deed
+async def curve_back(pilot: Pilot[int], do: Do) -> None:
+    await to_curve(pilot)
+    await do()
+    await still(pilot)
+    assert number(pilot) == "8" and "All values" in text(pilot)
+    await do()
+    await still(pilot)
+    assert number(pilot) == "7"
+
+
+@deed
+async def curves(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await over(pilot, CurveList)
+    assert "2 Imbalance: " in text(pilot) and "▸  1 Locus of the couple" in text(pilot)
+    wanted = pilot.app.screen_stack[0].query_one(CurvePane).leaves[2]
+    await type_in(pilot, wanted.title.lower())
+    await at_rest(pilot)
+    await strike(pilot, "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    await still(pilot)
+    await at_rest(pilot)
+    shown = work(pilot).query_one(CurvePane)
+    assert shown.leaf is wanted and pilot.app.focused is shown.target and wanted.title[:20] in text(pilot)
+
+
+async def read_at(pilot: Pilot[int]) -> float:
+    """Where the curve is read, as the user sees it too."""
+    await still(pilot)
+    pane = work(pilot).query_one(CurvePane)
+    assert pane.reading is not None and pane.cursor is not None and pane.reading.at in text(pilot) and "◆" in text(pilot)
+    return pane.cursor.place
+
+
+async def reads(by: int, fine: bool, pilot: Pilot[int], do: Do) -> None:
+    """The first key brings the cursor; then it goes on, by a step or by a tenth of it."""
+    pane = await to_curve(pilot)
+    await strike(pilot, "right")
+    start = await read_at(pilot)
+    await strike(pilot, "right")
+    step = await read_at(pilot) - start
+    await do()
+    moved = await read_at(pilot) - start - step
+    assert step > 0 and moved * by > 0 and (abs(moved) < step if fine else abs(moved) == pytest.approx(step))
+    await strike(pilot, "escape")
+    await still(pilot)
+    assert pane.cursor is None and "◆" not in text(pilot) and work(pilot).pane_layout.pane == "curve"
+
+
+DEEDS |= {"read": partial(reads, 1, False), "read_back": partial(reads, -1, False)}
+DEEDS |= {"read_fine": partial(reads, 1, True), "read_fine_back": partial(reads, -1, True)}
+
+
+async def reads_end(last: bool, pilot: Pilot[int], do: Do) -> None:
+    await to_curve(pilot)
+    await strike(pilot, "right")
+    middle = await read_at(pilot)
+    await do()
+    end = await read_at(pilot)
+    assert (end > middle) if last else (end < middle)
+    await strike(pilot, "right" if last else "left")
+    assert await read_at(pilot) == end or work(pilot).query_one(CurvePane).curve.equal  # type: ignore[union-attr]
+
+
+DEEDS |= {"read_first": partial(reads_end, False), "read_last": partial(reads_end, True)}
+
+
+@deed
+async def variant(pilot: Pilot[int], do: Do) -> None:
+    await to_curve(pilot)
+    for shown in ("without", "with", "without"):
+        assert f"{shown} the counter-shaft" in text(pilot)
+        await do()
+        await still(pilot)
+
+
+async def turns(degrees: str, pilot: Pilot[int], do: Do) -> None:
+    await to_curve(pilot)
+    assert "crank at 0°" in text(pilot)
+    await do()
+    await still(pilot)
+    assert f"crank at {degrees}°" in text(pilot)
+
+
+DEEDS |= {"crank_on": partial(turns, "10"), "crank_back": partial(turns, "350")}

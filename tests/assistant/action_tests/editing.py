@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Editing, moving between fields, copying."""
+
+from textual.pilot import Pilot
+
+from assistant.screens.explain import Explain
+
+from ..driving import go_to, screen_rows, strike, told, type_in, until, work
+from . import FIRST_CHECK, SECOND, SHARE, Do, back, deed, edited, over, still, text, to_checks
+
+
+# --- editing
+@deed
+async def undo(pilot: Pilot[int], do: Do) -> None:
+    session = await edited(pilot)
+    await do()
+    await still(pilot)
+    assert session.value(SHARE) == 0.5 and "[0.5      ]" in text(pilot) and "edited" not in screen_rows(pilot)[0]
+    form = work(pilot).form
+    assert form.last == session.place(SHARE) and pilot.app.focused is form  # no field had the focus: the next letter is a key again
+    assert "Undone: " in told(pilot) and "0.4 → 0.5" in told(pilot)
+
+
+@deed
+async def redo(pilot: Pilot[int], do: Do) -> None:
+    session = await edited(pilot)
+    await strike(pilot, "ctrl+z")
+    await strike(pilot, "escape")
+    await still(pilot)
+    assert session.value(SHARE) == 0.5
+    await do()
+    await still(pilot)
+    assert "Done again: " in told(pilot) and "0.5 → 0.4" in told(pilot)
+    assert session.value(SHARE) == 0.4 and "[0.4      ]" in text(pilot) and "● edited" in screen_rows(pilot)[0]
+
+
+@deed
+async def more(pilot: Pilot[int], do: Do) -> None:
+    await nudged(pilot, do, "[0.55     ]", 0.55)
+
+
+@deed
+async def less(pilot: Pilot[int], do: Do) -> None:
+    await nudged(pilot, do, "[0.45     ]", 0.45)
+
+
+async def nudged(pilot: Pilot[int], do: Do, shown: str, value: float) -> None:
+    box = await go_to(pilot, SHARE)
+    await do()
+    await still(pilot)
+    assert shown in text(pilot) and work(pilot).session.value(SHARE) == value and pilot.app.focused is box
+
+
+# --- moving
+@deed
+async def down(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await until(pilot, lambda: work(pilot).form.here() == work(pilot).session.place(SHARE))  # into the first field
+    checks = await to_checks(pilot)
+    await do()
+    await pilot.pause()
+    assert checks.key == checks.items[2].key and "▸✓ pass First-order couple turning" in text(pilot) and checks.has_focus
+
+
+@deed
+async def up(pilot: Pilot[int], do: Do) -> None:
+    checks = await to_checks(pilot)
+    await strike(pilot, "down", "down")
+    assert checks.key == checks.items[3].key
+    await do()
+    await do()
+    await pilot.pause()
+    assert checks.key == FIRST_CHECK and f"▸• note {SECOND}" in text(pilot) and checks.has_focus
+
+
+@deed
+async def go_on(pilot: Pilot[int], do: Do) -> None:
+    """Accepts a field, with what was understood, and goes to the next; opens a step; explains a check."""
+    box = await go_to(pilot, SHARE)
+    await type_in(pilot, "0,4")
+    await do()
+    await still(pilot)
+    assert "[0.4      ]" in text(pilot) and pilot.app.focused is not box and work(pilot).form.here() == ("imbalance", "kinematics")
+    await to_checks(pilot)
+    await do()
+    await over(pilot, Explain)
+    await back(pilot)
+
+
+@deed
+async def leave(pilot: Pilot[int], do: Do) -> None:
+    await go_to(pilot, SHARE)
+    assert "Share balanced on the crank: " in text(pilot)
+    await type_in(pilot, "0.4")
+    await do()
+    await still(pilot)
+    assert pilot.app.focused is work(pilot).form and "No field is being edited" in text(pilot)
+    assert "[0.4      ]" in text(pilot)  # nothing is taken back
+    await strike(pilot, "3")
+    await until(pilot, lambda: work(pilot).number == 3)  # a letter is a key again
+
+
+# --- copying
+@deed
+async def copy(pilot: Pilot[int], do: Do) -> None:
+    await to_checks(pilot)
+    await do()
+    assert pilot.app.clipboard == "386.8 N·m" and told(pilot) == "Copied: 386.8 N·m"
+
+
+@deed
+async def copy_line(pilot: Pilot[int], do: Do) -> None:
+    await to_checks(pilot)
+    await do()
+    assert pilot.app.clipboard.startswith(f"note: {SECOND} 386.8 N·m, limit ≤ 108.6 N·m, margin −256 % [")
+    assert told(pilot) == f"Copied: {pilot.app.clipboard}"

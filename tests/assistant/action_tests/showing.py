@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Steps, help, panes, checks and lines."""
+
+import re
+from functools import partial
+
+from textual.command import CommandPalette
+from textual.pilot import Pilot
+
+from assistant.screens.ask import Ask
+from assistant.screens.explain import Explain
+from assistant.screens.help import HelpScreen
+from assistant.screens.selection import Choosing
+from assistant.screens.workbench import Workbench
+from assistant.session import Session
+from assistant.widgets.checks import Checks
+from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.offer_list import OfferList
+from assistant.widgets.steps import Steps
+from calc.design import STEPS
+
+from ..driving import message, screen_rows, strike, told, type_in, until, work
+from . import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
+
+
+# --- steps
+async def to_step(number: int, pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await still(pilot)
+    title = f"{number} {STEPS[number - 1].title}"
+    assert titles(pilot) == [title] and pilot.app.focused is work(pilot).form
+    if wide(pilot):
+        assert f"{title}" in text(pilot) and re.search(rf"{title} +◀", text(pilot))
+    else:
+        assert re.search(rf"\[{number}.{STEPS[number - 1].title}\]", screen_rows(pilot)[1])
+    assert ("This design has no step" in text(pilot)) == (number > 3)
+
+
+DEEDS |= {f"step_{n}": partial(to_step, n) for n in range(1, len(STEPS) + 1)}
+DEEDS |= {"back": partial(to_step, 1), "next": partial(to_step, 3)}
+
+
+# --- help, palette, the end
+@deed
+async def help_(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await over(pilot, HelpScreen)
+    assert "Step 2 of 6: Imbalance" in text(pilot)
+    await strike(pilot, "end")
+    await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))  # the keys, at the end
+    await back(pilot)
+
+
+@deed
+async def palette(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await over(pilot, CommandPalette)
+    await type_in(pilot, "counterweights ap")
+    await until(pilot, lambda: "Field: Counterweights apart" in text(pilot))
+    await strike(pilot, "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).form.here() is not None)
+    assert work(pilot).form.here() == ("imbalance", "counterweight_span_mm")
+
+
+@deed
+async def quit_(pilot: Pilot[int], do: Do) -> None:
+    """Unsaved edits are kept aside; a recording that would be lost is asked about."""
+    session = await edited(pilot)
+    session.record()
+    await do()
+    await until(pilot, lambda: isinstance(pilot.app.screen, Ask))
+    assert "The recorded replay is not written." in text(pilot) and pilot.app.return_code is None
+    await strike(pilot, "n")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    session.recording = None
+    await do()
+    await until(pilot, lambda: pilot.app.return_code == 0)
+    again = Session.open(session.home, memory=session.memory)
+    assert again.value(SHARE) == 0.4 and "are back" in again.message
+
+
+# --- panes
+@deed
+async def view(pilot: Pilot[int], do: Do) -> None:
+    if wide(pilot):
+        await do()
+        await still(pilot)
+        assert titles(pilot) == ["2 Imbalance"] and "Calculation" not in text(pilot) and work(pilot).form.size.width > 100
+        await do()
+        await still(pilot)
+        assert "Calculation" in text(pilot) and work(pilot).form.size.width < 60
+        return
+    for title in ("▸Checks", "▸Calculation", "▸Locus of the couple", "▸2 Imbalance"):
+        await do()
+        await still(pilot)
+        assert screen_rows(pilot)[2].startswith(title)
+
+
+@deed
+async def pane(pilot: Pilot[int], do: Do) -> None:
+    for title in ("Checks", "Calculation"):
+        await do()
+        await still(pilot)
+        assert titles(pilot) == [title] and re.search(r"▸(• note|2\.1 )", text(pilot))
+
+
+@deed
+async def pane_back(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await still(pilot)
+    if wide(pilot):
+        assert titles(pilot) == ["Steps"] and isinstance(pilot.app.focused, Steps) and "▸✓ 2 Imbalance" in text(pilot)
+    else:
+        assert screen_rows(pilot)[2].startswith("▸Locus of the couple") and isinstance(pilot.app.focused, CurvePane)
+
+
+# --- checks and lines
+@deed
+async def trouble(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await until(pilot, lambda: work(pilot).number == 3)  # step 2 has advice only
+    await still(pilot)
+    assert titles(pilot) == ["Checks"] and "▸▲ warn Couple beyond the" in text(pilot)
+    await do()
+    await still(pilot)
+    assert "▸▲ warn Pressure" in text(pilot) and isinstance(pilot.app.focused, Checks)
+
+
+@deed
+async def explain(pilot: Pilot[int], do: Do) -> None:
+    await to_checks(pilot)
+    await do()
+    await over(pilot, Explain)
+    assert f"• note  {SECOND}: 386.8 N·m" in text(pilot) and "formulas" in text(pilot)
+    await back(pilot)
+
+
+@deed
+async def line(pilot: Pilot[int], do: Do) -> None:
+    await to_checks(pilot)
+    await do()
+    await still(pilot)
+    assert titles(pilot) == ["Calculation"]
+    await pilot.pause()
+    await until(pilot, lambda: "▸2." in text(pilot))
+    shown = text(pilot)[text(pilot).index("▸2.") :]
+    assert SECOND in shown and "386.8\u00a0N·m" in shown  # a number and its unit stay on one row
+
+
+@deed
+async def fix(pilot: Pilot[int], do: Do) -> None:
+    mass = "countershaft.masses.front.mass_kg"
+    session = await edited(pilot, mass, "2")
+    work(pilot).background.seek_remedy()  # as it does by itself when nothing else is to be done
+    await until(pilot, lambda: "fixes it" in text(pilot))
+    assert message(pilot).startswith("First-order couple left over") and "mass of front 2 → 2.696 kg" in text(pilot)
+    await do()
+    await until(pilot, lambda: "mass of front 2 → 2.696 kg: passes" in told(pilot) and "Undo takes it back" in told(pilot))
+    await still(pilot)
+    assert session.value(mass) == 2.696 and "fixes it" not in text(pilot) and "✗" not in text(pilot)
+
+
+@deed
+async def choose(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    await pilot.pause()
+    assert "There is nothing to choose in this step; there is in Engine, Counter-shaft" in told(pilot)
+    await strike(pilot, "f2")
+    await still(pilot)
+    await strike(pilot, "escape")
+    await do()
+    shown = await over(pilot, Choosing)
+    await until(pilot, lambda: bool(shown.previews))
+    await strike(pilot, "down")
+    await until(pilot, lambda: "the design as it is" in text(pilot) and len(shown.previews) == 2)
+    assert "Evenly firing orders" in text(pilot) and "▸  2  1-3-2" in text(pilot) and shown.query_one(OfferList).has_focus
+    await strike(pilot, "up", "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    await still(pilot)
+    assert list(work(pilot).session.value("engine.firing_order")) == [1, 2, 3] and "1; 2; 3" in text(pilot) + told(pilot)
+
+
+@deed
+async def guide(pilot: Pilot[int], do: Do) -> None:
+    assert "Decide: How much" in text(pilot)
+    await do()
+    await still(pilot)
+    assert "Decide:" not in text(pilot) and work(pilot).session.memory.settings().guide is False
+    await do()
+    await still(pilot)
+    assert "Decide: How much" in text(pilot) and work(pilot).session.memory.settings().guide is True

@@ -1,0 +1,386 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search for bearings: its candidates against the step itself, its rows against each other, and what it refuses."""
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from calc.bearings.corners import corner_points, corners
+from calc.bearings.routes.balance import balanced, settled
+from calc.bearings.routes.routes import own_warm
+from calc.bearings.selection.convergence import changes, slopes_of, with_row
+from calc.bearings.selection.grid import field, widest_usual
+from calc.bearings.selection.notes import notes, summary
+from calc.bearings.selection.ranking import best, by_power
+from calc.bearings.selection.room import room
+from calc.bearings.selection.search import fields_of, nearest_row, search
+from calc.bearings.selection.states import judge, smoother, solved
+from calc.bearings.selection.tables import beyond_table, changed, choices_table, neighbours, neighbours_table, outside, pareto_table
+from calc.bearings.selection.variants import closer_fits, tasks, tied, variants
+from calc.countershaft.inputs import Section
+from calc.design_file import design, read
+from calc.selection import bearings_case
+from calc.sheet.search import least
+from tests.conftest import DESIGNS
+
+
+def nearest_passing(case):
+    """The smallest change that fits and keeps every limit with the design's oil, supply and fits."""
+    return nearest_row(case, only=variants(case)[:1]).row
+
+
+@pytest.fixture(scope="module")
+def tight(gamma, gamma_results):
+    """The source's design, whose front journal has room for 27.5 mm."""
+    return bearings_case(design(gamma), gamma_results)
+
+
+@pytest.fixture(scope="module")
+def fitting(tight):
+    return search(tight)
+
+
+@pytest.fixture(scope="module")
+def source(gamma):
+    """The same without an outline, so that no room is known."""
+    made = design(gamma)
+    return bearings_case(replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)))
+
+
+@pytest.fixture(scope="module")
+def found(source):
+    return search(source)
+
+
+@pytest.fixture(scope="module")
+def sized():
+    return bearings_case(design(read(DESIGNS / "r753ie4_sized.toml")))
+
+
+def task_of(source, place="front"):
+    variant = variants(source)[0]
+    return tasks(source)[place][0].with_oil(variant.lubricant, variant.supply)
+
+
+def test_the_rules_have_the_limits_of_the_checks(source):
+    checks = {c.id: c for c in source.results.checks()}
+    for place in ("front", "rear"):
+        rules = task_of(source, place).rules
+        for key in ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual"):
+            known = checks[f"bearings.{place}.{key}"]
+            assert (rules[key].check.limit, rules[key].check.sense, rules[key].check.unit) == (known.limit, known.sense, known.unit)
+        assert rules["film_edge_trumpler"].check.limit == checks[f"bearings.{place}.film_double_load"].limit
+        assert rules["temperature_rise"].check.limit == 15 and rules["clearance_cold"].check.limit == pytest.approx(20)
+
+
+@pytest.mark.parametrize("place, length, clearance", [("front", 0.0275, 80e-6), ("front", 0.041, 75e-6), ("rear", 0.033, 115e-6)])
+def test_a_candidate_is_what_the_step_finds(source, place, length, clearance):
+    task = task_of(source, place)
+    states = solved(task, [length], [clearance])
+    seat = replace(task.seat, bearing=replace(task.seat.bearing, length=length), clearance=clearance)
+    film = balanced(own_warm, seat, task.duty)
+    assert states.film[0, 0] == pytest.approx(film.film, rel=1e-6)
+    assert states.power[0] == pytest.approx(film.friction_power, rel=1e-6)
+    assert states.flow[0] == pytest.approx(film.oil_flow, rel=1e-6)
+    slope = slopes_of(source, source.results)[place]
+    eight = corners(seat, task.duty, slope, settled(*corner_points(seat, task.duty)))
+    value = {one.rule.key: one.value[0] for one in judge(task, states, slope)}
+    assert value["film_edge"] == pytest.approx(eight.film_edge * 1e6, rel=1e-5)
+    assert value["film_double_load"] == pytest.approx(eight.film_double_load * 1e6, rel=1e-5)
+    assert value["temperature"] == pytest.approx(eight.outlet_temperature, rel=1e-5)
+    assert value["clearance_cold"] == pytest.approx(eight.clearance_cold * 1e6, rel=1e-5)
+
+
+@pytest.mark.parametrize("temperature, pressure", [(120.0, 4e5), (60.0, 1e5), (5.0, 4e5)])
+def test_the_short_balance_is_the_full_one(source, temperature, pressure):
+    """Where the rise is one that is looked at; beyond there is no film, and never one where the full balance has none."""
+    task = task_of(source)
+    there = replace(task, duty=replace(task.duty, supply_temperature=temperature, supply_pressure=pressure))
+    l, g = np.meshgrid(np.linspace(0.016, 0.044, 6), np.linspace(20e-6, 150e-6, 8))
+    some, full = solved(there, l, g, all_rises=False), solved(there, l, g)
+    known = np.isfinite(some.film)
+    assert known.any() and np.isfinite(full.film[known]).all()
+    assert known[np.isfinite(full.film) & (full.rise < 40)].all()
+    assert some.film[known] == pytest.approx(full.film[known], rel=1e-5)
+    assert some.rise[known] == pytest.approx(full.rise[known], rel=1e-4, abs=1e-3)
+
+
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_between_the_solved_lengths_the_cubic_is_close(source, place):
+    task = task_of(source, place)
+    made = field(task, variants(source)[0], slopes_of(source, source.results)[place])
+    exact = solved(task, made.states.length, made.states.clearance)
+    for name in ("film", "rise", "viscosity", "power", "flow"):
+        close, true = getattr(made.states, name), getattr(exact, name)
+        there = np.isfinite(close) & np.isfinite(true)
+        assert there.mean() > 0.9
+        assert np.abs(close / true - 1)[there].max() < 1e-4
+
+
+def test_every_row_passes_where_it_stands(source, found):
+    for row in found.rows[: found.verified]:
+        there = source.solve(with_row(source.bearings, row)).outcomes["bearings"]
+        assert [c.id for c in there.checks if c.verdict == "fail"] == []
+        beyond = [c.id for c in there.checks if c.id.endswith("_corner") and c.margin < 0]
+        assert beyond == []
+        power = sum(b.friction_power for b in there.result.bearings.values())
+        assert row.power == pytest.approx(power, rel=1e-5)
+
+
+def test_the_nearest_is_first_and_the_others_rise_in_power(source, found):
+    assert found.rows[0].what == "nearest" and found.rows[0].variant is found.variants[0]
+    assert changed(found.rows[0]).startswith("front length 27.5 → ")
+    powers = [row.power for row in found.rows[1:]]
+    assert len(powers) > 5 and powers == sorted(powers)
+    assert all(row.margin >= 0 for row in found.all)
+    same = next(row for row in found.rows[1:] if row.variant is found.variants[0])
+    assert found.rows[0].change <= same.change and found.rows[0].power >= same.power
+
+
+def test_nothing_nearer_passes(source, found):
+    """Every candidate of both grids with a smaller change breaks a rule, solved where it stands."""
+    slopes = slopes_of(source, source.results)
+    for place, one in zip(("front", "rear"), found.rows[0].both):
+        made = field(task_of(source, place), found.variants[0], slopes[place])
+        nearer = made.change() < one.change - 1e-9
+        assert nearer.any()
+        states = solved(made.task, made.states.length[nearer], made.states.clearance[nearer])
+        assert (least(judge(made.task, states, slopes[place])) < 1e-4).all()
+
+
+def test_the_least_power_is_that_of_all_candidates(source, found):
+    slopes, variant = slopes_of(source, source.results), found.variants[0]
+    fields = fields_of(variant, tasks(source), slopes)
+    pair = best(fields, slopes, by_power)
+    for place, one in zip(("front", "rear"), pair):
+        f = fields[place][0]
+        exact = solved(f.task, f.states.length, f.states.clearance)
+        lowest = exact.power[least(judge(f.task, exact, slopes[place])) >= 1e-4].min()
+        assert one.power == pytest.approx(lowest, abs=0.1)
+
+
+def test_no_row_of_the_pareto_set_is_beaten(found):
+    rows = found.pareto
+    assert 3 <= len(rows) <= 13
+    assert all(a.power < b.power and a.film < b.film for a, b in pairwise(rows))
+    for row in found.rows[1:]:
+        assert not any(row.power < other.power - 0.2 and row.film > other.film + 1e-9 for other in rows)
+
+
+def test_one_step_less_breaks_a_rule(found):
+    for number, row in enumerate(found.rows[:3], 1):
+        around = list(neighbours(row, found.variants, found.slopes_of_row(number)))
+        shorter = [n for n in around if n.change.startswith("l ")]
+        assert len(shorter) == 2 and all(n.instead.margin < 0 for n in shorter)
+        for n in around:
+            if n.oil:
+                rows = [other for other in found.rows[1:] if (other.variant.oil, other.variant.supply) == (n.oil, row.variant.supply)]
+                assert n.instead.margin < 0 or rows[0].power < row.power + n.more + 0.1
+            else:
+                assert n.instead.margin < 0 or n.more >= -0.1 or row.what == "nearest" or outside(n)
+
+
+def test_the_tables_have_a_cell_for_every_column(found):
+    for table in (choices_table(found, 5), neighbours_table(found), pareto_table(found)):
+        assert table.rows and all(len(row) == len(table.columns) for row in table.rows)
+    numbers = [row[0] for row in choices_table(found, 3).rows]
+    assert numbers == ["now", "1", "2", "3"]
+    assert pareto_table(found).rows[0][0] == str(len(found.rows) + 1)
+    assert "binds nothing" in choices_table(found, 1).note
+    assert choices_table(found, 1).title.startswith("Bearings that keep every limit") and beyond_table(found, 50) is None
+
+
+def test_what_ties_the_diameters(tight, source, sized):
+    assert "sectors" in tied(tight, "rear") and "gear" in tied(tight, "front")
+    assert "not known" in tied(source, "rear")
+    assert "sectors" in tied(sized, "rear")
+    beta = bearings_case(design(read(DESIGNS / "r753ie4_beta.toml")))
+    assert tied(beta, "rear") == "" and "gear" in tied(beta, "front")
+    assert [len(tasks(source)[place]) for place in ("front", "rear")] == [1, 1]
+
+
+def test_the_room_that_the_shaft_leaves(tight, sized):
+    drawn = room(tight.shaft, tight.results.outcomes["countershaft"].result, "front", 0.0595)
+    assert drawn.longest == pytest.approx(2 * (0.1675 - 0.153738), abs=1e-6)
+    given = room(sized.shaft, sized.results.outcomes["countershaft"].result, "rear", 0.0864)
+    assert given.longest == pytest.approx(0.040)
+    assert room(None, None, "front", 0.0595).longest is None
+
+
+def test_given_sections_leave_their_cylinder(source):
+    parts = [(-0.190, -0.150, 0.030), (-0.150, 0.148, 0.015), (0.148, 0.185, 0.0405)]
+    sections = tuple(Section(from_=a, to=b, outer_radius=R) for a, b, R in parts)
+    shaft = replace(source.shaft, sections=sections)
+    front, rear = (room(shaft, None, place, d) for place, d in (("front", 0.0595), ("rear", 0.081)))
+    assert front.longest == pytest.approx(2 * 0.0175) and rear.longest == pytest.approx(2 * 0.0175)
+    assert room(shaft, None, "front", 0.062).longest is None
+
+
+@pytest.mark.slow
+def test_a_room_that_is_given_is_kept(sized):
+    some = search(sized)
+    assert some.kind == "all" and some.rows[0].what == "nearest" and not some.elsewhere
+    assert all(one.length <= 0.040 + 1e-9 for row in (*some.rows, *some.pareto) for one in row.both)
+    assert some.beyond and all(max(row.too_long) > 0 for row in some.beyond)
+    of = {(row.variant.oil, row.variant.supply) for row in some.rows}
+    assert not of & {(row.variant.oil, row.variant.supply) for row in some.beyond}
+
+
+def test_rows_that_fit_come_first(tight, fitting):
+    """At 27.5 mm no oil keeps Trumpler's film at twice the load at the corners, whatever the fits: rows keep the limits as given."""
+    assert fitting.kind == "given" and fitting.rows
+    for row in fitting.rows:
+        assert row.too_long == (0, 0)
+        outcomes = tight.solve(with_row(tight.bearings, row)).outcomes
+        assert [c.id for step in ("countershaft", "bearings") for c in outcomes[step].checks if c.verdict == "fail"] == []
+    assert summary(fitting)[0].startswith("Nothing that fits keeps every limit: the front journal has room for 27.52 mm")
+    least = fitting.beyond[0]
+    assert max(least.too_long) == min(max(row.too_long) for row in fitting.beyond)
+    assert max(least.too_long) == pytest.approx(least.front.length - 0.027523, abs=2e-6)
+    assert "at every corner: these keep them as given" in choices_table(fitting, 20).title
+    assert any(words.startswith("Rows 1 to") for words in notes(fitting))
+
+
+def test_numbers_run_on_over_all_tables(fitting):
+    shown = [choices_table(fitting, 99), beyond_table(fitting, 99), pareto_table(fitting)]
+    numbers = [row[0] for table in shown for row in table.rows if row[0] != "now"]
+    assert numbers == [str(n) for n in range(1, len(fitting.all) + 1)]
+    shorter = [choices_table(fitting, 9), beyond_table(fitting, 9)]
+    assert [row[0] for table in shorter for row in table.rows] == ["now", *map(str, range(1, 10))]
+
+
+@pytest.mark.slow
+def test_a_design_that_collides_hears_of_it_first(tight, fitting):
+    """The room is that of the shaft without the overlap, and the design no row."""
+    done = with_row(tight.bearings, fitting.beyond[0])
+    again = search(replace(tight, bearings=done, results=tight.solve(done)))
+    assert "countershaft.crossing" in choices_table(again, 5).title and "FAILS countershaft.crossing" in summary(again)[0]
+    assert not any("it keeps every limit" in words for words in summary(again))
+    rooms = [[some[0].room.longest for some in found.tasks.values()] for found in (again, fitting)]
+    assert rooms[0] == pytest.approx(rooms[1])
+    assert again.rows and all(row.too_long == (0, 0) for row in again.rows)
+
+
+@pytest.mark.slow
+def test_smoother_surfaces_come_after_all_else(source):
+    """With Ra 2 µm on both Kreisle asks for more film than any oil has; smoother surfaces bring the rows back."""
+    rough = replace(source.bearings.front, housing_roughness=2e-6, journal_roughness=2e-6)
+    some = search(other(source, front=rough))
+    assert some.rows and all(row.front.task.level > 0 and row.rear.task.level == 0 for row in some.rows)
+    row = some.rows[0]
+    written = changes(row, source.bearings)
+    b = row.front.task.seat.bearing
+    assert float(written["bearings.front.journal_roughness_um"]) == pytest.approx(b.journal_roughness * 1e6)
+    limit = next(c.limit for c in row.front.checks if c.id == "bearings.front.film_edge")
+    assert limit == pytest.approx(7.5e6 * (b.journal_roughness + b.housing_roughness))  # Rt = 7.5·Ra, Kreisle
+    assert "Ra" in changed(row)
+
+
+def test_the_steps_to_smoother_surfaces():
+    steps = [tuple(round(x * 1e6, 3) for x in pair) for pair in smoother(0.6e-6, 0.4e-6)]
+    assert steps == [(0.4, 0.4), (0.3, 0.4), (0.3, 0.3), (0.2, 0.3), (0.2, 0.2)]
+    assert list(smoother(0.1e-6, 0.2e-6)) == []
+
+
+def test_closer_fits_go_by_grades(source):
+    own = source.bearings
+    assert closer_fits(own) == [("IT6", "IT6"), ("IT5", "IT5")]
+    assert closer_fits(replace(own, journal_fit="f6", seat_fit="H7")) == [("IT5", "IT6"), ("IT5", "IT5")]
+    assert closer_fits(replace(own, journal_fit="IT5", seat_fit="IT4")) == []
+
+
+@pytest.mark.slow
+def test_fits_with_a_place_become_widths(source):
+    """A row with another clearance than that of the fits can not keep them."""
+    placed = other(source, journal_fit="f7", seat_fit="H7")
+    row = next(row for row in search(placed).rows if any(one.clearance != one.task.clearance for one in row.both))
+    there = with_row(placed.bearings, row)
+    assert (there.journal_fit, there.seat_fit) == ("IT7", "IT7")
+    assert {"bearings.journal_fit": "IT7", "bearings.seat_fit": "IT7"}.items() <= changes(row, placed.bearings).items()
+
+
+def test_wider_clearances_where_the_oil_is_too_little(source):
+    """A tenth of the supply's pressure: the usual clearances pass too little oil, wider ones are looked at."""
+    row = nearest_passing(other(source, supply_pressure=0.1e5, supply_temperature=60.0, oil="SAE 30"))
+    assert row is not None and any(one.clearance > widest_usual(one.task) for one in row.both)
+
+
+def other(case, **changes):
+    """The same design with other bearings."""
+    changed = replace(case.bearings, **changes)
+    return replace(case, bearings=changed, results=case.solve(changed))
+
+
+def test_closer_fits_and_a_surer_oil_ask_for_less(source, found):
+    row = nearest_passing(other(source, journal_fit="IT5", seat_fit="IT6", viscosity_tolerance=0.0))
+    assert row is not None and row.change < found.rows[0].change
+
+
+def test_a_design_that_passes_is_its_own_nearest(source, found):
+    done = with_row(source.bearings, found.rows[0])
+    row = nearest_passing(replace(source, bearings=done, results=source.solve(done)))
+    assert row is not None and row.change == 0 and changed(row) == ""
+    assert changes(row, done) == {}
+
+
+def test_bearings_without_a_film_are_helped_too(source):
+    """A clearance of a tenth of a micrometre, in steel, so that it never opens."""
+    tight = replace(source.bearings.rear, clearance_factor=None, clearance=1e-7)
+    stuck = other(source, rear=tight, housing_material="20CrNi4")
+    assert stuck.results.outcomes["bearings"].state == "no_solution"
+    row = nearest_passing(stuck)
+    assert row is not None and row.rear.clearance > 50e-6 and row.rear.task.clearance == 1e-7
+
+
+def test_a_clearance_meant_warm_is_widened_for_the_cold(source):
+    """Given at 150 °C the usual clearance would seize when cold: wider ones are looked at."""
+    row = nearest_passing(other(source, clearance_reference_temperature=150.0))
+    assert row is not None and all(one.clearance > one.task.clearance for one in row.both)
+    assert all(c.value >= 20 - 1e-9 for one in row.both for c in one.checks if c.id.endswith("clearance_cold"))
+
+
+def test_bearings_that_stand_alone_have_free_diameters(source, gamma, gamma_results):
+    loads = {p: gamma_results.outcomes["bearings"].result.bearings[p].load for p in ("front", "rear")}
+    own = source.bearings
+    front, rear = (replace(getattr(own, p), load=loads[p]) for p in ("front", "rear"))
+    alone = replace(
+        design(gamma), engine=None, imbalance=None, countershaft=None, gears=None, friction=None,
+        bearings=replace(own, speed=2600 / 60, journal_material="20CrNi4", front=front, rear=rear),
+    )  # fmt: skip
+    some = tasks(bearings_case(alone))
+    assert [round(t.seat.bearing.diameter * 1e3, 6) for t in some["front"]] == [59.5, 50.5, 68.5, 77.5, 86.5]
+    limits = [t.rules["film_double_load"].check.limit for t in some["front"]]
+    assert limits == pytest.approx([5.08 + 0.04 * d for d in (59.5, 50.5, 68.5, 77.5, 86.5)])
+
+
+def test_the_supplies_are_those_with_a_width(source):
+    assert {v.supply for v in variants(source)} == {"hole", "shaft"}
+    own = replace(source.bearings, pocket_width=0.01, groove_width=0.003)
+    assert {v.supply for v in variants(replace(source, bearings=own))} == {"hole", "shaft", "pocket", "groove"}
+    names = {v.oil for v in variants(source)}
+    assert names >= {"10W-40 Q8 T905", "SAE 30", "20W-50"} and not any("MIL" in n or "FVA" in n for n in names)
+
+
+@pytest.mark.slow
+def test_an_oil_that_is_left_out_has_no_row(sized):
+    """A thinner oil is not looked at where a thicker one has too thin a film: looked at after all, it has none either."""
+    some = search(sized)
+    left = [variant for variant, why in some.refused if why.startswith("a thicker oil")]
+    assert left
+    slopes = slopes_of(sized, sized.results)
+    for variant in left:
+        assert best(fields_of(variant, some.tasks, slopes), slopes, by_power) is None
+
+
+@pytest.mark.parametrize("changes", [{"supply": "groove", "groove_width": 0.003}, {"supply": "pocket", "pocket_width": 0.012}])
+def test_other_supplies_are_searched_too(source, changes):
+    """A groove all round parts the bearing into two, whose l/d is that of each; a pocket takes its width."""
+    case = other(source, **changes)
+    row = nearest_passing(case)
+    assert row is not None and row.margin >= 0 and row.variant.supply == changes["supply"]
+    for one in row.both:
+        ratio = next(c.value for c in one.checks if c.id.endswith("length_ratio"))
+        bare = (one.length - 0.003) / 2 if changes["supply"] == "groove" else one.length
+        assert ratio == pytest.approx(bare / one.diameter) and one.length > changes.get("pocket_width", 0)

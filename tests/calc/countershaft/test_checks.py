@@ -1,0 +1,183 @@
+"""What the step passes and fails: residuals, slopes, envelope, supports, outline, holes; the limits themselves are crossed."""
+
+import math
+
+import pytest
+
+from calc.design_file import design
+from calc.solve import solve
+
+from .shafts import ENVELOPE, FRONT, JOURNALS, REAR, outcome, verdicts
+
+SIZE = {"mode": "size", **ENVELOPE}
+SEATS = [{"diameter_mm": 59.5, "length_mm": 27.5}, {"diameter_mm": 86.4, "length_mm": 29.0}]
+
+
+def found(made, name):
+    (check,) = [c for c in made.checks if c.id == f"countershaft.{name}"]
+    return check
+
+
+# --- what is left over -----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "share, verdict", [(1.0, "pass"), (1.04, "pass"), (1.049, "warn"), (1.051, "fail"), (0.951, "warn"), (0.949, "fail")]
+)
+def test_five_percent_of_the_couple_may_be_left(share, verdict):
+    masses = [{**m, "mass_kg": m["mass_kg"] * share} for m in (FRONT, REAR)]
+    check = found(outcome(masses=masses), "residual")
+    assert check.verdict == verdict and check.kind == "limit" and "30.0°" in check.advice
+    assert check.limit == pytest.approx(0.05 * 572.932, abs=1e-3)
+
+
+def test_a_shaft_where_nothing_is_to_be_balanced_is_judged_by_one_cylinder():
+    """Forward vector zero with one half on the crank: 5 % of m·r·ω²·a = 1489.35 g · 53.5 mm · ω² · 112 mm."""
+    check = found(outcome(speed_ratio=1, masses=[{**FRONT, "mass_kg": 0.0}]), "residual")
+    assert check.limit == pytest.approx(0.05 * 1.48935 * 0.0535 * (math.pi * 2600 / 30) ** 2 * 0.112, rel=1e-5)
+
+
+def test_second_order_is_a_matter_of_comfort():
+    made = outcome("r754ie4_balance_shafts")
+    assert found(made, "residual").kind == found(made, "residual_force").kind == "advice"
+    assert found(made, "residual_force").verdict == "note" and found(made, "residual").verdict != "fail"
+
+
+def test_a_shaft_that_makes_the_second_order_worse_fails():
+    """Turned by half a turn the pair adds to the engine's 10617.7 N what it should take from it."""
+    masses = [{"name": "one", "mass_kg": 0.906, "radius_mm": 11.933, "angle_deg": 0.0, "z_mm": 0.0}]
+    made = outcome("r754ie4_balance_shafts", masses=masses)
+    check = found(made, "residual_force")
+    assert check.kind == "limit" and check.verdict == "fail" and check.value == pytest.approx(10617.73 + 4 * 2134.0647, abs=0.05)
+
+
+def test_a_force_is_judged_by_one_cylinder():
+    made = outcome(masses=[{**FRONT, "mass_kg": 3.0}, REAR])
+    check = found(made, "residual_force")
+    assert check.verdict == "fail" and "against each other" in check.advice
+    assert check.limit == pytest.approx(0.05 * 1.48935 * 0.0535 * (math.pi * 2600 / 30) ** 2, rel=1e-5)
+
+
+# --- slopes ------------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize(
+    "slopes, front, rear",
+    [([0.25], "warn", "warn"), ([0.2, 0.26], "pass", "fail"), ([0.26, 0.23], "fail", "pass"), ([0.24], "warn", "warn")],
+)
+def test_given_slopes_against_a_quarter_of_a_milliradian(gamma, slopes, front, rear):
+    document = gamma.with_value("countershaft.core_radius_mm", None).with_value("bearings.slope_mrad", slopes)
+    made = solve(design(document)).outcomes["countershaft"]
+    assert (verdicts(made)["slope_front"], verdicts(made)["slope_rear"]) == (front, rear)
+
+
+def test_a_thin_core_bends_too_far():
+    thick, thin = (outcome(core_radius_mm=r, journals=JOURNALS, sector_effectiveness=0.2, outer_radius_mm=40.5) for r in (15.0, 11.0))
+    assert verdicts(thick)["slope_rear"] == "pass" and verdicts(thin)["slope_rear"] == verdicts(thin)["slope_front"] == "fail"
+    assert verdicts(thin)["first_critical_speed"] == "pass"
+    assert found(thin, "slope_rear").value == pytest.approx(thin.result.slope_rear * 1e3)
+
+
+# --- envelope ----------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("R, verdict", [(42.5, "pass"), (42.9, "pass"), (43.0, "warn"), (43.01, "fail"), (45.0, "fail")])
+def test_what_must_go_through_the_seat(R, verdict):
+    """Ø86.4 less 0.2 mm all round lets R 43.0 through: at the limit it warns."""
+    check = found(outcome(**{**SIZE, "outer_radius_mm": R}, journals=SEATS, radial_clearance_mm=0.2), "envelope")
+    assert check.verdict == verdict and check.kind == "limit"
+    assert check.value == pytest.approx(43.2 - R, abs=1e-6) and check.limit == pytest.approx(0.2)
+
+
+def test_the_clearance_is_the_designers():
+    """Without one the sectors must just go through."""
+    for R, verdict in ((43.0, "pass"), (43.2, "warn"), (43.21, "fail")):
+        assert verdicts(outcome(**{**SIZE, "outer_radius_mm": R}, journals=SEATS))["envelope"] == verdict
+    assert verdicts(outcome(**SIZE, journals=SEATS, radial_clearance_mm=0.1))["envelope"] == "pass"
+    assert verdicts(outcome(**SIZE, journals=SEATS, radial_clearance_mm=0.3))["envelope"] == "fail"
+
+
+def test_a_given_shaft_is_threaded_in_only_where_that_is_asked():
+    given = {"core_radius_mm": 15.0, "journals": JOURNALS}
+    assert "envelope" not in verdicts(outcome(**given, outer_radius_mm=40.5))
+    assert verdicts(outcome(**given, outer_radius_mm=40.5, radial_clearance_mm=0.1))["envelope"] == "fail"
+    assert verdicts(outcome(**given, outer_radius_mm=40.4, radial_clearance_mm=0.1))["envelope"] == "warn"
+
+
+@pytest.mark.parametrize("half_length, verdict", [(150.0, "pass"), (153.0, "warn"), (153.5, "fail"), (160.0, "fail")])
+def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
+    """The nearer face is that of the rear journal: 167.5 − 29/2 = 153 mm.  Beyond it nothing is drawn, and it is judged all the same."""
+    made = outcome(**{**SIZE, "half_length_mm": half_length}, journals=SEATS)
+    check = found(made, "envelope_length")
+    assert check.verdict == verdict and check.value == pytest.approx(153.0 - half_length)
+    assert (made.result.mass is None) == (verdict == "fail") and verdicts(made)["envelope"] == "pass"
+
+
+def test_masses_too_large_to_stand_side_by_side_are_no_shaft():
+    """4.5 kg as a sector of this size is 281 mm long."""
+    made = outcome(core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "mass_kg": 4.5}, REAR])
+    assert verdicts(made)["crossing"] == "fail" and found(made, "crossing").kind == "limit" and made.verdict == "fail"
+
+
+def test_a_mass_that_is_no_sector_leaves_the_bending_not_verified():
+    made = outcome(core_radius_mm=15.0, outer_radius_mm=40.3, journals=JOURNALS, masses=[{**FRONT, "radius_mm": 35.0}, REAR])
+    check = found(made, "mass_shape")
+    assert check.verdict == "not_verified" and check.missing == ("countershaft.sections",)
+    assert check.limit == pytest.approx(2 / 3 * (40.3**3 - 15**3) / (40.3**2 - 15**2))
+
+
+# --- supports, outline, holes ----------------------------------------------------------------------------------------------------------
+def test_journals_of_its_own_are_screened():
+    """24 × 21 mm at 6000 rpm under 2847.6 N: 5.65 MPa and 813 600 N·rpm/mm are beyond 5 MPa and 500 000."""
+    made = verdicts(outcome("r754ie4_balance_shafts"))
+    assert made["support.2.specific_load"] == made["support.2.heat_index"] == "warn"
+    assert made["support.1.specific_load"] == made["support.3.heat_index"] == "pass"
+
+
+@pytest.mark.parametrize("half_angle, verdict", [(90.0, "pass"), (73.0, "pass"), (70.0, "fail"), (40.0, "fail")])
+def test_sections_and_masses_must_be_one_shaft(half_angle, verdict):
+    """The couple of the sections goes with sin γ: 5 % below at 71.8°."""
+    sector = {"outer_radius_mm": 40.3, "core_radius_mm": 15.0, "half_angle_deg": half_angle}
+    sections = [
+        {"from_mm": -200.0, "to_mm": -152.0, "outer_radius_mm": 25.0}, {"from_mm": -152.0, "to_mm": -1.0, "angle_deg": 210.0, **sector},
+        {"from_mm": -1.0, "to_mm": 1.0, "outer_radius_mm": 15.0}, {"from_mm": 1.0, "to_mm": 152.0, "angle_deg": 30.0, **sector},
+        {"from_mm": 152.0, "to_mm": 200.0, "outer_radius_mm": 25.0},
+    ]  # fmt: skip
+    masses = [{**m, "mass_kg": 2.608345, "radius_mm": 18.830668, "z_mm": z} for m, z in ((FRONT, -76.5), (REAR, 76.5))]
+    made = outcome(sections=sections, masses=masses)
+    check = found(made, "outline")
+    assert check.verdict == verdict and check.kind == "limit"
+    assert check.value == pytest.approx(557.091 * (1 - math.sin(math.radians(half_angle))), abs=1e-3)
+    assert verdicts(made)["outline_force"] == "pass"
+
+
+@pytest.mark.parametrize("beyond, verdict", [(-0.1, "warn"), (0.5, "pass"), (1.5, "pass"), (3.5, "warn")])
+def test_drilling_only_takes_away(beyond, verdict):
+    """Four holes of 14 mm × 20 mm take 2.9 % of the couple."""
+    masses = [{**m, "mass_kg": 2.69 * (1 + beyond / 100), "radius_mm": 18.7, "z_mm": z} for m, z in ((FRONT, -76.8), (REAR, 76.8))]
+    holes = {"diameter_mm": 14.0, "depth_mm": 20.0, "count": 4}
+    made = outcome(masses=masses, holes=holes, outer_radius_mm=40.5)
+    check = found(made, "holes.range")
+    base = outcome(masses=[{**m, "mass_kg": 2.69} for m in masses]).result.couple
+    assert check.value == pytest.approx(base * (1 + beyond / 100) - 572.93196, abs=1e-6)
+    assert check.verdict == verdict and check.kind == "caution"
+
+
+def test_holes_end_above_the_core():
+    holes = {"diameter_mm": 14.0, "count": 4}
+    for depth, verdict in ((25.0, "warn"), (20.0, "pass"), (26.0, "fail")):
+        made = outcome(holes={**holes, "depth_mm": depth}, outer_radius_mm=40.5, core_radius_mm=15.0)
+        assert verdicts(made)["holes.depth"] == verdict
+
+
+def test_every_check_names_its_source_and_what_would_help(gamma_results):
+    for check in gamma_results.outcomes["countershaft"].checks:
+        assert check.source and check.name and (check.advice or check.verdict == "pass"), check.id
+
+
+def test_holes_fit_into_their_sector():
+    """Too wide for its bottom, too many for its length; touching sectors of one angle are one."""
+    holes = {"depth_mm": 20.0, "count": 2}
+    wide = outcome(**SIZE, journals=SEATS, holes={**holes, "diameter_mm": 80.0})
+    assert verdicts(wide)["holes.width"] == "fail" and verdicts(wide)["holes.row"] == "pass"
+    many = outcome(**SIZE, journals=SEATS, holes={**holes, "diameter_mm": 14.0, "count": 40})
+    assert verdicts(many)["holes.row"] == "fail" and verdicts(many)["holes.width"] == "pass"
+
+
+def test_a_core_of_no_thickness_is_no_shaft():
+    made = outcome(**{**SIZE, "core_radius_mm": 0.02}, journals=SEATS)
+    assert verdicts(made)["core"] == "fail" and made.result.mass is None

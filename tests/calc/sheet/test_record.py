@@ -1,0 +1,94 @@
+"""Records: what they refuse, and how they print themselves."""
+
+import pytest
+
+from calc.bearings.inputs import BearingInputs
+from calc.sheet.quantity import Described, Stated, group, result, value
+from calc.sheet.record import record
+from calc.sheet.text import Text
+
+
+@record
+class Point:
+    x: float
+    y: float
+    names: tuple[str, ...] = ()
+
+
+@result
+class Film:
+    film: float = value("Smallest film", "µm")
+    case: Point = Point(1.0, 2.0)  # not published
+    rise: float | None = value("Temperature rise", "K", default=None)
+    more: dict = group(default=None)
+
+
+GIVEN = {"diameter": 0.06, "length": 0.03, "journal_roughness": 6e-7, "housing_roughness": 6e-7}
+
+
+@pytest.mark.parametrize("make, words", [
+    (lambda: BearingInputs(**GIVEN, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
+    (lambda: BearingInputs(diameter=0.06, lenght=0.03), 'BearingInputs: unknown "lenght"; did you mean "length"?'),
+    (lambda: Point(1.0, 2.0, zzz=3), 'Point: unknown "zzz"; it takes x, y, names'),
+    (lambda: Point(1.0), 'Point: "y" is missing'),
+    (lambda: Point(1.0, 2.0, (), 4), "Point: too many values, or one of them twice; it takes x, y, names"),
+    (lambda: Point(1.0, 2.0, x=1.0), "Point: too many values, or one of them twice; it takes x, y, names"),
+])  # fmt: skip
+def test_a_wrong_keyword_names_itself(make, words):
+    with pytest.raises(TypeError) as error:
+        make()
+    assert str(error.value) == words
+
+
+def test_repr_is_one_line_of_what_differs_from_the_defaults():
+    assert repr(Point(1.0, 2.5)) == "Point(x=1.0, y=2.5)"
+    assert repr(Point(1.0, 2.0, ("a",))) == "Point(x=1.0, y=2.0, names=('a',))"
+    assert repr(Film(film=7e-6, case=Point(0.0, 0.0))) == "Film(film=7e-06, case=Point(…))"
+
+
+def test_repr_shortens_what_is_long():
+    assert len(repr(Point(1.0, 2.0, tuple("abcdefghijkl")))) < 80
+
+
+def test_inputs_print_labels_values_and_units():
+    assert str(BearingInputs(**GIVEN)).splitlines() == [
+        "BearingInputs",
+        "  Journal diameter        60 mm",
+        "  Length                  30 mm",
+        "  Roughness Ra, journal  0.6 µm",
+        "  Roughness Ra, seat     0.6 µm",
+    ]
+
+
+def test_results_print_what_they_publish():
+    span = Stated(Described(Text("Span over 5 teeth"), "mm"), 0.0312)
+    assert str(Film(film=7.4e-6, more={"span_5": span, "of": {"inner": Film(film=1e-6)}})).splitlines() == [
+        "Film",
+        "  Smallest film         7.4 µm",
+        "  more",
+        "    Span over 5 teeth  31.2 mm",
+        "    of",
+        "      inner",
+        "        Smallest film     1 µm",
+    ]
+
+
+def test_records_without_descriptions_print_their_fields():
+    assert str(Point(1.0, 2e-5, ("a", "b", "c", "d", "e"))).splitlines() == [
+        "Point",
+        "  x                           1",
+        "  y                      2·10⁻⁵",
+        "  names  a, b, c, d, … 5 in all",
+    ]
+
+
+def test_a_class_may_print_itself():
+    @record
+    class Named:
+        name: str
+
+        def __str__(self) -> str:
+            return self.name
+
+    assert str(Named("front")) == "front"
+    assert repr(Named("front")) == "Named(name='front')"

@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Names that the user gave are never translated, though they be words of the program's own vocabulary."""
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import pytest
+import tomli_w
+
+from calc.design_file import design, parse
+from calc.languages import language
+from calc.solve import Results, solve
+
+from .texts import ROOT, named, of_results
+
+DESIGNS = sorted((ROOT / "designs").glob("*.toml"))
+VOCABULARY = (
+    "rear",
+    "left",
+    "oil",
+    "hole",
+    "pump",
+    "given",
+    "steel",
+    "front",
+    "mesh",
+    "tip",
+    "root",
+    "wheel",
+    "smallest",
+    "idler",
+    "side",
+    "up",
+)
+TOKENS = tuple(f"Qz{letter}x" for letter in "abcdefghijklmnop")
+
+
+def _renamed(data: Any, names: dict[str, str]) -> Any:
+    """The same with every text that is a name, of an element or where one is referred to, replaced."""
+    if isinstance(data, dict):
+        return {key: _renamed(value, names) for key, value in data.items()}
+    if isinstance(data, list):
+        return [_renamed(item, names) for item in data]
+    return names.get(data, data) if isinstance(data, str) else data
+
+
+def with_names(file: Path, words: tuple[str, ...]) -> Results:
+    data = tomllib.loads(file.read_text(encoding="utf-8"))
+    names = dict(zip(dict.fromkeys(named(data)), words))
+    assert len(names) <= len(words)
+    return solve(design(parse(tomli_w.dumps(_renamed(data, names)).encode(), file.name)))
+
+
+@pytest.mark.parametrize("code", ["en", "it"])
+@pytest.mark.parametrize("file", DESIGNS, ids=lambda path: path.stem)
+def test_names_that_are_words_of_the_program_are_not_translated(file: Path, code: str) -> None:
+    """What is said of a design named in vocabulary is what is said of the one named in gibberish, name for name."""
+    say = language(code)
+    plain = [say(text) for text in of_results(with_names(file, TOKENS))]
+    named = [say(text) for text in of_results(with_names(file, VOCABULARY))]
+    words = dict(zip(TOKENS, VOCABULARY))
+    expected = [re.sub("Qz[a-p]x", lambda m: words[m[0]], text) for text in plain]
+    assert len(named) == len(expected)
+    assert [pair for pair in zip(named, expected) if pair[0] != pair[1]] == []

@@ -1,0 +1,97 @@
+"""The program as a library: what the README's table says of it, and what its packages offer."""
+
+import re
+from importlib import import_module
+
+import numpy as np
+import pytest
+
+import calc
+
+from .conftest import ROOT
+from .test_imports import loaded
+
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+SECTION = README.split("## In Python\n")[1].split("\n## ")[0]
+BLOCKS = [
+    re.sub("^    ", "", block, flags=re.MULTILINE) for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
+]
+ROWS = re.findall(r"^\| `(.+?)` \| .+? \| (\S*).*\|$", SECTION, flags=re.MULTILINE)
+PACKAGES = ("calc", *(f"calc.{step}" for step in ("engine", "imbalance", "countershaft", "bearings", "gears", "friction")))
+
+
+@pytest.fixture(scope="module")
+def names():
+    known: dict[str, object] = {}
+    exec(BLOCKS[0], known)
+    return known
+
+
+@pytest.mark.parametrize("call, number", ROWS, ids=[row[0].split("(")[0] for row in ROWS])
+def test_a_row_of_the_readme_runs(names, call, number):
+    got = eval(call, names)
+    assert str(got)
+    if number:
+        assert float(got) == pytest.approx(float(number), rel=6e-4)
+
+
+def test_every_step_has_rows():
+    assert len(ROWS) >= 13
+    assert all(
+        any(call.startswith(f"{package.removeprefix('calc.')}.") for call, _ in ROWS) for package in PACKAGES[1:] if package != "calc.gears"
+    )
+
+
+def test_the_arrays_of_the_readme_run(names):
+    lines = BLOCKS[-1].strip().splitlines()
+    exec("\n".join(lines[:-2]), names)
+    couples, losses = (eval(line, names) for line in lines[-2:])
+    assert np.shape(couples) == np.shape(losses) == (10_000,)
+
+
+@pytest.mark.parametrize("name", PACKAGES)
+def test_a_package_offers_what_it_lists(name):
+    package, library = import_module(name), import_module(f"{name}.public")
+    assert sorted(package.__all__) == sorted(library.__all__)
+    for offered in package.__all__:
+        assert getattr(package, offered) is getattr(library, offered)
+        assert getattr(package, offered).__doc__
+
+
+def test_an_unknown_name_is_no_attribute():
+    with pytest.raises(AttributeError, match="has no attribute 'solve_flim'"):
+        calc.bearings.solve_flim  # noqa: B018
+    with pytest.raises(ImportError):
+        from calc import solve_desing  # noqa: F401
+
+
+def test_packages_cost_nothing_until_something_is_asked_of_them():
+    assert "numpy" not in loaded("from calc import bearings, countershaft, engine, friction, gears, imbalance")
+
+
+def test_a_pair_from_a_distance_has_the_shifts_of_that_distance():
+    wheels = calc.gears.solve_pair(
+        (32, 41), normal_module=2.25e-3, face_width=18e-3, centre_distance=82.3e-3, profile_shift=(0.1, None)
+    ).wheels
+    assert wheels["driver"].profile_shift == 0.1
+    assert wheels["driven"].profile_shift == pytest.approx(-0.0209, abs=1e-3)
+
+
+def test_one_operating_point_and_an_array_agree():
+    pair = calc.gears.solve_pair((32, 41), normal_module=2.25e-3, face_width=18e-3)
+    given = {"speed": 50.0, "oil": "SAE 50", "temperature": 90.0}
+    one = calc.friction.solve_loss(pair, power=2000.0, **given).loss
+    many = calc.friction.solve_loss(pair, power=np.array([2000.0, 4000.0]), **given).loss
+    assert many[0] == pytest.approx(one, rel=1e-3)
+    assert many[1] > many[0]
+
+
+def test_a_film_that_is_warm_has_the_clearance_of_its_temperature():
+    given = dict(
+        diameter=0.0595, length=0.0275, clearance=80e-6, load=1707.0, speed=43.33, oil="SAE 50", supply_temperature=100.0,
+        journal="20CrNi4", housing="EN AC-43100",
+    )  # fmt: skip
+    cold, warm = calc.bearings.solve_film(**given, warm=False), calc.bearings.solve_film(**given)
+    assert cold.clearance == 80e-6 < warm.clearance
+    assert warm.eccentricity > cold.eccentricity
+    assert warm.oil_flow > cold.oil_flow and warm.temperature_rise < cold.temperature_rise
