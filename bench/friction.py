@@ -20,14 +20,14 @@ from calc.catalogue import Oil, oils
 from calc.contact.teeth import ohlendorf_loss_factor
 from calc.design_file import design, read
 from calc.friction.balance.closure import balance
-from calc.friction.beyond.maps import over_speed_and_temperature
-from calc.friction.beyond.sensitivity import swings
 from calc.friction.inputs import FrictionInputs
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry, WheelGeometry, column
 from calc.friction.mesh.loss import Case, case, solve_mesh
 from calc.friction.mesh.many import losses
 from calc.friction.models.regressions import of_schlenk
+from calc.friction.studies.maps import over_speed_and_temperature
+from calc.friction.studies.sensitivity import swings
 from calc.lubricant import Lubricant
 from calc.shipped import DESIGNS, EXAMPLE
 from calc.solve import solve

@@ -15,12 +15,13 @@ from bench.film import best
 from calc.catalogue import materials
 from calc.design_file import design, read
 from calc.gears import solve as gears
-from calc.gears.choosing.freedom import freedoms
-from calc.gears.choosing.rules import USUAL, judged, least
-from calc.gears.choosing.search import search
-from calc.gears.choosing.states import states
 from calc.gears.profile.outline import outline
+from calc.gears.selection.free_shifts import freedoms
+from calc.gears.selection.rules import USUAL, judge
+from calc.gears.selection.search import search
+from calc.gears.selection.states import states
 from calc.gears.train import settle, tooth_system
+from calc.sheet.search import least
 from calc.solve import solve
 
 DESIGN = Path(__file__).parents[1] / "designs" / "r753ie4_gamma.toml"
@@ -42,7 +43,7 @@ def main() -> None:
     cuts = {"idler": random.uniform(0.0, 0.4e-3, MANY)}
 
     def combinations() -> None:
-        least(judged(states(system, train, shifts, cuts), system, USUAL))
+        least(judge(states(system, train, shifts, cuts), system, USUAL))
 
     def one_by_one() -> None:
         for i in range(FEW):

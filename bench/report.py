@@ -21,7 +21,7 @@ import io, pickle, sys
 import numpy, matplotlib.figure, matplotlib.backend_bases, reportlab.pdfgen.canvas, reportlab.pdfbase.ttfonts
 import calc.design_file, calc.solve, calc.explain, reports.report
 from reports.letters import FACES, widths
-from reports.page import Pen
+from reports.pen import Pen
 from reports.plots import Plots, plot
 for face in FACES:
     widths(face)
