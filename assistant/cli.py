@@ -30,7 +30,8 @@ COMMANDS = {
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "serve": "the guided session in a browser, on this machine only",
     "scenarios": "a train under several conditions side by side: the friction thesis' three, or a design's own",
-    "validate": "published reference values beside ours",
+    "validate": "values printed, worked out or measured by others beside ours; what is not met, and why",
+    "errata": "what is wrong in the documents behind this program, with the right values",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -146,6 +147,13 @@ def parser() -> argparse.ArgumentParser:
     add["scenarios"].add_argument("--json", action="store_true", help="print one JSON object")
 
     add["validate"].add_argument("--json", action="store_true", help="print one JSON object")
+
+    add["errata"].add_argument(
+        "source", nargs="?", metavar="SOURCE", help="one document, by a word of its name: finotti, textbook, friction"
+    )
+    written = add["errata"].add_mutually_exclusive_group()
+    written.add_argument("--json", action="store_true", help="print one JSON object")
+    written.add_argument("--markdown", action="store_true", help="all of it as a page of tables")
 
     add["oils"].add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
     add["oils"].add_argument("--json", action="store_true", help="print one JSON object")

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Published reference values beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd."""
+"""Values of others beside ours: the cases of tables/validation.toml, and the charts of Raimondi & Boyd.
+
+Three kinds apart: printed in a source, worked out from a source's numbers (or by another program), measured by others.  What the
+sources print and this program does not give is told with its reason.
+"""
 
 import tomllib
 from collections.abc import Iterator
@@ -17,10 +21,18 @@ from .solve import Results, solve
 CHARTS_HOLD_UP_TO = 0.9
 
 
+KINDS = {
+    "printed": "Printed in a source",
+    "worked out": "Worked out from a source's numbers, or by another calculation",
+    "measured": "Measured by others",
+}
+
+
 @dataclass(frozen=True)
 class Row:
-    """One published value beside ours."""
+    """One value of another beside ours."""
 
+    kind: str
     source: str
     what: str
     published: float
@@ -31,21 +43,53 @@ class Row:
     @property
     def deviation(self) -> float:
         """Relative to the published value; absolute where that is zero."""
-        return (self.ours - self.published) / abs(self.published) if self.published else self.ours
+        return _deviation(self.published, self.ours)
 
     @property
     def verdict(self) -> str:
         return "pass" if abs(self.ours - self.published) <= self.tolerance else "fail"
 
 
-def rows() -> Iterator[Row]:
-    """Every comparison, case by case."""
-    known = tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
-    for case in known["case"]:
-        yield from _case(case, known["designs"])
-    for film in known["film"]:
-        yield from _film(film)
-    yield from _raimondi_boyd()
+@dataclass(frozen=True)
+class Unmet:
+    """A value that a source prints and that this program does not give, and why."""
+
+    source: str
+    what: str
+    printed: float
+    ours: float
+    unit: str
+    why: str
+
+    @property
+    def deviation(self) -> float:
+        return _deviation(self.printed, self.ours)
+
+
+def _deviation(theirs: float, ours: float) -> float:
+    return (ours - theirs) / abs(theirs) if theirs else ours
+
+
+def rows() -> list[Row]:
+    """Every comparison, kind by kind, case by case."""
+    known = _known()
+    found = [row for case in known["case"] for row in _case(case, known["designs"])]
+    found += [row for film in known["film"] for row in _film(film)]
+    found += _raimondi_boyd()
+    return sorted(found, key=lambda row: list(KINDS).index(row.kind))
+
+
+def unmet() -> Iterator[Unmet]:
+    """What the sources print and this program does not give."""
+    for case in _known()["unmet"]:
+        values = _solved(read(DESIGNS / case["design"])).values()
+        for expect in case["expect"]:
+            found = values[expect["value"]]
+            yield Unmet(case["source"], expect["value"], float(expect["is"]), found.shown, found.unit, case["why"])
+
+
+def _known() -> dict[str, Any]:
+    return tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
 
 
 def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
@@ -60,7 +104,7 @@ def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
         found = values.get(expect["value"])
         ours = found.shown if found is not None and found.unit == expect.get("unit", "") else float("nan")
-        yield Row(case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
+        yield Row(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
 
 
 def _film(case: dict[str, Any]) -> Iterator[Row]:
@@ -71,7 +115,7 @@ def _film(case: dict[str, Any]) -> Iterator[Row]:
         name, published = expect["what"], float(expect["is"])
         found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
         what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
-        yield Row(case["source"], what, published, found, abs(published) * expect["rel"], unit)
+        yield Row(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
 
 
 def _solved(document: Document) -> Results:
@@ -87,8 +131,8 @@ def _raimondi_boyd() -> Iterator[Row]:
             continue
         ours = film_at(eps, ratio)
         at = f"at ε = {eps:g}, l/d = {ratio:g}"
-        yield Row(source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
-        yield Row(source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
-        yield Row(source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
+        yield Row("printed", source, f"S {at}", row["S"], ours.sommerfeld, 0.02 * row["S"], "")
+        yield Row("printed", source, f"(r/c)·f {at}", row["friction_variable"], ours.friction, 0.01 * row["friction_variable"], "")
+        yield Row("printed", source, f"Q/(r·c·n·l) {at}", row["flow"], ours.flow, 0.005 * row["flow"], "")
         inverted = eccentricity_from(row["S"], ratio)
-        yield Row(source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")
+        yield Row("printed", source, f"ε at S = {row['S']:g}, l/d = {ratio:g}", eps, inverted, 0.01, "")
