@@ -14,7 +14,7 @@ import numpy as np
 
 from ..sheet.arrays import Array, distinct
 from ..sheet.formula import formula
-from ..sheet.functions import asin, cos, pi, power
+from ..sheet.functions import asin, cos, joined, pi, power
 from ..sheet.linked_array import gathered
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
@@ -53,7 +53,7 @@ def crank_angle(phi_0: Radian, epsilon: Radian) -> Radian:
 
 @formula("x", "Finotti 2013, (2.7), its bracket corrected: way of the piston from TDC, with offset", unit="mm", names={"lam": "λ"})
 def piston_way(r: Metre, lam: Number, phi_0: Radian, alpha: Radian, beta: Radian) -> Metre:
-    return r * ((1 + 1 / lam) * cos(phi_0) - cos(alpha) - cos(beta) / lam)
+    return r * joined((1 + 1 / lam) * cos(phi_0) - cos(alpha), -(cos(beta) / lam))
 
 
 @formula("ε_BDC", "dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"})

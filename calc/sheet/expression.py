@@ -14,8 +14,9 @@ from collections.abc import Callable, Mapping
 from functools import cache
 from typing import Any
 
+from .closing import digits_that_close
 from .formula import Formula, units
-from .number import DIGITS, SUBSCRIPTS, SUPERSCRIPTS, rounded, scalar, several, short
+from .number import DIGITS, SUBSCRIPTS, SUPERSCRIPTS, scalar, several, short
 from .record import record
 from .text import COMMA, EMPTY, Name, Text, with_unit
 from .trace import Line
@@ -26,9 +27,7 @@ GREEK = dict(
     xi="ξ", pi="π", rho="ρ", sigma="σ", tau="τ", phi="φ", chi="χ", psi="ψ", omega="ω", Delta="Δ", Lambda="Λ", Phi="Φ", Psi="Ψ", Omega="Ω",
     Sigma="Σ", Gamma="Γ",
 ) | {"lambda": "λ"}  # fmt: skip
-MOST_DIGITS = 10  # of an argument
-AGAIN = 5e-3  # share of a value by which the numbers that are shown for its arguments may miss it
-PLAIN = (bool, int, float, complex, str, type(None))
+NO_ANGLE = 1e-12  # rad: what a sine of π has left
 WRITTEN = 10  # digits of a number that stands in a formula itself: as it is written there
 ENOUGH = 5  # digits of a constant that has no end: 30° in radians
 BINARY = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div", ast.Pow: "pow"}
@@ -117,7 +116,10 @@ def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
                 return Expr("symbol", name=formula.names.get(name, symbol(name)))
             constant = formula.function.__globals__.get(name)
             if isinstance(constant, (int, float)) and name != "pi":
-                return Expr("number", name=short(constant, WRITTEN if len(f"{constant:.{WRITTEN}g}") < WRITTEN else ENOUGH))
+                ends = len(f"{constant:.{WRITTEN}g}") < WRITTEN
+                if not ends and abs((part := round(1 / constant)) * constant - 1) < 1e-12:
+                    return Expr("div", (Expr("number", name="1"), Expr("number", name=short(part, WRITTEN))))
+                return Expr("number", name=short(constant, WRITTEN if ends else ENOUGH))
             return Expr("symbol", name=symbol(name))
         case ast.BinOp(left=a, op=op, right=b):
             return Expr(BINARY[type(op)], (sub(a), sub(b)))
@@ -185,26 +187,12 @@ def _element(x: Any, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> A
     return x.item() if getattr(x, "shape", None) == () else x
 
 
-def _argument(x: Any, digits: int) -> str:
+def _argument(x: Any, unit: str, digits: int = DIGITS) -> str:
     if isinstance(x, (str, bool)) or x is None:
         return str(x)
     if not hasattr(x, "shape") and not isinstance(x, (list, tuple)):
-        return scalar(x, digits)
-    return several(getattr(x, "ravel", lambda: x)())
-
-
-def _digits(formula: Formula[..., Any], arguments: Mapping[str, Any], value: Any) -> int:
-    """With how many digits the arguments give the value again: where a difference takes the first ones away, more of them are shown."""
-    if not isinstance(value, (float, complex)) or not value or not all(isinstance(x, PLAIN) for x in arguments.values()):
-        return DIGITS
-    for digits in range(DIGITS, MOST_DIGITS, 2):
-        try:
-            again = formula.function(**{name: rounded(x, digits) for name, x in arguments.items()})
-        except (ValueError, ZeroDivisionError, OverflowError):
-            continue
-        if abs(again - value) <= AGAIN * abs(value):
-            return digits
-    return MOST_DIGITS
+        return scalar(x, digits) if unit != "rad" or isinstance(x, complex) or abs(x) > NO_ANGLE else "0"
+    return several(getattr(x, "ravel", lambda: x)(), digits)
 
 
 @cache
@@ -234,12 +222,13 @@ def show(line: Line) -> Shown:
     tree = expression(formula)
     numbers = None
     if tree is not None:
-        digits = _digits(formula, arguments, _element(line.value, index, shape))
-        texts = {formula.names.get(k, symbol(k)): _argument(v, digits) for k, v in arguments.items()}
+        known = units(formula)
+        digits = digits_that_close(formula, arguments, _element(line.value, index, shape), _result_unit(formula)[1])
+        texts = {formula.names.get(k, symbol(k)): _argument(v, known.get(k, ""), digits[k]) for k, v in arguments.items()}
         numbers = substituted(tree, texts)
     shows = formula.shows
     if tree is None and not shows:
-        given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, DIGITS)}") for k, v in arguments.items())
+        given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
         shows = Text("{name}({given})", name=formula.__name__, given=given)
     where = EMPTY
     if index is not None and line.value.size > 1:

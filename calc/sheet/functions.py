@@ -117,13 +117,13 @@ def _resultant(x: Any) -> Any:
     return one if abs(one) > dust else abs(0.0 * one)  # NaN stays NaN
 
 
-def joined(a: complex, b: complex) -> complex:
-    """Sum of two vectors; where they cancel, 0 and not the dust of the last digits."""
+def joined(a: N, b: N) -> N:
+    """Sum of two numbers or vectors; where they cancel, 0 and not the dust of the last digits."""
     found: Any = a + b
     dust = 1e-12 * (abs(a) + abs(b))
     if isinstance(found, np.ndarray):
-        return cast(complex, np.where(abs(found) > dust, found, 0.0))
-    return cast(complex, found) if abs(found) > dust else 0j
+        return cast(N, np.where(abs(found) > dust, found, 0.0))
+    return cast(N, found if abs(found) > dust else 0j if isinstance(found, complex) else 0.0)
 
 
 def largest(a: float, b: float) -> float:

@@ -8,6 +8,7 @@ from typing import Any
 SUPERSCRIPTS = str.maketrans("0123456789+-−.,/()", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻·’ᐟ⁽⁾")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 DIGITS = 4
+DUST = 1e-12  # of the largest of a list: what is smaller is what the last digits of a sum have left
 
 
 def parts(number: float, digits: int = DIGITS) -> tuple[str, int | None]:
@@ -32,7 +33,8 @@ def short(number: float, digits: int = DIGITS) -> str:
 
 def phasor(z: complex, digits: int = DIGITS) -> str:
     """A vector in the transverse plane: its length and its angle."""
-    return f"{short(abs(z), digits)}∠{short(round(math.degrees(math.atan2(z.imag, z.real)), 9) + 0.0, digits)}°" if abs(z) else "0"
+    angle = round(math.degrees(math.atan2(z.imag, z.real)), 9) + 0.0
+    return f"{short(abs(z), digits)}∠{short(abs(angle) if angle == -180 else angle, digits)}°" if abs(z) else "0"
 
 
 def scalar(x: Any, digits: int = DIGITS) -> str:
@@ -45,14 +47,24 @@ def scalar(x: Any, digits: int = DIGITS) -> str:
 
 def rounded(x: Any, digits: int) -> Any:
     """A number as it reads when it is written with so many digits."""
+    if isinstance(x, (tuple, list)):
+        return type(x)(rounded(v, digits) for v in x)
+    if getattr(x, "ndim", 0):
+        import numpy as np
+
+        return np.array([rounded(v, digits) for v in x.ravel().tolist()]).reshape(x.shape)
     if isinstance(x, complex):
         return cmath.rect(rounded(abs(x), digits), math.radians(rounded(math.degrees(cmath.phase(x)), digits)))
     return float(f"{x:.{digits - 1}e}") if isinstance(x, float) else x
 
 
-def several(values: Any, most: int = 4) -> str:
-    """A short list in full, a long one by its ends."""
+LISTED = 4  # elements of a list that is written whole
+
+
+def several(values: Any, digits: int = DIGITS) -> str:
+    """A short list in full, a long one by its ends; what is dust beside the rest is 0."""
     flat = list(values)
-    if len(flat) <= most:
-        return "(" + "; ".join(scalar(v) for v in flat) + ")"
-    return f"({scalar(flat[0])} … {scalar(flat[-1])}: {len(flat)})"
+    dust = DUST * max((abs(v) for v in flat), default=0.0)
+    ends = flat if len(flat) <= LISTED else (flat[0], flat[-1])
+    written = [scalar(v if abs(v) > dust else 0.0, digits) for v in ends]
+    return f"({'; '.join(written)})" if len(flat) <= LISTED else f"({' … '.join(written)}: {len(flat)})"

@@ -60,12 +60,7 @@ def _backlash_at(
         s_w.append(f.thickness_at(d_w[-1], s_t, wheel.reference_diameter, system.transverse_pressure_angle, alpha_wt))
     j_wt = b.circumferential_backlash(d_w[0], pair[0].teeth, *s_w)
     j_bn = b.normal_backlash(j_wt, alpha_wt, system.base_helix_angle)
-    return (j_bn, j_wt, d_w[1]) if abs(j_bn) > b.DUST else (b.no_backlash(j_bn), 0.0, d_w[1])
-
-
-def settled(j_bn: Metre) -> Metre:
-    """The backlash, or none where it is only that of the last digits."""
-    return j_bn if abs(j_bn) > b.DUST else b.no_backlash(j_bn)
+    return j_bn, j_wt, d_w[1]
 
 
 def way_to(last_wheel: str, meshes: Mapping[str, MeshResult]) -> list[str]:

@@ -6,7 +6,7 @@ the span acts on it micrometre for micrometre.
 """
 
 from ...sheet.formula import formula
-from ...sheet.functions import cos, inv, pi, rss, sin, smallest, tan, total
+from ...sheet.functions import cos, inv, joined, pi, rss, sin, smallest, tan, total
 from ...sheet.text import Text
 from ...sheet.units import Celsius, Kelvin, Metre, NewtonMetre, Number, PerKelvin, Radian
 from ..formulas import ISO
@@ -40,7 +40,7 @@ def middle_allowance(E_Ws: Metre, E_Wi: Metre) -> Metre:
 
 @formula("j_wt", Text("{iso}: circumferential backlash at the working circle", iso=ISO), unit="µm")
 def circumferential_backlash(d_w1: Metre, z_1: Number, s_w1: Metre, s_w2: Metre) -> Metre:
-    return pi * d_w1 / z_1 - s_w1 - s_w2
+    return joined(pi * d_w1 / z_1 - s_w1, -s_w2)
 
 
 @formula("j_bn", Text("{iso}: normal backlash", iso=ISO), unit="µm")
@@ -51,11 +51,6 @@ def normal_backlash(j_wt: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
     return j_wt * cos(alpha_wt) * cos(beta_b)
 
 
-@formula("j_bn", "rule of this program: a backlash below 10⁻⁶ µm is that of the last digits, and none", unit="µm", shows="0")
-def no_backlash(j_bn: Metre) -> Metre:
-    return 0.0 * abs(j_bn)
-
-
 @formula("s_bt", Text("{iso}: transverse tooth thickness at the base circle, thinned by the change E_W of its span", iso=ISO), unit="mm")
 def base_thickness(d_b: Metre, s_t: Metre, d: Metre, alpha_t: Radian, E_W: Metre, beta_b: Radian) -> Metre:
     return d_b * (s_t / d + inv(alpha_t)) + E_W / cos(beta_b)
@@ -63,7 +58,7 @@ def base_thickness(d_b: Metre, s_t: Metre, d: Metre, alpha_t: Radian, E_W: Metre
 
 @formula("j_bn", Text("{iso}: normal backlash by the thicknesses at the base circles; exact", iso=ISO), unit="µm")
 def backlash_of_bases(p_bt: Metre, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian) -> Metre:
-    return (p_bt - s_b1 - s_b2 + (d_b1 + d_b2) * inv(alpha_wt)) * cos(beta_b)
+    return joined(p_bt - s_b1 - s_b2, (d_b1 + d_b2) * inv(alpha_wt)) * cos(beta_b)
 
 
 @formula("j_wt", Text("{iso}: circumferential backlash at the working circle", iso=ISO), unit="µm")
@@ -156,7 +151,7 @@ def expansion_of_wheels(eps_1: Number, eps_2: Number, d_b1: Metre, d_b2: Metre) 
 
 @formula("Δa_eff", "change of the centre distance against the wheels", unit="µm")
 def change_against_wheels(a_w: Metre, eps_a: Number, eps_g: Number) -> Metre:
-    return a_w * (eps_a - eps_g) / (1 + eps_g)
+    return a_w * joined(eps_a, -eps_g) / (1 + eps_g)
 
 
 @formula("a_eff", "centre distance referred to the wheels as they are at 20 °C", unit="mm")
@@ -168,11 +163,9 @@ def effective_centre(a: Metre, eps_a: Number, eps_g: Number) -> Metre:
 def warm_backlash(
     p_bt: Metre, eps_1: Number, eps_2: Number, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian
 ) -> Metre:
-    return (
-        (1 + smallest(eps_1, eps_2)) * p_bt
-        - (1 + eps_1) * s_b1
-        - (1 + eps_2) * s_b2
-        + ((1 + eps_1) * d_b1 + (1 + eps_2) * d_b2) * inv(alpha_wt)
+    return joined(
+        (1 + smallest(eps_1, eps_2)) * p_bt - (1 + eps_1) * s_b1 - (1 + eps_2) * s_b2,
+        ((1 + eps_1) * d_b1 + (1 + eps_2) * d_b2) * inv(alpha_wt),
     ) * cos(beta_b)
 
 

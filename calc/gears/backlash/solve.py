@@ -19,7 +19,7 @@ from ..result import TrainResult
 from . import chance as c
 from . import formulas as b
 from . import temperature as t
-from .backlash import free_turn, settled, way_to
+from .backlash import free_turn, way_to
 from .case import BacklashCase, cases
 from .checks import checks
 from .curves import curves, tables
@@ -104,10 +104,9 @@ def _at(m: BacklashCase, a: Metre) -> Metre:
     d_b1, d_b2 = m.driver.base_diameter, m.driven.base_diameter
     alpha_wt = f.working_pressure_angle(d_b1, d_b2, a)
     s_b1, s_b2 = (teeth.thickest for teeth in m.teeth)
-    j = b.backlash_of_bases(
+    return b.backlash_of_bases(
         p_bt=m.system.base_pitch, s_b1=s_b1, s_b2=s_b2, d_b1=d_b1, d_b2=d_b2, alpha_wt=alpha_wt, beta_b=m.system.base_helix_angle
     )
-    return settled(j)
 
 
 def _stacked(m: BacklashCase) -> dict[str, float]:

@@ -17,7 +17,6 @@ from ...sheet.units import Celsius, Metre, Number, PerKelvin, Radian
 from .. import formulas as f
 from ..inputs import GearsInputs
 from . import formulas as b
-from .backlash import settled
 from .case import BacklashCase
 
 
@@ -93,7 +92,7 @@ def at_state(m: BacklashCase, by: Grown, a: Metre, s_b1: Metre, s_b2: Metre) -> 
     a_eff = b.effective_centre(a=a, eps_a=by.centres, eps_g=by.wheels)
     m.must_mesh(a_eff, Text("temperature, with the tolerance and runout,"))
     alpha_wt = f.working_pressure_angle(m.driver.base_diameter, m.driven.base_diameter, a_eff)
-    return AtState(settled(warm(m, by, alpha_wt, s_b1, s_b2)), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
+    return AtState(warm(m, by, alpha_wt, s_b1, s_b2), alpha_wt, 1 + by.centres, 1 + min(by.driver, by.driven))
 
 
 def warm(m: BacklashCase, by: Grown, alpha_wt: Radian, s_b1: Metre, s_b2: Metre) -> Metre:

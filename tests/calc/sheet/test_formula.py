@@ -95,7 +95,7 @@ def test_an_array_is_shown_by_its_governing_value_and_where_it_occurs():
 def test_a_sum_shows_its_terms_and_a_vector_its_length_and_angle():
     formula_text, numbers, _ = line_text(only(vector, np.array([1.0, 2.0]), np.array([0.5, 0.5]), np.array([0.0, np.pi / 2])))
     assert formula_text == "U = Σ(m·e·e^(i·γ))"
-    assert numbers.startswith("= Σ((1; 2)·(0.5; 0.5)·e^(i·(0; 1.571))) = 1.118∠63.43°")
+    assert numbers.startswith("= Σ((1; 2)·(0.5; 0.5)·e^(i·(0; 1.570796))) = 1.118∠63.43°")
 
 
 def test_a_named_constant_stands_as_its_number():
