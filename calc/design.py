@@ -12,6 +12,7 @@ from .engine.inputs import EngineInputs
 from .friction.inputs import FrictionInputs
 from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
+from .measured import Measured
 from .sheet.quantity import inputs, integer, reasons, table, tables, text
 from .sheet.rules import is_limit
 from .sheet.step import Step
@@ -53,6 +54,10 @@ class Design:
         "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
     )
 
+    measured: tuple[Measured, ...] = tables(
+        "Measured", Measured, default=(), help="What was measured of this design; it stands beside what is predicted."
+    )
+
     @property
     def oils(self) -> Mapping[str, Oil]:
         return oils(self.oil)
@@ -85,6 +90,9 @@ class Design:
         for id, _ in self.accepted:
             if is_limit(id):
                 yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
+        for n, row in enumerate(self.measured):
+            if row.speed is not None and self.engine is None:
+                yield f"measured.{n}.speed_rpm", Text("is that of the engine: leave it out where there is no [engine] table")
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)

@@ -28,6 +28,7 @@ from .gears.curves import curves
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .imbalance import solve as imbalance
+from .prediction import Predicted, with_measured
 from .sheet.check import Check, worst
 from .sheet.number import short
 from .sheet.parts import Enough, Kept, Parts
@@ -64,6 +65,11 @@ class Results:
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():
             yield from outcome.checks
+
+    @property
+    def predicted(self) -> Predicted:
+        """What this design gives at the speeds of measurements."""
+        return Predicted(self.design, self.values(), lambda other: solve(other).values())
 
     def whole(self) -> "Results":
         """The same with the curves, tables and notes that take longer than a keystroke may."""
@@ -150,7 +156,10 @@ def _solve(part: Parts, design: Design) -> Results:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
     if g.result is not None:
         g = replace(g, curves=g.curves + curves(g.result))
-    return Results(design, accepted((e, i, c, b, g, f), design.accepted), part.kept)
+    outcomes = accepted((e, i, c, b, g, f), design.accepted)
+    if design.measured:
+        outcomes = with_measured(design, outcomes, lambda other: solve(other).values())
+    return Results(design, outcomes, part.kept)
 
 
 def _placed(

@@ -12,6 +12,7 @@ from calc.design import STEPS
 from calc.design_file import Document
 from calc.languages import language
 from calc.languages.outcome import in_language
+from calc.prediction import compared_table
 from calc.sheet.check import SIGNS
 from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name
@@ -48,6 +49,8 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
     made += _summary(context, found)
     if not found.equal:
         made += _tables(context, found, names)
+        measured = compared_table((before.design, before.predicted), (after.design, after.predicted), names)
+        made += table_blocks(context, [in_language(measured, context.say)]) if measured is not None else []
     sums = [document.sha256 for document in (first, second)]
     w = context.words
     files = {f"{letter}.toml": (document.raw, w["file"]) for letter, document in zip("ab", (first, second))}

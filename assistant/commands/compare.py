@@ -14,6 +14,7 @@ from calc.compare import EQUAL, SAME, CheckDifference, Comparison, ValueDifferen
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document, design, read
+from calc.prediction import compared_table
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
@@ -86,6 +87,9 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
     yield from _table(verdict_table(found, names, sign))
     yield from _checks(found, names, everything)
     yield from _values(found, names, everything)
+    (_, a), (_, b) = sides
+    if (measured := compared_table((a.design, a.predicted), (b.design, b.predicted), names)) is not None:
+        yield from _table(measured)
 
 
 def column_names(a: str, b: str) -> Names:

@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What was measured, beside what is predicted at the same speed: the rows of [[measured]] as a table of each step."""
+
+from collections.abc import Callable
+from dataclasses import is_dataclass, replace
+from typing import Any
+
+from .design import Design
+from .measured import Measured
+from .sheet.quantity import Published, keys
+from .sheet.step import Further, Outcome, Table
+from .sheet.text import EMPTY, SPACE, Amount, Name, Text
+
+Values = dict[str, Published]
+COLUMNS = (
+    (Text("Value"), ""),
+    (Text("Speed"), "rpm"),
+    (Text("Measured"), ""),
+    (Text("Uncertainty"), ""),
+    (Text("Predicted"), ""),
+    (Text("Unit"), ""),
+    (Text("Deviation"), "%"),
+    (Text("Verdict"), ""),
+)
+TITLE = Text("Measured beside predicted")
+NOTE = Text(
+    "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another speed the design is "
+    "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
+)
+
+
+class Predicted:
+    """What a design gives at the speeds of its measurements, each solved once.  `at` solves a design and gives its values."""
+
+    def __init__(self, design: Design, values: Values, at: Callable[[Design], Values]) -> None:
+        self._design, self._values, self._at = design, values, at
+        self._solved: dict[float, tuple[Design, Values]] = {}
+
+    def of(self, row: Measured) -> tuple[float | None, Text]:
+        """The value of a row in its unit, or None and why there is none."""
+        speed, engine = row.speed, self._design.engine
+        if speed is None or engine is None or speed == engine.rated_speed:
+            return _predicted(row, self._design, self._values)
+        if speed not in self._solved:
+            other = at_speed(self._design, speed, self._values)
+            self._solved[speed] = other, self._at(other)
+        return _predicted(row, *self._solved[speed])
+
+    def speed(self, row: Measured) -> float | None:
+        """In rpm."""
+        engine = self._design.engine
+        speed = row.speed if row.speed is not None else engine.rated_speed if engine is not None else None
+        return None if speed is None else speed * 60
+
+
+def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], at: Callable[[Design], Values]) -> dict[str, Outcome[Any]]:
+    """The outcomes, each with a table of what was measured of it, made when it is asked for."""
+    values = {id: value for outcome in outcomes.values() for value in outcome.values() for id in value.ids}
+    predicted = Predicted(design, values, at)
+    for key in {row.step for row in design.measured} & outcomes.keys():
+        rows = [row for row in design.measured if row.step == key]
+        if outcomes[key].state == "solved":
+            outcomes[key] = replace(outcomes[key], further=_more(outcomes[key], rows, predicted))
+    return outcomes
+
+
+def _more(outcome: Outcome[Any], rows: list[Measured], predicted: Predicted) -> Callable[[], Further]:
+    def further() -> Further:
+        made = outcome.further() if outcome.further is not None else Further()
+        return replace(made, tables=(measured_table(rows, predicted), *made.tables))
+
+    return further
+
+
+def measured_table(rows: list[Measured], predicted: Predicted) -> Table:
+    notes = [Text("{value}: {note}.", value=row.value, note=row.note) for row in rows if row.note]
+    return Table("measured", TITLE, COLUMNS, tuple(_row(row, predicted) for row in rows), SPACE.join([NOTE, *notes]))
+
+
+def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], names: tuple[str, str]) -> Table | None:
+    """What was measured of either design beside what both predict; None where nothing was."""
+    rows = {(row.value, row.speed, row.is_): row for design, _ in (a, b) for row in design.measured}
+    if not rows:
+        return None
+    columns = [(Text("Value"), ""), (Text("Speed"), "rpm"), (Text("Measured"), ""), (Text("Unit"), "")]
+    columns += [column for name in names for column in ((Name(name), ""), (Text("Deviation"), "%"))]
+    cells = []
+    for row in rows.values():
+        sides = [predicted.of(row)[0] for _, predicted in (a, b)]
+        shown = [cell for found in sides for cell in (found, _deviation(found, row.is_))]
+        cells.append((Name(row.value), a[1].speed(row), row.is_, Name(row.unit), *shown))
+    return Table("measured", TITLE, tuple(columns), tuple(cells))
+
+
+def _row(row: Measured, predicted: Predicted) -> tuple[str | float | None, ...]:
+    found, verdict = predicted.of(row)
+    if found is not None and row.uncertainty is not None:
+        off = abs(found - row.is_) - row.uncertainty
+        verdict = Text("inside") if off <= 0 else Text("outside, by {off}", off=Amount(off, row.unit))
+    deviation = _deviation(found, row.is_)
+    return Name(row.value), predicted.speed(row), row.is_, row.uncertainty, found, Name(row.unit), deviation, verdict
+
+
+def _deviation(predicted: float | None, measured: float) -> float | None:
+    return 100 * (predicted - measured) / abs(measured) if predicted is not None and measured else None
+
+
+def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | None, Text]:
+    found = values.get(row.value)
+    given = (found.shown, found.unit) if found is not None else _input(design, row.value)
+    if given is None:
+        return None, Text("this design has no such value")
+    if given[1] != row.unit:
+        return None, Text("is shown in {unit}: give it so", unit=given[1] or "1")
+    return given[0], EMPTY
+
+
+def _input(design: Design, address: str) -> tuple[float, str] | None:
+    """A number of the design by the key of the file, in the unit of that key."""
+    here: Any = design
+    for part in address.split("."):
+        kind: Any = type(here) if is_dataclass(here) else None
+        key = keys(kind).get(part) if kind is not None else None
+        if key is None:
+            return None
+        here, about = getattr(here, key.attribute), key.about
+    return (about.units.shown(here), about.unit) if isinstance(here, (int, float)) else None
+
+
+def at_speed(design: Design, speed: float, values: Values) -> Design:
+    """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
+    assert design.engine is not None
+    changed = replace(design, engine=replace(design.engine, rated_speed=speed), measured=())
+    if design.bearings is None:
+        return changed
+    sides: dict[str, Any] = {}
+    for place in ("front", "rear"):
+        side = getattr(design.bearings, place)
+        made = values.get(f"bearings.{place}.clearance")
+        if side.clearance_factor is not None and made is not None:
+            sides[place] = replace(side, clearance=made.inside, clearance_factor=None)
+    oil: dict[str, Any] = {}
+    if design.engine.bench:
+        import numpy as np
+
+        run = sorted(design.engine.bench, key=lambda row: row.speed)
+        if run[0].speed <= speed <= run[-1].speed:
+            speeds = [row.speed for row in run]
+            oil["supply_temperature"] = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
+            oil["supply_pressure"] = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
+    return replace(changed, bearings=replace(design.bearings, **sides, **oil))
