@@ -72,8 +72,8 @@ class Results:
         return Predicted(self.design, self.values(), lambda other: solve(other).values())
 
     def whole(self) -> "Results":
-        """The same with the curves, tables and notes that take longer than a keystroke may."""
-        return replace(self, outcomes={key: outcome.whole for key, outcome in self.outcomes.items()})
+        """The same with all curves, tables and notes, those too that take longer than a keystroke may."""
+        return replace(self, outcomes={key: outcome.drawn for key, outcome in self.outcomes.items()})
 
     @property
     def verdict(self) -> str:

@@ -45,8 +45,6 @@ def _run(asked: Namespace) -> int:
 
         print(json.dumps(results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1))
     else:
-        if made.measured:
-            results = results.whole()  # with the tables that lay it beside what is predicted
         print_results(results, asked.step, everything=not asked.short, findings=asked.all)
         sys.stdout.flush()  # the verdicts are there before the search ends
         if verdict:

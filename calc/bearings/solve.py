@@ -21,9 +21,11 @@ from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
+from .charts import charts
 from .checks import checks
 from .corners import corner_points, corners, corners_table
 from .curves import clearance_points, curves
+from .film import optimum
 from .film import short_bearing as short
 from .film.dynamics import dynamics
 from .inputs import IN_WORDS, PLACES, BearingInputs, BearingsInputs
@@ -79,7 +81,8 @@ def solve(
     tables.append(reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items()))
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
         curves=tuple(c for place, r in results.items() for c in curves(place, r)), tables=tuple(tables),
-        errata=tuple(e for place, r in results.items() for e in errata(place, r)), notes=notes(bearings, shaft, results))  # fmt: skip
+        errata=tuple(e for place, r in results.items() for e in errata(place, r)), notes=notes(bearings, shaft, results),
+        charts=lambda: tuple(charts(results)))  # fmt: skip
 
 
 def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
@@ -171,7 +174,10 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
+        share = optimum.film_share(eps=hot.eccentricity)
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
+    with about(Text("{place} bearing, between largest load and least friction", place=IN_WORDS[place])):
+        most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
     with about(Text("{place} bearing, oil supply", place=IN_WORDS[place])):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
     side = side_by_side(place, seat, duty, ratio)
@@ -192,7 +198,8 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
     reynolds, raimondi_boyd, din31652, short_bearing = (route_result(side.films.get(name)) for name in ROUTES)
     return BearingResult(
         film=hot.film, film_edge=edge, film_double_load=doubled.film if doubled else None, speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, attitude_angle=hot.attitude or 0.0,
+        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, film_share=share,
+        film_share_largest_load=most, film_share_least_friction=least_friction, attitude_angle=hot.attitude or 0.0,
         sommerfeld=hot.sommerfeld, friction_coefficient=hot.friction_coefficient, friction_power=hot.friction_power, oil_flow=hot.oil_flow,
         side_flow=hot.side_flow, supply_flow=hot.supply_flow if hot.side_flow is not None else None, feed_blocked_arc=blocked,
         temperature_rise=hot.temperature_rise, outlet_temperature=outlet, film_pressure_max=hot.largest_pressure or 0.0,

@@ -136,7 +136,8 @@ class Outcome(Generic[R]):
 
     `result` is there where the state is solved, and only there.
 
-    `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
+    `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.  `charts` makes
+    curves that only a screen or a page shows; who draws them asks for `drawn`.
     """
 
     key: str
@@ -151,6 +152,7 @@ class Outcome(Generic[R]):
     notes: tuple[Text, ...] = ()  # assumptions, and what the program chose
     reason: Text = EMPTY
     further: Callable[[], Further] | None = None
+    charts: Callable[[], tuple[Curve, ...]] | None = None
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
@@ -172,6 +174,14 @@ class Outcome(Generic[R]):
         return replace(
             self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
         )  # fmt: skip
+
+    @cached_property
+    def drawn(self) -> "Outcome[R]":
+        """The same outcome, whole, with all that is drawn."""
+        whole = self.whole
+        if whole.charts is None or self.state != "solved":
+            return whole
+        return replace(whole, curves=whole.curves + whole.charts(), charts=None)
 
     @property
     def solution(self) -> R:

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Charts of the literature on plain bearings, each with this design's own point: made when somebody looks.
+
+The pressure around, what clearance and length do, the chart of Raimondi and Boyd with its band, the friction over the duty, the oils.
+"""
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from ..catalogue import oils
+from ..lubricant import Lubricant
+from ..sheet.arrays import Array, many
+from ..sheet.errors import NoSolution
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Name, Text
+from ..sheet.trace import untraced
+from ..sheet.value import unlinked
+from .curves import POINTS, SHARES
+from .film.optimum import ECCENTRICITIES, share_of_largest_load, share_of_least_friction
+from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, solve_film
+from .film.table import FilmRangeError, eccentricity_from, film_at
+from .inputs import IN_WORDS
+from .result import BearingResult
+from .routes.balance import balanced
+from .routes.routes import own_warm
+
+PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
+RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
+OILS = ("0W-20", "5W-30", "10W-40", "15W-40")
+AS_DESIGNED = Text("as designed")
+LG_S = Text("lg S")
+
+
+def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
+    with untraced():
+        for place, r in results.items():
+            yield from (_pressure(place, r), _clearance(place, r), _length(place, r), _raimondi_boyd(place, r), _duty(place, r))
+        yield _oils(next(iter(results.values())))
+
+
+def _pressure(place: str, r: BearingResult) -> Curve:
+    """Around the middle plane; with a groove around the middle the two halves carry half of the load each, at half of the length."""
+    series = [Series(AS_DESIGNED, *_around(r, r.eccentricity, r.length_ratio))]
+    if r.seat.inputs.supply != "groove":
+        try:
+            half = eccentricity_from(float(r.sommerfeld), r.length_ratio / 2)
+            series.append(Series(Text("parted by a groove around"), *_around(r, half, r.length_ratio / 2)))
+        except FilmRangeError:
+            pass  # so short a half carries this load at no eccentricity of the table
+    title = Text("Film pressure around the {place} bearing, in the plane of its largest", place=IN_WORDS[place])
+    mean = (Text("specific load"), r.specific_load / 1e6)
+    return Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(series), (mean,))
+
+
+def _around(r: BearingResult, eccentricity: float, length_ratio: float) -> tuple[Array, Array]:
+    """Angle from the load's direction in the sense of the journal's rotation [°], and pressure [MPa]."""
+    (low, high), (short, long) = ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
+    film = solve_film(float(np.clip(eccentricity, low, high)), float(np.clip(length_ratio, short, long)))
+    scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2
+    return np.degrees(film.theta - math.pi + film.attitude), film.pressure * scale / 1e6
+
+
+def _clearance(place: str, r: BearingResult) -> Curve:
+    over = r.over_clearance
+    first = {name: many(getattr(over, name))[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
+    parts = (
+        Series(Text("smallest film"), r.clearance * SHARES * 1e6, first["film"] / r.film),
+        Series(Text("largest pressure"), r.clearance * SHARES * 1e6, first["largest_pressure"] / r.film_pressure_max),
+        Series(Text("temperature rise"), r.clearance * SHARES * 1e6, first["temperature_rise"] / r.temperature_rise),
+    )
+    title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
+    return Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts)
+
+
+def _length(place: str, r: BearingResult) -> Curve:
+    """Longer and thinner, shorter and thicker, with the same projected area and relative clearance."""
+    bearing, found = r.seat.bearing, []
+    area, psi = bearing.diameter * bearing.length, r.clearance / bearing.diameter
+    for ratio in RATIOS:
+        d = math.sqrt(area / ratio)
+        other = replace(unlinked(bearing), diameter=d, length=ratio * d, clearance=psi * d, clearance_factor=None)
+        try:
+            film = balanced(own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6)
+            pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
+            found.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
+        except (NoSolution, ValueError):
+            continue  # so short a bearing carries the load at no eccentricity of the table
+    ratios, *parts = np.array(found).T if found else np.zeros((4, 0))
+    labels = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
+    title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
+    series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
+    return Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
+
+
+def _raimondi_boyd(place: str, r: BearingResult) -> Curve:
+    series = []
+    for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4))):
+        film = film_at(ECCENTRICITIES, ratio)
+        series.append(Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), 1 - ECCENTRICITIES))
+    series += _band()
+    series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
+    title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
+    return Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
+
+
+@cache
+def _band() -> list[Series]:
+    """Where the load is largest, and where the friction is least, for bearings of all lengths."""
+    lengths, lines = np.linspace(PUBLISHED_RATIOS[-1], 1.5, 15), []
+    for share_of, label in ((share_of_largest_load, Text("largest load")), (share_of_least_friction, Text("least friction"))):
+        share = np.array([share_of(b=float(length)) for length in lengths])
+        S = film_at(np.clip(1 - share, *ECCENTRICITY_RANGE), lengths).sommerfeld
+        lines.append(Series(label, np.log10(S), share))
+    return lines
+
+
+def _duty(place: str, r: BearingResult) -> Curve:
+    """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its roughness."""
+    film = film_at(ECCENTRICITIES, float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
+    thick = (1 - ECCENTRICITIES) * r.clearance_hot / 2 >= r.kreisle_film / 3
+    zn_p = r.mckee_number * film.sommerfeld / r.sommerfeld
+    shown = thick & (zn_p < 10 * r.mckee_number)
+    line = Series(Text("full film"), zn_p[shown], (r.relative_clearance * film.friction)[shown])
+    point = Series(AS_DESIGNED, np.array([r.mckee_number]), np.array([r.friction_coefficient]))
+    title = Text("Friction of the {place} bearing over its duty (McKee; Stribeck)", place=IN_WORDS[place])
+    bounds = ((Text("thick film up to"), 0.012), (Text("thick film from"), 0.002))
+    return Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
+
+
+def _oils(r: BearingResult) -> Curve:
+    """Kinematic viscosity over temperature: the design's oil and usual ones."""
+    own, known = r.seat.lubricant, oils()
+    T = np.linspace(40.0, 150.0, 23)
+    shown = {own.oil.name: own} | {name: Lubricant(known[name]) for name in OILS if name in known}
+    series = tuple(Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items())
+    title = Text("Viscosity of the oil over its temperature")
+    return Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)

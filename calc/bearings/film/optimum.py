@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Between the largest load and the least friction: the two films h₀/c that Raimondi and Boyd mark on their chart.
+
+With the smallest film h₀ held, c = h₀/(1 − ε): the load goes with (1 − ε)²/S, the coefficient of friction with f*/(1 − ε).
+"""
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.formula import formula
+from ...sheet.text import Text
+from ...sheet.units import Number
+from .table import film_at
+
+ECCENTRICITIES = np.linspace(0.04, 0.97, 94)
+RAIMONDI_BOYD = Text("Raimondi & Boyd 1958, chart of the smallest film")
+
+
+@formula("h_0/c", "definition of the eccentricity ratio", names={"eps": "ε"})
+def film_share(eps: Number) -> Number:
+    return 1 - eps
+
+
+@formula("(h_0/c)_F", RAIMONDI_BOYD, names={"b": "l/d"}, shows="where (1 − ε)²/S of this l/d is largest")
+def share_of_largest_load(b: Number) -> Number:
+    """Published for l/d 1, ½ and ¼, as read from the chart: 0.53, 0.43 and 0.27 (from memory of Shigley).
+
+    >>> share_of_largest_load(b=1.0)
+    0.53...
+    """
+    film = film_at(ECCENTRICITIES, float(b))
+    return _summit((1 - ECCENTRICITIES) ** 2 / film.sommerfeld)
+
+
+@formula("(h_0/c)_f", RAIMONDI_BOYD, names={"b": "l/d"}, shows="where f*/(1 − ε) of this l/d is smallest")
+def share_of_least_friction(b: Number) -> Number:
+    """Published for l/d 1, ½ and ¼, as read from the chart: 0.30, 0.12 and 0.03 (from memory of Shigley).
+
+    >>> share_of_least_friction(b=1.0)
+    0.33...
+    """
+    film = film_at(ECCENTRICITIES, float(b))
+    return _summit(-film.friction / (1 - ECCENTRICITIES))
+
+
+def _summit(y: Array) -> float:
+    """h₀/c where y is largest, by the parabola through its three highest points; at an end of the range that end."""
+    at = int(np.argmax(y))
+    if at in (0, len(y) - 1):
+        return float(1 - ECCENTRICITIES[at])
+    near = slice(at - 1, at + 2)
+    a, b, _ = np.polyfit(1 - ECCENTRICITIES[near], y[near], 2)
+    return float(-b / (2 * a))

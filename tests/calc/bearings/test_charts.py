@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The charts of the literature: what they draw is what the bearing has, and the band is the published one."""
+
+import numpy as np
+import pytest
+
+from calc.bearings.film.optimum import share_of_largest_load, share_of_least_friction
+from calc.bearings.film.table import film_at
+from calc.design_file import design, read
+from calc.shipped import DESIGNS
+from calc.solve import solve
+
+
+@pytest.fixture(scope="module")
+def gamma():
+    return solve(design(read(DESIGNS / "r753ie4_gamma.toml")))
+
+
+@pytest.fixture(scope="module")
+def drawn(gamma):
+    return {curve.id: {str(s.label): (s.x, s.y) for s in curve.series} for curve in gamma.outcomes["bearings"].drawn.curves}
+
+
+@pytest.mark.parametrize("length_ratio, load, friction", [(1.0, 0.53, 0.30), (0.5, 0.43, 0.12), (0.25, 0.27, 0.03)])
+def test_the_band_is_that_of_the_chart_of_1958(length_ratio, load, friction):
+    """Read from the chart in Shigley, from memory: to ±0.04."""
+    assert share_of_largest_load(b=length_ratio) == pytest.approx(load, abs=0.04)
+    assert share_of_least_friction(b=length_ratio) == pytest.approx(friction, abs=0.04)
+
+
+@pytest.mark.parametrize("length_ratio", [0.3, 0.46, 1.0])
+def test_the_largest_load_is_larger_than_at_any_other_clearance(length_ratio):
+    """With the smallest film held, c = h_0/(1 − ε): no other eccentricity carries more."""
+    best = 1 - share_of_largest_load(b=length_ratio)
+
+    def load(eps):
+        return (1 - eps) ** 2 / film_at(eps, length_ratio).sommerfeld
+
+    assert all(load(best) > load(best + off) for off in (-0.1, -0.02, 0.02, 0.1))
+
+
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_every_chart_passes_through_the_design(gamma, drawn, place):
+    values = gamma.values()
+
+    def v(name):
+        return values[f"bearings.{place}.{name}"].shown
+
+    angle, pressure = drawn[f"pressure_around_{place}"]["as designed"]
+    assert pressure.max() == pytest.approx(v("film_pressure_max"), rel=3e-3) and 0 < angle[pressure.argmax()] < v("attitude_angle")
+    for x, name in (("clearance_effects", v("clearance")), ("length_effects", v("length_ratio"))):
+        for label, (at, share) in drawn[f"{x}_{place}"].items():
+            assert np.interp(name, at, share) == pytest.approx(1.0, abs=0.02), (x, label)
+    S, share = drawn[f"raimondi_boyd_chart_{place}"]["as designed"]
+    assert 10 ** S[0] == pytest.approx(v("sommerfeld")) and share[0] == pytest.approx(v("film_share")) == pytest.approx(
+        1 - v("eccentricity")
+    )
+    duty, friction = drawn[f"stribeck_{place}"]["full film"]
+    assert np.interp(v("mckee_number"), duty[::-1], friction[::-1]) == pytest.approx(v("friction_coefficient"), rel=5e-3)
+
+
+def test_pressure_carries_the_load_in_the_middle_plane_of_a_long_bearing(gamma, drawn):
+    """Around the middle plane the pressure pushes along the load: its sideways part is the smaller one."""
+    angle, pressure = drawn["pressure_around_front"]["as designed"]
+    step = np.gradient(np.radians(angle))
+    along, aside = (np.sum(pressure * f(np.radians(angle)) * step) for f in (np.cos, np.sin))
+    assert along > 3 * abs(aside) > 0
+
+
+def test_the_oil_of_the_design_is_among_the_oils(gamma, drawn):
+    T, lg = next(iter(drawn["viscosity_of_oils"].values()))
+    assert 10 ** np.interp(40.0, T, lg) == pytest.approx(95.7, rel=1e-6) and "5W-30" in drawn["viscosity_of_oils"]
+
+
+def test_a_check_says_where_the_film_lies_in_the_band(gamma):
+    found = next(c for c in gamma.checks() if c.id == "bearings.front.film_share")
+    assert found.kind == "advice" and found.verdict == "pass" and found.limit[0] < found.value < found.limit[1]
