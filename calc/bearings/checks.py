@@ -85,9 +85,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     ):
         yield on(key, title, r.length_ratio, "in", ratios, "", source, Text("Change length or diameter."),
             remedies=within(place, bearing, ratios))  # fmt: skip
-    yield on("film_share", Text("Film over radial clearance, usual"), r.film_share, "in",
-        (r.film_share_least_friction, r.film_share_largest_load), "", RAIMONDI_BOYD,
-        Text("Below the range less clearance carries more and rubs less at the same film; above it more clearance does."))  # fmt: skip
+    yield on("film_band", Text("Film between least friction and largest load"), r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD,
+        Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."))  # fmt: skip
     yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
         Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load."))  # fmt: skip
     yield on("mckee", Text("McKee number, cP·rpm/psi"), r.mckee_number, ">=", STABLE_FILM, "",

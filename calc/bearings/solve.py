@@ -174,10 +174,10 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         outlet = f.outlet_temperature(T_in=inputs.supply_temperature, Delta_T=hot.temperature_rise)
         shear = f.shear_rate(u=u, h_0=hot.film)
         cold = seat.clearance_at(inputs.lowest_temperature)
-        share = optimum.film_share(eps=hot.eccentricity)
     ratio = f.length_ratio(l=based_on(bare / 2, bare) if lands == 2 else bare, d=d)
     with about(Text("{place} bearing, between largest load and least friction", place=IN_WORDS[place])):
         most, least_friction = optimum.share_of_largest_load(b=ratio), optimum.share_of_least_friction(b=ratio)
+        band = optimum.place_in_band(eps=hot.eccentricity, share_f=least_friction, share_F=most)
     with about(Text("{place} bearing, oil supply", place=IN_WORDS[place])):
         blocked = _blocked_arc(inputs, duty, hot, ratio)
     side = side_by_side(place, seat, duty, ratio)
@@ -198,7 +198,7 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
     reynolds, raimondi_boyd, din31652, short_bearing = (route_result(side.films.get(name)) for name in ROUTES)
     return BearingResult(
         film=hot.film, film_edge=edge, film_double_load=doubled.film if doubled else None, speed_of_thinnest_film=swept.thinnest_speed,
-        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, film_share=share,
+        thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, film_band=band,
         film_share_largest_load=most, film_share_least_friction=least_friction, attitude_angle=hot.attitude or 0.0,
         sommerfeld=hot.sommerfeld, friction_coefficient=hot.friction_coefficient, friction_power=hot.friction_power, oil_flow=hot.oil_flow,
         side_flow=hot.side_flow, supply_flow=hot.supply_flow if hot.side_flow is not None else None, feed_blocked_arc=blocked,

@@ -112,7 +112,7 @@ class Check:
 
     def limit_text(self) -> Text:
         if isinstance(self.limit, tuple):
-            return Text("{low} to {high}", low=Amount(self.limit[0], digits=3), high=Amount(self.limit[1], self.unit, digits=3))
+            return Text("{low} to {high}", low=Amount(self.limit[0]), high=Amount(self.limit[1], self.unit))
         sign = {">=": "≥", "<=": "≤"}.get(self.sense, self.sense)
         return Text("{sign} {limit}", sign=sign, limit=Amount(self.limit, self.unit))
 

@@ -16,9 +16,12 @@ ECCENTRICITIES = np.linspace(0.04, 0.97, 94)
 RAIMONDI_BOYD = Text("Raimondi & Boyd 1958, chart of the smallest film")
 
 
-@formula("h_0/c", "definition of the eccentricity ratio", names={"eps": "ε"})
-def film_share(eps: Number) -> Number:
-    return 1 - eps
+@formula(
+    "b_f", Text("{chart}: 0 at the least friction, 100 % at the largest load", chart=RAIMONDI_BOYD), unit="%",
+    names={"eps": "ε", "share_f": "(h_0/c)_f", "share_F": "(h_0/c)_F"},
+)  # fmt: skip
+def place_in_band(eps: Number, share_f: Number, share_F: Number) -> Number:
+    return (1 - eps - share_f) / (share_F - share_f)
 
 
 @formula("(h_0/c)_F", RAIMONDI_BOYD, names={"b": "l/d"}, shows="where (1 − ε)²/S of this l/d is largest")
