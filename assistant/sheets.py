@@ -82,7 +82,7 @@ def sheet(outcome: Outcome[object], step: int, say: Language, stop: Callable[[],
         formula, numbers, source = line_text(line, say, say.number)
         checks, errata = tuple(judged.get(i, ())), tuple(wrong.get(i, ()))
         entries.append(Entry(f"{step}.{i + 1}", say(line.about), formula, numbers, source, checks, errata))
-    return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, outcome.notes, line_of)
+    return Sheet(tuple(entries), tuple(wrong[-1]), outcome.proposals, tuple(outcome.notes), line_of)
 
 
 VALUES = "values"  # the table of all values of a step; the id of each stands in its last column

@@ -10,6 +10,7 @@ each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain
 
 from collections.abc import Callable, Iterator
 from dataclasses import field, replace
+from functools import partial
 from typing import Any
 
 from . import step_inputs as h
@@ -30,6 +31,7 @@ from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .prediction import Predicted, with_measured
 from .sheet.check import Check, worst
+from .sheet.later import Later
 from .sheet.number import short
 from .sheet.parts import Enough, Kept, Parts
 from .sheet.printed import aligned
@@ -155,7 +157,7 @@ def _solve(part: Parts, design: Design) -> Results:
     if g.result is not None and design.countershaft is not None:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
     if g.result is not None:
-        g = replace(g, curves=g.curves + curves(g.result))
+        g = replace(g, curves=g.curves + Later(partial(curves, g.result)))
     outcomes = accepted((e, i, c, b, g, f), design.accepted)
     if design.measured:
         outcomes = with_measured(design, outcomes, lambda other: solve(other).values())

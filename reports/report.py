@@ -162,7 +162,7 @@ def _step(
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
         ("checks", lambda: check_blocks(context, outcome.checks)),
-        ("figures", lambda: figure_blocks(context.number(outcome.curves), w["figure"], plots) + _further(context, outcome)),
+        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), w["figure"], plots) + _further(context, outcome)),
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )
     for n, (key, make) in enumerate(parts):

@@ -14,8 +14,9 @@ from ..lubricant import Lubricant
 from ..sheet.arrays import many
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
+from ..sheet.later import Later
 from ..sheet.remedy import by_key
-from ..sheet.step import Outcome
+from ..sheet.step import Outcome, Table
 from ..sheet.text import EMPTY, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
@@ -60,7 +61,6 @@ def solve(
     speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
-    tables = []
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
@@ -71,18 +71,23 @@ def solve(
                 seat = BearingCase(bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion)
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
-            tables += [routes_table(place, results[place].side), corners_table(place, results[place].corners, bearings)]
     every = [c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r))]
     every += _slopes_given(bearings, shaft)
-    surface = bearings.bush_material or bearings.housing_material
-    runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
-    tables.append(bushes_table(runs, surface))
-    sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
-    tables.append(reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items()))
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
-        curves=tuple(c for place, r in results.items() for c in curves(place, r)), tables=tuple(tables),
-        errata=tuple(e for place, r in results.items() for e in errata(place, r)), notes=notes(bearings, shaft, results),
-        charts=lambda: tuple(charts(results)))  # fmt: skip
+        curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
+        tables=Later(lambda: _tables(bearings, results, speed)),
+        errata=tuple(e for place, r in results.items() for e in errata(place, r)),
+        notes=Later(lambda: notes(bearings, shaft, results)), charts=lambda: tuple(charts(results)))  # fmt: skip
+
+
+def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
+    for place, r in results.items():
+        yield routes_table(place, r.side)
+        yield corners_table(place, r.corners, bearings)
+    runs = {place: Running(r.specific_load, r.pressure_velocity, r.outlet_temperature) for place, r in results.items()}
+    yield bushes_table(runs, bearings.bush_material or bearings.housing_material)
+    sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
+    yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
 
 
 def _pairing(place: str, r: BearingResult) -> Iterator[Check]:

@@ -11,6 +11,7 @@ from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.arrays import column
 from ..sheet.errors import NoSolution
+from ..sheet.later import Later
 from ..sheet.linked_array import elements, item
 from ..sheet.step import Outcome
 from ..sheet.text import Amount, Text
@@ -74,8 +75,8 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         making(shaft, todo, masses, result, R, materials, to)
     result = replace(result, **to.values)
     return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
-        curves=(*curves(todo, result, omega, shaft.bearing_positions), *to.curves), tables=tuple(to.tables),
-        notes=(*notes(shaft, journals), *to.notes))  # fmt: skip
+        curves=Later(lambda: curves(todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
+        notes=Later(lambda: (*notes(shaft, journals), *to.notes)))  # fmt: skip
 
 
 def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material],
@@ -90,10 +91,10 @@ def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Ma
     U = f.asked_unbalance(x_o=shaft.overdesign, F_like=todo.F, omega=omega)
     P = f.asked_product(x_o=shaft.overdesign, C_like=todo.C, omega=omega)
     densities = {name: materials[name].density for name in named(shaft, materials)}
-    front = front_curve(U, P, omega, shaft.outer_radius, shaft.core_radius, shaft.half_length, densities, shaft.extras)
-    to.curves += [front] if front is not None else []
+    envelope = shaft.outer_radius, shaft.core_radius, shaft.half_length
+    to.curves += Later(lambda: filter(None, [front_curve(U, P, omega, *envelope, densities, shaft.extras)]))
     try:
-        sized = size(U, P, omega, steel.density, shaft.outer_radius, shaft.core_radius, shaft.half_length, shaft.extras)
+        sized = size(U, P, omega, steel.density, *envelope, shaft.extras)
     except TooSmall as small:
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
     to.values |= dict(sector_half_angle=sized.sector_half_angle, sector_length=sized.sector_length, utilisation=sized.utilisation,

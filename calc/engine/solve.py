@@ -12,6 +12,7 @@ from ..catalogue import Material
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi
+from ..sheet.later import Later
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Curve, Outcome, Series, Table, axis_label
@@ -169,8 +170,9 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         harmonic=named,
     )  # fmt: skip
     return Outcome(
-        "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines), curves=(_acceleration(engine, e), *curves),
-        tables=(_crank_table(engine, e, fires), *tables),
+        "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines),
+        curves=Later(lambda: (_acceleration(engine, e), *curves)),
+        tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip
 

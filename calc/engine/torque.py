@@ -14,6 +14,7 @@ import numpy as np
 from ..sheet.arrays import Array, many
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
+from ..sheet.later import Later, Many
 from ..sheet.linked_array import elements, item
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Curve, Series, axis_label
@@ -192,7 +193,7 @@ def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any,
 
 def solve(
     engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
-) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
+) -> tuple[TorqueResult, Many[Curve], tuple[Text, ...]]:
     """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
     fires: Any = firing
     found, curve = _inertia(engine, e, fires)
@@ -213,7 +214,7 @@ def solve(
             Text("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
         )
     result = TorqueResult(**found, **_gas(engine, e, fires, cycle, flywheel_inertia), cycle=cycle)
-    return result, _curves(engine, e, fires, cycle, result), tuple(notes)
+    return result, Later(lambda: _curves(engine, e, fires, cycle, result)), tuple(notes)
 
 
 def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dict[str, Any], Curve]:

@@ -2,6 +2,7 @@
 """What is to be said about solved friction: checks, where the source is wrong, notes and curves."""
 
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from .. import oils
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
+from ..sheet.later import Later
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum
 from ..sheet.text import EMPTY, SEMICOLON, Text
@@ -32,8 +34,8 @@ def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
     """Checks, curves, errata and notes of a closed balance."""
     friction = d.friction
     return {
-        "checks": checks(friction, result), "curves": curves.curves(result), "errata": errata(friction, result, d.oil),
-        "notes": notes.notes(friction, result, d.oil), "tables": curves.tables(result, d),
+        "checks": checks(friction, result), "curves": Later(partial(curves.curves, result)), "errata": errata(friction, result, d.oil),
+        "notes": Later(partial(notes.notes, friction, result, d.oil)), "tables": Later(partial(curves.tables, result, d)),
     }  # fmt: skip
 
 

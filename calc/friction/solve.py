@@ -2,7 +2,7 @@
 """The friction step: the meshes from the geometry of the train, the losses of all that turns, the closed power balance."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -15,6 +15,7 @@ from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..lubricant import Lubricant
 from ..sheet.errors import NoSolution
+from ..sheet.later import Later
 from ..sheet.quantity import published
 from ..sheet.step import Further, Outcome
 from ..sheet.text import Amount, Text
@@ -85,9 +86,13 @@ def solve(
         with QUIET():
             result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))
         finite(result)
-    more = journals.notes(result.journals) if journals is not None else []
+
+    def notes() -> Iterator[Text]:
+        yield from journals.notes(result.journals) if journals is not None else ()
+        yield from _notes(gears, on is not None)
+
     return replace(
-        outcome, result=result, lines=(*lines, *outcome.lines), notes=(*outcome.notes, *more, *_notes(gears, on is not None)),
+        outcome, result=result, lines=(*lines, *outcome.lines), notes=outcome.notes + Later(notes),
         further=partial(further, d, result, power, on),
     )  # fmt: skip
 

@@ -5,13 +5,14 @@
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Any
 
 from ..catalogue import Material
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, check
+from ..sheet.later import Later
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
@@ -79,7 +80,7 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
         with about(Text("train, to {last}", last=last)):
             free = backlash_at_shaft(wheels, meshes, last)
             ratio = speed_ratio_of(n_last=n[last], n_1=n[gears.meshes[0].driver])
-        spans: list[Table] = []
+        spans: list[Callable[[], Table]] = []
         measured: list[Check] = []
         for given in gears.wheels:
             working = [(mate, d_w) for mate, d_w, _ in working_circles(meshes, given.name)]
@@ -91,8 +92,9 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
     return finite(Outcome("gears", result=result, checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
-        lines=tuple(lines), tables=tuple(spans), errata=errata(result) if gears.source_sheet == "finotti" else (),
-        notes=(*notes(gears, train, result), *profile_notes(result))))  # fmt: skip
+        lines=tuple(lines), tables=Later(lambda: (table() for table in spans)),
+        errata=errata(result) if gears.source_sheet == "finotti" else (),
+        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result)))))  # fmt: skip
 
 
 def with_play(
@@ -102,7 +104,7 @@ def with_play(
     with trace() as lines:
         played = play(gears, outcome.solution, materials, housing)
     beside: Outcome[object] = Outcome(
-        "gears", checks=played.checks, lines=tuple(lines), curves=played.curves(), tables=played.tables(), notes=played.notes
+        "gears", checks=played.checks, lines=tuple(lines), curves=Later(played.curves), tables=Later(played.tables), notes=played.notes
     )
     return replace(_joined(outcome, beside), result=replace(outcome.solution, play=played.meshes, train_play=played.train))
 

@@ -1,15 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of orders 1 to 8, what the crank takes of them, what the counter-shaft must supply, and what other remedies would."""
 
+from collections.abc import Iterator
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.solve import ORDERS, EngineResult
+from ..sheet.later import Later
 from ..sheet.quantity import group, result, value
-from ..sheet.step import Erratum, Outcome
+from ..sheet.step import Erratum, Outcome, Table
 from ..sheet.text import Text
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
@@ -128,6 +131,16 @@ def _force_shaft(backward: Any, omega: RadPerSecond, teeth: int | None) -> dict[
     }
 
 
+NOTES = (
+    Text(
+        "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
+        "plane only. A vertical "
+        "couple is a pair of vertical forces, one at either end."
+    ),
+    Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."),
+)
+
+
 def solve(
     imbalance: ImbalanceInputs,
     engine: EngineInputs,
@@ -142,34 +155,30 @@ def solve(
     """
     with trace() as lines:
         found = values(imbalance, engine, e, shaft_teeth, axis)
-    tables, notes = bob_table(imbalance, engine, e)
-    if 2 < engine.cylinders <= LISTED:
-        tables += (cranks_table(firing_orders(imbalance, engine, e), engine),)
+    bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
+
+    def cranks() -> Iterator[Table]:
+        if 2 < engine.cylinders <= LISTED:
+            yield cranks_table(firing_orders(imbalance, engine, e), engine)
+
     return Outcome(
         "imbalance",
         result=found,
         checks=checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         lines=tuple(lines),
-        curves=pictures(found),
-        tables=(remedy_table(found, imbalance.crank_balance_fraction), *tables),
+        curves=Later(lambda: pictures(found)),
+        tables=Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction), *bobs()[0], *cranks())),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
-        notes=(
-            *notes,
-            Text(
-                "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
-                "plane only. A vertical "
-                "couple is a pair of vertical forces, one at either end."
-            ),
-            Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."),
-        ),
+        notes=Later(lambda: (*bobs()[1], *NOTES)),
     )
 
 
 def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: ImbalanceInputs) -> Outcome[ImbalanceResult]:
     """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple, cylinder 1 at TDC."""
-    table = remedy_table(outcome.solution, imbalance.crank_balance_fraction, shaft)
-    return replace(outcome, curves=pictures(outcome.solution, shaft), tables=(table, *outcome.tables[1:]))
+    found = outcome.solution
+    tables = Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction, shaft), *outcome.tables[1:]))
+    return replace(outcome, curves=Later(lambda: pictures(found, shaft)), tables=tables)
 
 
 def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:

@@ -9,6 +9,7 @@ from functools import cache
 from typing import Any, TypeVar, cast
 
 from ..sheet.check import Check
+from ..sheet.later import Later
 from ..sheet.quantity import Quantity
 from ..sheet.step import Curve, Erratum, Outcome, Series, Table, Turning
 from ..sheet.text import Name, Text
@@ -37,7 +38,7 @@ def _said(thing: Any, say: Language) -> Any:
     kind: Any = type(thing)
     if isinstance(thing, Text):
         return Name(say(thing))
-    if kind is tuple:
+    if kind is tuple or kind is Later:
         return tuple([_said(part, say) for part in thing])
     if kind is Check:
         return replace(thing, **{name: _said(getattr(thing, name), say) for name in ("name", "source", "advice")})

@@ -10,6 +10,7 @@ from typing import Generic, Literal, TypeVar
 from .arrays import Array
 from .check import Check, step_verdict
 from .errors import NoSolution, text_of
+from .later import Many
 from .printed import aligned, brief
 from .quantity import Published, published
 from .record import record
@@ -145,11 +146,11 @@ class Outcome(Generic[R]):
     result: R | None = None
     checks: tuple[Check, ...] = ()
     lines: tuple[Line, ...] = ()
-    curves: tuple[Curve, ...] = ()
-    tables: tuple[Table, ...] = ()
+    curves: Many[Curve] = ()
+    tables: Many[Table] = ()
     errata: tuple[Erratum, ...] = ()
     proposals: tuple[Text, ...] = ()  # what could be done about what was found, and why
-    notes: tuple[Text, ...] = ()  # assumptions, and what the program chose
+    notes: Many[Text] = ()  # assumptions, and what the program chose
     reason: Text = EMPTY
     further: Callable[[], Further] | None = None
     charts: Callable[[], tuple[Curve, ...]] | None = None
@@ -219,4 +220,4 @@ def _accepted(outcome: Outcome[R], reasons: dict[str, str]) -> Outcome[R]:
     notes = [Text("Accepted, but this design has no such check: {id}.", id=id) for id in reasons if id not in verdicts]
     notes += [Text("Accepted without need, since it holds: {id}.", id=id) for id in reasons if verdicts.get(id) == "pass"]
     notes += [Text("A limit, which nobody can accept: {id}.", id=c.id) for c in checks if c.id in reasons and c.kind == "limit"]
-    return replace(outcome, checks=checks, notes=(*outcome.notes, *notes))
+    return replace(outcome, checks=checks, notes=outcome.notes + tuple(notes))

@@ -8,6 +8,7 @@ from typing import Any
 from ...catalogue import Material
 from ...sheet.arrays import column
 from ...sheet.check import Check, check
+from ...sheet.later import Later, Many
 from ...sheet.step import Curve, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre
@@ -28,8 +29,8 @@ class Gathered:
         self.values: dict[str, Any] = {}
         self.checks: list[Check] = []
         self.notes: list[Text] = []
-        self.tables: list[Table] = []
-        self.curves: list[Curve] = []
+        self.tables: Many[Table] = ()
+        self.curves: Many[Curve] = ()
 
 
 def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
@@ -45,7 +46,7 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
         from ..sizing.alternatives import compared, compared_table
 
         to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass)
-        to.tables.append(compared_table(shaft, other))
+        to.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
         from . import bolts
@@ -70,7 +71,7 @@ def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     asked = result.mass, result.omega, result.centre_of_gravity, z_f, z_r, todo.couple
     to.values["tolerance"] = permitted = tolerance.permitted(shaft.balance_grade, *asked)
-    to.tables.append(tolerance.table(shaft.balance_grade, *asked))
+    to.tables += Later(lambda: [tolerance.table(shaft.balance_grade, *asked)])
     to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
         to.checks.append(check("countershaft.balance_grade", Text("Couple that the balance quality grade permits"),
@@ -137,8 +138,8 @@ def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
     limit = todo.may_leave
     to.values["scatter"] = spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, to.values.get("holes"))
     to.checks += scatter.checks(spread, limit)
-    to.tables += scatter.tables(spread)
-    to.curves += scatter.curves(spread, limit)
+    to.tables += Later(lambda: scatter.tables(spread))
+    to.curves += Later(lambda: scatter.curves(spread, limit))
     to.notes += scatter.notes(shaft.scatter, spread)
 
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from functools import reduce
 from typing import Any, NamedTuple
 
+from ...sheet.later import Later
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.trace import about, trace
@@ -37,7 +38,8 @@ def forces(gears: GearsInputs, train: TrainResult, layout: LayoutResult, torques
     with trace() as lines:
         meshes, wheels = _all(gears, train, layout, torques, turns, gears.hands())
     result = ForcesResult(wheels=wheels, meshes=meshes)
-    return Outcome("gears", result=result, lines=tuple(lines), tables=forces_tables(result), notes=forces_notes(gears, result, turns))
+    return Outcome("gears", result=result, lines=tuple(lines), tables=Later(lambda: forces_tables(result)),
+        notes=Later(lambda: forces_notes(gears, result, turns)))  # fmt: skip
 
 
 def axis_forces(gears: GearsInputs, train: TrainResult, torques: Mapping[str, NewtonMetre]) -> dict[str, Newton]:

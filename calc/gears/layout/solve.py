@@ -4,6 +4,7 @@
 from typing import NamedTuple
 
 from ...sheet.check import Check
+from ...sheet.later import Later
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.trace import about, trace
@@ -58,11 +59,11 @@ def layout(gears: GearsInputs, train: TrainResult, shaft: ShaftInTrain = ALONE) 
         teeth = phase(train, directions, gears.tooth_angle, shaft.eccentric)
         wheels = {w.name: _wheel(w.name, gears, train, placing, around, teeth, checks) for w in gears.wheels}
         result = LayoutResult(wheels=wheels, meshes=meshes, **_assembly(gears, train, teeth, shaft, checks))
-    last = train.wheels[gears.meshes[-1].driven]
-    figure = layout_curve(gears, train, result)
-    return Outcome("gears", result=result, checks=tuple(checks), lines=tuple(lines), curves=() if figure is None else (figure,),
-        tables=tables(train, placing, result, teeth), errata=errata(last.tip_diameter, shaft.journals, result.insertion_gap),
-        notes=(*placing.notes, *notes(gears, result, teeth, last, shaft.journals is not None and shaft.gear_end is None)))  # fmt: skip
+    last, end_unknown = train.wheels[gears.meshes[-1].driven], shaft.journals is not None and shaft.gear_end is None
+    return Outcome("gears", result=result, checks=tuple(checks), lines=tuple(lines), 
+        curves=Later(lambda: filter(None, [layout_curve(gears, train, result)])),
+        tables=Later(lambda: tables(train, placing, result, teeth)), errata=errata(last.tip_diameter, shaft.journals, result.insertion_gap),
+        notes=Later(lambda: (*placing.notes, *notes(gears, result, teeth, last, end_unknown))))  # fmt: skip
 
 
 def _wheel(

@@ -2,7 +2,8 @@
 """All that is measured on one wheel beside its span and its size over balls: pins, one ball, chords, limits, and what a size means."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from functools import partial
 from typing import Any
 
 from ...sheet.check import Check
@@ -27,7 +28,7 @@ STEEPEST: Radian = math.pi / 4  # β_K from which two loose pins find no smalles
 
 def measures(
     system: ToothSystem, given: Wheel, wheel: WheelResult, working: Iterable[tuple[str, Metre]] = ()
-) -> tuple[MeasuresResult, tuple[Check, ...], Table]:
+) -> tuple[MeasuresResult, tuple[Check, ...], Callable[[], Table]]:
     """The measures of one wheel, their checks, and the table of its spans.
 
     `working`: (mate, working diameter d_w) of each mesh, for the balls that touch there.  Raises NoSolution where a measured size is
@@ -55,7 +56,7 @@ def measures(
             of = (system, wheel.teeth, wheel.profile_shift, wheel.form_curvature, wheel.tip_curvature)
             sizes["best_span_teeth"] = m.best_span(K=based_on(best_span.K, *of))
     result = MeasuresResult(**sizes)
-    table = spans_table(wheel, all_spans, wheel.span_teeth, None if best_span is None else best_span.K)
+    table = partial(spans_table, wheel, all_spans, wheel.span_teeth, None if best_span is None else best_span.K)
     return result, checks(system, wheel, result, teeth), table
 
 

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The rating of every mesh of a train, once its torque is known: load, nominal stresses, influence factors, strength, screening."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import cache
 
 from ...catalogue import Material
 from ...sheet.formula import formula
+from ...sheet.later import Later
 from ...sheet.quantity import Described, Stated
 from ...sheet.step import Outcome, Table
 from ...sheet.text import Text
@@ -62,14 +63,19 @@ def rating(
     checks.append(c.roughness_check(gears.root_rz))
     for name, strength in context.classes.items():
         checks += c.hardness_checks(name, strength)
-    tables: list[Table] = [curves.influence_table(influences), *curves.strength_tables(strengths)] if influences else []
-    tables.append(curves.classes_table(context.classes))
-    if gears.source_sheet == "finotti":
-        tables.append(source_sheet.comparison(train, rated))
+
+    def tables() -> Iterator[Table]:
+        if influences:
+            yield from (curves.influence_table(influences), *curves.strength_tables(strengths))
+        yield curves.classes_table(context.classes)
+        if gears.source_sheet == "finotti":
+            yield source_sheet.comparison(train, rated)
+
     return finite(
         Outcome(
-            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines), curves=curves.curves(rated),
-            tables=tuple(tables), errata=source_sheet.errata(train, rated), notes=notes(context, rated, load),
+            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines),
+            curves=Later(lambda: curves.curves(rated)),
+            tables=Later(tables), errata=source_sheet.errata(train, rated), notes=Later(lambda: notes(context, rated, load)),
         )
     )  # fmt: skip
 

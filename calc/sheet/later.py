@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is made when somebody looks at it: figures, tables and words that stand beside the numbers of a step."""
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import cached_property
+from typing import Any, TypeVar, overload
+
+import numpy as np
+
+from .errors import NoSolution
+from .trace import untraced
+
+T = TypeVar("T")
+
+
+class Later(Sequence[T]):
+    """A sequence that `make` gives at the first look.  What can not be made of the numbers (an overflow in a figure) is not there."""
+
+    def __init__(self, make: Callable[[], Iterable[T]]) -> None:
+        self._make = make
+
+    @cached_property
+    def made(self) -> tuple[T, ...]:
+        try:
+            with untraced(), np.errstate(all="ignore"):
+                return tuple(self._make())
+        except (NoSolution, ArithmeticError, ValueError):
+            return ()
+
+    def __iter__(self) -> Iterator[T]:
+        return iter(self.made)
+
+    def __len__(self) -> int:
+        return len(self.made)
+
+    @overload
+    def __getitem__(self, index: int) -> T: ...
+    @overload
+    def __getitem__(self, index: slice) -> tuple[T, ...]: ...
+    def __getitem__(self, index: Any) -> Any:
+        return self.made[index]
+
+    def __add__(self, more: "Many[T]") -> "Later[T]":
+        return Later(lambda: (*self, *more))
+
+    def __radd__(self, first: tuple[T, ...]) -> "Later[T]":
+        return Later(lambda: (*first, *self))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return tuple, (self.made,)
+
+
+Many = tuple[T, ...] | Later[T]  # what an outcome holds
