@@ -5,8 +5,6 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
 from typing import Any, TypeVar, overload
 
-import numpy as np
-
 from .errors import NoSolution
 from .trace import untraced
 
@@ -21,6 +19,8 @@ class Later(Sequence[T]):
 
     @cached_property
     def made(self) -> tuple[T, ...]:
+        import numpy as np  # which is there wherever something was solved
+
         try:
             with untraced(), np.errstate(all="ignore"):
                 return tuple(self._make())
