@@ -31,6 +31,7 @@ from .gears.result import TrainResult
 from .imbalance import solve as imbalance
 from .prediction import Predicted, with_measured
 from .sheet.check import Check, worst
+from .sheet.garbage import seldom_collected
 from .sheet.later import Later
 from .sheet.number import short
 from .sheet.parts import Enough, Kept, Parts
@@ -91,10 +92,11 @@ def solve(
     `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
     """
     part = Parts(TITLES, before.parts if before else {}, stop=stop, enough=enough)
-    try:
-        return _solve(part, design)
-    except Enough:
-        return Results(design, part.last, part.kept)
+    with seldom_collected():
+        try:
+            return _solve(part, design)
+        except Enough:
+            return Results(design, part.last, part.kept)
 
 
 def _solve(part: Parts, design: Design) -> Results:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero check`: solve a design and print values, checks and verdicts."""
 
-import gc
 import sys
 from argparse import Namespace
 from collections.abc import Iterable, Sequence
@@ -19,16 +18,6 @@ TRIES = 40  # designs that may be solved for checks that no search is made for: 
 
 
 def run(asked: Namespace) -> int:
-    """The many small objects of a solution stay: looking through them for garbage as often as Python does takes a tenth of the time."""
-    usual = gc.get_threshold()
-    gc.set_threshold(50_000, 20, 20)
-    try:
-        return _run(asked)
-    finally:
-        gc.set_threshold(*usual)
-
-
-def _run(asked: Namespace) -> int:
     known_step(asked.step)
     file, changes = asked.file, list(asked.changes)
     if file is None and changes and "=" not in changes[-1]:

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The friction step: the meshes from the geometry of the train, the losses of all that turns, the closed power balance."""
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from functools import partial
@@ -14,11 +13,10 @@ from ..gears.inputs import GearsInputs
 from ..gears.layout.forces import axis_forces
 from ..gears.result import TrainResult
 from ..lubricant import Lubricant
-from ..sheet.errors import NoSolution
+from ..sheet.finite import finite
 from ..sheet.later import Later
-from ..sheet.quantity import published
 from ..sheet.step import Further, Outcome
-from ..sheet.text import Amount, Text
+from ..sheet.text import Text
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
 from ..sheet.value import based_on
@@ -31,6 +29,8 @@ from .result import FrictionResult, torque
 from .studies import maps, scenarios, sensitivity
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
+
+EXTREME = Text("power, speed, face width or flank roughness are far outside what the formulas are for: give usual ones")
 
 
 def meshes_of(train: TrainResult, materials: Mapping[str, Material]) -> dict[str, MeshGeometry]:
@@ -85,7 +85,7 @@ def solve(
     if friction.scenarios:
         with QUIET():
             result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))
-        finite(result)
+        finite(result, "friction", EXTREME)
 
     def notes() -> Iterator[Text]:
         yield from journals.notes(result.journals) if journals is not None else ()
@@ -104,7 +104,7 @@ def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
     """
     with QUIET(), trace() as lines:
         result = balance(d, power)
-    finite(result)
+    finite(result, "friction", EXTREME)
     with QUIET(), untraced():
         return Outcome("friction", result=result, lines=tuple(lines), **checks.said(d, result))
 
@@ -119,15 +119,6 @@ def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | 
         return Further(
             curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(result)), notes=missing
         )  # fmt: skip
-
-
-def finite(result: FrictionResult) -> None:
-    """No value that is no number, or infinite, is handed out."""
-    for value in published(result, "friction"):
-        if not math.isfinite(value.shown):
-            found = Text("{id} is {shown}", id=value.id, shown=Amount(value.shown))
-            advice = Text("power, speed, face width or flank roughness are far outside what the formulas are for: give usual ones")
-            raise NoSolution(value.label, found, advice)
 
 
 def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:

@@ -2,6 +2,7 @@
 """What solving the gear train gives: the tooth system, its wheels, its meshes."""
 
 from collections.abc import Mapping
+from functools import cached_property
 
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
@@ -148,7 +149,7 @@ class MeshResult:
     centre_tolerance: Metre  # ±
     play_angle: Radian  # free turn of the driven wheel at the largest backlash
 
-    @property
+    @cached_property
     def title(self) -> str:
         """What it is called in sentences."""
         return f"{self.driver}–{self.driven}"

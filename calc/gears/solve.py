@@ -12,6 +12,7 @@ from typing import Any
 from ..catalogue import Material
 from ..engine.inputs import EngineInputs
 from ..sheet.check import Check, check
+from ..sheet.finite import finite
 from ..sheet.later import Later
 from ..sheet.record import record
 from ..sheet.step import Outcome, Table
@@ -22,7 +23,6 @@ from .backlash.backlash import backlash_at_shaft
 from .backlash.formulas import residual_couple as _couple_of_phase_error
 from .backlash.solve import play, with_couple
 from .checks import checks, speed_ratio
-from .finite import finite
 from .formulas import speed_ratio as speed_ratio_of
 from .inputs import GearsInputs
 from .layout.forces import forces
@@ -38,6 +38,7 @@ from .rating.solve import rating
 from .result import TrainResult, working_circles
 from .train import settle, speeds, tooth_system
 from .wheel import solve_wheel
+from .words import EXTREME
 
 __all__ = ["geometry", "merge", "not_rated", "rating", "residual_couple", "with_residual_couple", "with_speed_ratio"]
 
@@ -91,10 +92,11 @@ def geometry(gears: GearsInputs, first_speed: RevPerSecond) -> Outcome[TrainResu
         result = TrainResult(system=system, wheels=wheels, meshes=meshes, speed_ratio=ratio, phase_error=free)
         depths = penetrations(result)
     result = replace(result, meshes={key: replace(mesh, penetration=depths[key]) for key, mesh in meshes.items()})
-    return finite(Outcome("gears", result=result, checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
+    finite(result, "gears", EXTREME)
+    return Outcome("gears", result=result, checks=(*checks(gears, result), *measured, *profile_checks(result, depths)),
         lines=tuple(lines), tables=Later(lambda: (table() for table in spans)),
         errata=errata(result) if gears.source_sheet == "finotti" else (),
-        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result)))))  # fmt: skip
+        notes=Later(lambda: (*notes(gears, train, result), *profile_notes(result))))  # fmt: skip
 
 
 def with_play(

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Lengths as they stand in the sentences of the gear train."""
+"""Words that several sentences of the gear train share."""
 
 from ..sheet.number import DIGITS
-from ..sheet.text import Amount
+from ..sheet.text import Amount, Text
 from ..sheet.units import Metre
+
+EXTREME = Text("module, face width, power or speed are far outside what the formulas are for: give usual ones")
 
 
 def mm(length: Metre, form: str = "", *, digits: int = DIGITS) -> Amount:

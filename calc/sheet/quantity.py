@@ -222,24 +222,25 @@ def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool], ...]:
     return tuple(found)
 
 
-def insides(result: Any) -> Iterator[Any]:
+def insides(result: Any) -> list[Any]:
     """All values of a result as the formulas returned them, without their addresses."""
-    if isinstance(result, dict):
-        for part in result.values():
-            yield from insides(part)
-        return
-    if isinstance(result, Stated):
-        yield result.number
-        return
+    found: list[Any] = []
+    _gather(result, found)
+    return found
+
+
+def _gather(result: Any, found: list[Any]) -> None:
     kind: Any = type(result)
-    for name, about, _ in _shown(kind):
-        content = getattr(result, name)
-        if content is None:
-            continue
-        if about is not None:
-            yield content
-        else:
-            yield from insides(content)
+    if kind is dict:
+        for part in result.values():
+            _gather(part, found)
+    elif kind is Stated:
+        found.append(result.number)
+    else:
+        for name, about, _ in _shown(kind):
+            content = getattr(result, name)
+            if content is not None:
+                found.append(content) if about is not None else _gather(content, found)
 
 
 def published(result: Any, prefix: str) -> Iterator[Published]:

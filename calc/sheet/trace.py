@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The record of a calculation: which formula was called, with what, and what came out."""
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 from .text import EMPTY, Text
 
 if TYPE_CHECKING:
     from .formula import Formula
+
+T = TypeVar("T")
 
 
 class Line:
@@ -28,32 +29,32 @@ recorder: ContextVar[list[Line] | None] = ContextVar("recorder", default=None)
 subject: ContextVar[Text] = ContextVar("subject", default=EMPTY)
 
 
-@contextmanager
-def trace() -> Iterator[list[Line]]:
+class _Setting(Generic[T]):
+    """`with` it a variable has another value.  Written as a class, since a solve enters some 500 of them."""
+
+    __slots__ = ("_token", "value", "variable")
+
+    def __init__(self, variable: ContextVar[Any], value: T) -> None:
+        self.variable, self.value = variable, value
+
+    def __enter__(self) -> T:
+        self._token = self.variable.set(self.value)
+        return self.value
+
+    def __exit__(self, *error: object) -> None:
+        self.variable.reset(self._token)
+
+
+def trace() -> _Setting[list[Line]]:
     """Record every formula that is called inside."""
-    lines: list[Line] = []
-    token = recorder.set(lines)
-    try:
-        yield lines
-    finally:
-        recorder.reset(token)
+    return _Setting(recorder, [])
 
 
-@contextmanager
-def untraced() -> Iterator[None]:
+def untraced() -> _Setting[None]:
     """Iterations: nothing inside is recorded.  The converged call is made once more outside."""
-    token = recorder.set(None)
-    try:
-        yield
-    finally:
-        recorder.reset(token)
+    return _Setting(recorder, None)
 
 
-@contextmanager
-def about(part: Text) -> Iterator[None]:
+def about(part: Text) -> _Setting[Text]:
     """Name the part whose lines follow: "front bearing", "mesh 36–39"."""
-    token = subject.set(part)
-    try:
-        yield
-    finally:
-        subject.reset(token)
+    return _Setting(subject, part)

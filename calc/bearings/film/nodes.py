@@ -153,7 +153,7 @@ def within(quantity: str, value: float, nodes: Array) -> float:
 
 def cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Array, Array, Array]]:
     """The cell of each position, and the weights of its nodes; a nan gives nan weights in some cell."""
-    cell = np.clip(np.searchsorted(nodes, positions, side="right") - 1, 0, nodes.size - 2)
+    cell = np.minimum(np.maximum(np.searchsorted(nodes, positions, side="right") - 1, 0), nodes.size - 2)
     step = nodes[cell + 1] - nodes[cell]
     return cell, hermite((positions - nodes[cell]) / step, step)
 
@@ -169,4 +169,4 @@ def clipped(quantity: str, values: Array, low: Any, high: Any, outside: Outside,
             place = Text(" at l/d {broadcast_to}", broadcast_to=Amount(float(np.broadcast_to(more, wrong.shape)[at]), form=".6g"))
         count = Text(" ({sum} of {size} values are outside)", sum=int(wrong.sum()), size=wrong.size)
         raise FilmRangeError(quantity, float(values[at]), lowest, highest, place + count)
-    return np.where(wrong, np.nan, np.clip(values, low, high))
+    return np.where(wrong, np.nan, np.minimum(np.maximum(values, low), high))

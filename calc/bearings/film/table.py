@@ -168,7 +168,7 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
 
 
 def _scalar(value: Any) -> bool:
-    return isinstance(value, float | int) or np.ndim(value) == 0
+    return isinstance(value, (float, int)) or np.ndim(value) == 0
 
 
 def _many(first: Any, second: Any) -> tuple[Array, Array]:
@@ -201,7 +201,7 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity))
     values: Array = sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))  # type: ignore[assignment]
-    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = np.moveaxis(values, -1, 0)
+    load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (values[..., k] for k in range(6))
     sommerfeld = np.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eccentricity))
     friction = friction_variable(eccentricity, sommerfeld, np.sin(attitude))
     damping = short_bearing_damping(eccentricity) * np.exp(damping)
@@ -234,13 +234,17 @@ def _eccentricity_array(sommerfeld: Array, length_ratio: Array, outside: Outside
     sommerfeld = clipped(Text("Sommerfeld number S"), sommerfeld, low, high, outside, more=length_ratio)
     target = -np.log(2.0 * math.pi * length_ratio**2 * sommerfeld)
 
-    cell = np.zeros(sommerfeld.shape, dtype=np.intp)
-    beyond = cell + table.x.size - 1
-    for _ in range((table.x.size - 1).bit_length()):
-        middle = (cell + beyond) // 2
-        above = at(2 * middle) + table.short[middle] <= target
-        cell, beyond = np.where(above, middle, cell), np.where(above, beyond, middle)
-    cell = np.minimum(cell, table.x.size - 2)
+    if length_ratio.ndim == 0 and not np.isnan(length_ratio):
+        cell = np.searchsorted(column_at(float(length_ratio)).loads, target, side="right") - 1
+        cell = np.minimum(np.maximum(cell, 0), table.x.size - 2)
+    else:
+        cell = np.zeros(sommerfeld.shape, dtype=np.intp)
+        beyond = cell + table.x.size - 1
+        for _ in range((table.x.size - 1).bit_length()):
+            middle = (cell + beyond) // 2
+            above = at(2 * middle) + table.short[middle] <= target
+            cell, beyond = np.where(above, middle, cell), np.where(above, beyond, middle)
+        cell = np.minimum(cell, table.x.size - 2)
 
     x, step = table.x[cell], table.x[cell + 1] - table.x[cell]
     left, left_slope, right, right_slope = at(2 * cell), step * at(2 * cell + 1), at(2 * cell + 2), step * at(2 * cell + 3)

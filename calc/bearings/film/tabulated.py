@@ -25,7 +25,7 @@ def film_slopes(eps: Number, b: Number) -> tuple[Any, Any]:
 
 def _plain(*numbers: Any) -> bool:
     """No arrays, which can not be looked up."""
-    return all(isinstance(number, float | int) for number in numbers)
+    return all([isinstance(number, (float, int)) for number in numbers])
 
 
 @formula("ε", SOURCE, shows="ε from S(ε, l/d): table of Reynolds' solutions, inverted")

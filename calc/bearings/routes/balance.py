@@ -161,7 +161,8 @@ def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hotte
         f_high[live] = excess(high[live], live)
         short = live[f_high[live] > 0]
         high[short] = hottest
-        f_high[short] = excess(high[short], short)
+        if short.size:
+            f_high[short] = excess(high[short], short)
         left = live[~(f_high[live] > 0)]
         for _ in range(ITERATION_LIMIT):
             if not left.size:

@@ -107,8 +107,8 @@ def upstream(meshes: Mapping[str, MeshGeometry], loss: Loss, needs: Needs) -> di
         for _ in range(PASSES):
             carried, off, moved = needs(loads), {}, 0.0
             for name, mesh in reversed(list(meshes.items())):
-                P_out = require(Text("mesh {title}: power", title=mesh.title), carried[mesh.driven.name])
-                P = require(Text("mesh {title}: power", title=mesh.title), guesses[name].at(P_out))
+                P_out = require(mesh.power, carried[mesh.driven.name])
+                P = require(mesh.power, guesses[name].at(P_out))
                 lost = loss(name, P)
                 off[name] = float(np.max(np.abs(P_out + lost - P) / P))
                 moved = max(moved, float(np.max(np.abs(P - loads.get(name, np.inf)) / P)))
@@ -151,7 +151,7 @@ def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, W
         if np.any(P <= 0):
             nothing = Text("{min} W come in: what lies before it loses more than it gets", min=Amount(float(np.min(P)), form=".4g"))
             raise NoSolution(Text("mesh {title}: power", title=mesh.title), nothing, MORE_POWER)
-        loads[name] = require(Text("mesh {title}: power", title=mesh.title), P)
+        loads[name] = require(mesh.power, P)
         wheel = mesh.driven.name
         P = loads[name] - loss(name, loads[name]) - needed[wheel]
     return loads

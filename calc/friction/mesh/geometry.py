@@ -9,6 +9,7 @@ them against the positions of the path, which stand along the last axis.
 
 import math
 from dataclasses import fields
+from functools import cached_property
 from typing import cast
 
 import numpy as np
@@ -50,7 +51,7 @@ class MeshGeometry:
     def name(self) -> str:
         return f"{self.driver.name}_{self.driven.name}"
 
-    @property
+    @cached_property
     def title(self) -> str:
         return f"{self.driver.name}–{self.driven.name}"
 
@@ -58,6 +59,10 @@ class MeshGeometry:
     def face_width(self) -> Metre:
         """The width that both wheels have."""
         return min(self.driver.face_width, self.driven.face_width)
+
+    @cached_property
+    def power(self) -> Text:
+        return Text("mesh {title}: power", title=self.title)
 
     @property
     def spur(self) -> bool:
@@ -69,7 +74,7 @@ def sound(mesh: MeshGeometry) -> None:
     for part in (mesh, mesh.driver, mesh.driven):
         for field in fields(part):
             number = getattr(part, field.name)
-            if isinstance(number, (int, float)):
+            if isinstance(number, (int, float)) and not 0 < number < math.inf:
                 require(Text("mesh {title}: {name}", title=mesh.title, name=field.name), number, zero=field.name in MAY_BE_ZERO)
 
 

@@ -233,7 +233,7 @@ def closing_tooth_temperature(T: Celsius) -> Celsius:
 
 def solve_mesh(c: Case, P: Watt, by_regime: bool, exponent: Number = EXPONENT) -> MeshLoss:
     """The loss of a mesh that takes in the power P, one or many."""
-    require(Text("mesh {title}: power", title=c.mesh.title), P)
+    require(c.mesh.power, P)
     if not c.estimated:
         return _solved(c, P, by_regime, exponent)
     with untraced():
@@ -298,7 +298,7 @@ def power_lost(c: Case, P: Watt, by_regime: bool, *, rolling: bool = True) -> Wa
     if c.estimated:
         whole = solve_mesh(c, P, by_regime)
         return whole.loss if rolling else whole.sliding_loss
-    require(Text("mesh {title}: power", title=c.mesh.title), P)
+    require(c.mesh.power, P)
     lost = _lost(c, P, by_regime, EXPONENT)
     return mesh_loss(P_s=lost.P_s, P_R=lost.P_R) if rolling else lost.P_s
 

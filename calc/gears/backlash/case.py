@@ -6,6 +6,7 @@ zone of a position is a circle, filled evenly; the wheel rests on the wall of it
 radial shift lies evenly between its ends.  Only the part along the line of centres counts: a direction at random is a projection.
 """
 
+from functools import cached_property
 from math import sqrt
 from typing import Any
 
@@ -87,7 +88,7 @@ class BacklashCase:
     def place(self) -> str:
         return f"gears.meshes.{self.index}"
 
-    @property
+    @cached_property
     def touching(self) -> Metre:
         """The centre distance at which the base circles would touch."""
         return (self.driver.base_diameter + self.driven.base_diameter) / 2

@@ -92,6 +92,7 @@ def class_names() -> tuple[str, ...]:
     return tuple(_rows())
 
 
+@cache
 def classes_of(steel: str) -> tuple[str, ...]:
     """The classes that name a steel among their usual ones."""
     return tuple(name for name in class_names() if steel.casefold() in (s.casefold() for s in _row(name)["steels"]))

@@ -6,6 +6,7 @@ from dataclasses import replace
 from functools import cache
 
 from ...catalogue import Material
+from ...sheet.finite import finite
 from ...sheet.formula import formula
 from ...sheet.later import Later
 from ...sheet.quantity import Described, Stated
@@ -13,9 +14,9 @@ from ...sheet.step import Outcome, Table
 from ...sheet.text import Text
 from ...sheet.trace import about, trace
 from ...sheet.units import NewtonMetre, Number
-from ..finite import finite
 from ..inputs import GearsInputs
 from ..result import MeshResult, TrainResult
+from ..words import EXTREME
 from . import checks as c
 from . import curves, nominal, source_sheet
 from . import stress as s
@@ -56,6 +57,8 @@ def rating(
         load = loads(gears, train, mean, around.uneven, materials)
         context = rating_context(gears, train, materials, around)
         rated = {key: _mesh(context, mesh, load[key], mean) for key, mesh in train.meshes.items()}
+    result = RatingResult(meshes=rated)
+    finite(result, "gears", EXTREME)
     strengths = {key: mesh_rating.strength for key, mesh_rating in rated.items() if mesh_rating.strength is not None}
     influences = {key: mesh_rating.influence for key, mesh_rating in rated.items() if mesh_rating.influence is not None}
     checks = [check for key, mesh_rating in rated.items() for check in c.checks(train.meshes[key], key, mesh_rating, load[key])]
@@ -71,12 +74,9 @@ def rating(
         if gears.source_sheet == "finotti":
             yield source_sheet.comparison(train, rated)
 
-    return finite(
-        Outcome(
-            "gears", result=RatingResult(meshes=rated), checks=tuple(checks), lines=tuple(lines),
-            curves=Later(lambda: curves.curves(rated)),
-            tables=Later(tables), errata=source_sheet.errata(train, rated), notes=Later(lambda: notes(context, rated, load)),
-        )
+    return Outcome(
+        "gears", result=result, checks=tuple(checks), lines=tuple(lines), curves=Later(lambda: curves.curves(rated)), tables=Later(tables),
+        errata=source_sheet.errata(train, rated), notes=Later(lambda: notes(context, rated, load)),
     )  # fmt: skip
 
 
