@@ -4,10 +4,9 @@
 import math
 import textwrap
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from calc.design_file import Document
-from calc.effects import Effect, effects
 from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
 from calc.sheet.step import Outcome, Table
@@ -16,6 +15,9 @@ from calc.version import VERSION
 
 from .findings import finding_lines
 from .findings import sign as sign
+
+if TYPE_CHECKING:
+    from calc.effects import Effect
 
 DIGITS = 6
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
@@ -121,6 +123,8 @@ def results_json(
 ) -> dict[str, Any]:  # fmt: skip
     """The one JSON object of `check --json`; a number that is not finite is null.  `measured`: what the inputs do that move a check."""
     shown = [o.whole for key, o in results.outcomes.items() if step in (None, key)]
+    from calc.effects import effects
+
     moved = effects(document, results, [c for o in shown for c in o.checks if c.verdict in URGENT]) if measured else {}
     return {
         "schema": 1,
@@ -142,8 +146,10 @@ def results_json(
     }
 
 
-def check_json(check: Check, moved: Sequence[Effect] | None = None) -> dict[str, Any]:
+def check_json(check: Check, moved: "Sequence[Effect] | None" = None) -> dict[str, Any]:
     """A check with everything that it knows; `moved`: what the inputs do that move it, where it was measured."""
+    from calc.effects import Effect
+
     measured = moved if moved is not None else [Effect(key, None, None, "") for key in check.moved_by]
     return {
         "id": check.id,

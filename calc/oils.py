@@ -10,7 +10,6 @@ from dataclasses import replace
 
 from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, base_stocks, grades, shipped_oils
 from .lubricant import LOWEST, Lubricant, implied_viscosity, line_problem
-from .sheet.expression import symbol
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.step import Erratum, Table
@@ -91,6 +90,8 @@ def _of_base(oil: Oil) -> Iterator[JudgedValue]:
 
 def _judged(key: str, about: Quantity, value: float | str, claim: Claim) -> JudgedValue:
     shown = about.units.shown(value) if isinstance(value, float) else value
+    from .sheet.expression import symbol  # for what is shown only
+
     name = symbol(about.symbol) if about.symbol else "base"
     return JudgedValue(key, Text(about.label), name, shown, about.unit, claim.confidence, claim.source)
 

@@ -3,6 +3,7 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from ..bearings.formulas import heat_index, specific_load
@@ -13,7 +14,7 @@ from ..sheet.arrays import column
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.linked_array import elements, item
-from ..sheet.step import Outcome
+from ..sheet.step import Curve, Outcome
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
@@ -21,7 +22,6 @@ from ..sheet.value import based_on
 from . import formulas as f
 from .bending.shaft import Bending, bending
 from .checks import Journals, bending_checks, checks
-from .curves import curves
 from .inputs import CountershaftInputs, EccentricMass, Extra
 from .making.parts import Gathered, making
 from .notes import SLOPES_GIVEN, bending_notes, notes, outline_note, size_notes, supports_note
@@ -75,8 +75,14 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
         making(shaft, todo, masses, result, R, materials, to)
     result = replace(result, **to.values)
     return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
-        curves=Later(lambda: curves(todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
+        curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
         notes=Later(lambda: (*notes(shaft, journals), *to.notes)))  # fmt: skip
+
+
+def _curves(todo: Task, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+    from .curves import curves  # which a check does not draw
+
+    return curves(todo, shaft, omega, positions)
 
 
 def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Material, materials: Mapping[str, Material],

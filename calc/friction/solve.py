@@ -26,7 +26,6 @@ from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.geometry import MeshGeometry, WheelGeometry
 from .result import FrictionResult, torque
-from .studies import maps, scenarios, sensitivity
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
 
@@ -83,6 +82,8 @@ def solve(
     outcome = closed(d, power)
     result = outcome.solution
     if friction.scenarios:
+        from .studies import scenarios
+
         with QUIET():
             result = replace(result, scenarios=scenarios.solved(d, friction, oils, oil.viscosity_law, power, on))
         finite(result, "friction", EXTREME)
@@ -111,6 +112,8 @@ def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
 
 def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
     """Maps, sensitivity and scenarios: what is asked for when it is shown."""
+    from .studies import maps, scenarios, sensitivity
+
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
         bars, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)

@@ -32,7 +32,7 @@ from ...sheet.units import (
 from ..inputs import Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.motion import wheel_speed
-from . import churning, jets, plain_bearings, rolling_bearings, seals, sums
+from . import sums
 from .windage import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
 
 
@@ -148,6 +148,8 @@ def _sum(name: str, entries: Sequence[Any], adding: Any, power: Callable[..., Wa
 
 
 def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oil: Surroundings) -> Watt:
+    from . import churning  # here and below: what few trains have is loaded for these
+
     r, b = wheel.reference_radius, wheel.face_width
     h = churning.depth_of_reference_circle(h_t=dip.depth, r_a=wheel.tip_radius, r=r)
     alpha_t = transverse_angle(r_b=wheel.base_radius, r=r)
@@ -164,10 +166,14 @@ def _churned(dip: Dip, wheel: WheelGeometry, beta_b: Radian, n: RevPerSecond, oi
 
 
 def _thrown(jet: Jet, wheel: WheelGeometry, n: RevPerSecond, oil: Surroundings) -> Watt:
+    from . import jets
+
     return jets.thrown_oil(rho=oil.rho, Q=jet.flow, v_t=jets.pitch_line_speed(r=wheel.reference_radius, n=n), v_j=jet.jet_speed)
 
 
 def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
+    from . import seals
+
     if seal.method == "simrit":
         one = seals.simrit(d_sh=seal.diameter, n=n)
     else:
@@ -204,5 +210,9 @@ def carrying(
 def _borne(bearing: RollingBearing | PlainBearing, F: Newton, n: RevPerSecond, oil: State, base: str) -> Watt:
     F = F if bearing.load is None else bearing.load
     if isinstance(bearing, RollingBearing):
+        from . import rolling_bearings
+
         return rolling_bearings.power(bearing, F, n, oil.nu, base)
+    from . import plain_bearings
+
     return plain_bearings.power(bearing, F, n, oil.mu)
