@@ -2,7 +2,6 @@
 """Results as plain text and as JSON: every number of the screen is here too."""
 
 import math
-import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -72,7 +71,7 @@ def table_lines(table: Table) -> list[str]:
     heads, widths, numeric = [], [], []
     for i, (label, unit) in enumerate(table.columns):
         wide = max((len(line) for row in rows for line in row[i]), default=0)
-        head = textwrap.wrap(label, max(wide, NARROW), break_long_words=False) + ([unit] if unit else [])
+        head = _wrapped(label, max(wide, NARROW)) + ([unit] if unit else [])
         heads.append(head)
         widths.append(max([wide, *map(len, head)]))
         column = [row[i] for row in table.rows]
@@ -81,14 +80,23 @@ def table_lines(table: Table) -> list[str]:
     lines = [table.title, *_row([[""] * (tall - len(head)) + head for head in heads], widths, numeric), "  ".join("─" * w for w in widths)]
     for row, given in zip(rows, table.rows):
         lines += _row(row, widths, [isinstance(cell, (int, float)) for cell in given])
-    return [lines[0], *(f"  {line}" for line in [*lines[1:], *textwrap.wrap(table.note, LINE, break_long_words=False)])]
+    return [lines[0], *(f"  {line}" for line in [*lines[1:], *_wrapped(table.note, LINE)])]
 
 
 def _cell(cell: str | float | None) -> list[str]:
     """The lines of one cell of a table."""
     if isinstance(cell, str):
-        return textwrap.wrap(cell, WIDE, break_long_words=False, break_on_hyphens=False)
+        return _wrapped(cell, WIDE, break_on_hyphens=False)
     return [] if cell is None else [short(cell, DIGITS)]
+
+
+def _wrapped(words: str, width: int, **how: bool) -> list[str]:
+    """The words in lines of a width; most fit into one, which textwrap takes long to find."""
+    if words and len(words) <= width and words == words.strip() and "\n" not in words:
+        return [words]
+    import textwrap
+
+    return textwrap.wrap(words, width, break_long_words=False, **how)  # type: ignore[arg-type]
 
 
 def _row(cells: list[list[str]], widths: list[int], right: list[bool]) -> list[str]:

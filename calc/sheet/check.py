@@ -4,6 +4,7 @@
 import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
+from functools import cached_property
 
 from .record import record
 from .remedy import Remedy, sentence
@@ -66,7 +67,7 @@ class Check:
             return (to_low, low) if to_low <= to_high else (to_high, high)
         return (self.value - self.limit if self.sense in (">=", ">") else self.limit - self.value), self.limit
 
-    @property
+    @cached_property
     def margin(self) -> float:
         """Distance to the nearest limit over |limit|, negative when passed over; for a limit of 0 the distance itself."""
         gap, limit = self.nearest
@@ -91,7 +92,7 @@ class Check:
         over, under = (self.value, self.limit) if self.sense in ("<=", "<") else (self.limit, self.value)
         return over / under if under else None
 
-    @property
+    @cached_property
     def finding(self) -> str:
         """The verdict, before anybody accepts it."""
         if self.missing and self.kind in ("limit", "caution"):
