@@ -203,6 +203,12 @@ def shipped_oils() -> Rows[Oil]:
 
 
 @cache
+def shipped_materials() -> Rows[Material]:
+    """The materials of the table."""
+    return Rows("materials.toml", "row", Material)
+
+
+@cache
 def base_stocks() -> Mapping[str, BaseStock]:
     """The base stocks of the table of oils."""
     return ByName(Rows("oils.toml", "base", BaseStock))
@@ -221,4 +227,4 @@ def oils(own: Iterable[Oil] = ()) -> Mapping[str, Oil]:
 
 def materials(own: Iterable[Material] = ()) -> Mapping[str, Material]:
     """Every material that a design may name; its own override those of the table."""
-    return ByName({**rows_of("materials.toml", Material), **{m.name: m for m in own}})  # type: ignore[dict-item]
+    return ByName(ChainMap({m.name: m for m in own}, shipped_materials()))  # type: ignore[arg-type]

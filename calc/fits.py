@@ -10,7 +10,6 @@ import tomllib
 from bisect import bisect_left
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from .sheet.record import record
 from .sheet.text import Text
@@ -74,9 +73,8 @@ def deviations(field: Field, diameter: Metre) -> tuple[Metre, Metre]:
     letter = (field.letter or "js").lower()
     if letter == "js":
         return -width / 2 / _UM, width / 2 / _UM
-    table = _table()
-    rows, ends = (table["fine"], table["fine"]["up_to_mm"]) if letter in table["fine"] else (table["distance_um"], table["up_to_mm"])
-    near = rows[letter][_range(ends, diameter)]
+    fine = ("fine", letter) in _lines()
+    near = _row("fine" if fine else "distance_um", letter)[_range(_row("fine" if fine else "", "up_to_mm"), diameter)]
     if field.letter == letter:
         return -(near + width) / _UM, (-near if near else 0.0) / _UM
     return near / _UM, (near + width) / _UM
@@ -94,12 +92,10 @@ def clearance_limits(journal: Field, seat: Field, diameter: Metre) -> tuple[Metr
 def _tolerance_um(grade: int, diameter: Metre) -> float:
     if grade not in GRADES:
         raise ValueError(f"IT{grade}: allowed are IT1 to IT16")
-    table = _table()
-    at = _range(table["up_to_mm"], diameter)
+    at = _range(_row("", "up_to_mm"), diameter)
     if grade >= 14 and UNITS["mm"].shown(diameter) <= COARSE_ABOVE:
         raise ValueError(f"IT{grade} at {UNITS['mm'].shown(diameter):g} mm: ISO 286 has IT14 and coarser only above 1 mm")
-    found: float = table["tolerance_um"][f"IT{grade}"][at]
-    return found
+    return _row("tolerance_um", f"IT{grade}")[at]
 
 
 def _range(ends: list[float], diameter: Metre) -> int:
@@ -111,5 +107,19 @@ def _range(ends: list[float], diameter: Metre) -> int:
 
 
 @cache
-def _table() -> dict[str, Any]:
-    return tomllib.loads((Path(__file__).parent / "tables" / "iso_286.toml").read_text(encoding="utf-8"))
+def _lines() -> dict[tuple[str, str], str]:
+    """The lines of the table by their section and their name, not yet read."""
+    lines, section = {}, ""
+    for line in (Path(__file__).parent / "tables" / "iso_286.toml").read_text(encoding="utf-8").splitlines():
+        name, equals, _ = line.partition(" = ")
+        if line.startswith("["):
+            section = line[1:].partition("]")[0]
+        elif equals and not line.startswith("#"):
+            lines[section, name] = line
+    return lines
+
+
+@cache
+def _row(section: str, name: str) -> list[float]:
+    row: list[float] = tomllib.loads(_lines()[section, name])[name]
+    return row

@@ -7,6 +7,7 @@ Read without numpy: a design's words are checked against them before anything is
 from functools import cache
 from typing import cast
 
+from ...catalogue import Rows
 from ...catalogue import rows_of as rows
 from ...sheet.quantity import choice, inputs, quantity, text
 from ...sheet.text import Text
@@ -65,8 +66,8 @@ class RunningBearing:
 
 
 @cache
-def bearing_materials() -> dict[str, BearingMaterial]:
-    return cast(dict[str, BearingMaterial], rows("bearing_materials.toml", BearingMaterial))
+def bearing_materials() -> Rows[BearingMaterial]:
+    return Rows("bearing_materials.toml", "row", BearingMaterial)
 
 
 @cache

@@ -95,7 +95,9 @@ def class_names() -> tuple[str, ...]:
 @cache
 def classes_of(steel: str) -> tuple[str, ...]:
     """The classes that name a steel among their usual ones."""
-    return tuple(name for name in class_names() if steel.casefold() in (s.casefold() for s in _row(name)["steels"]))
+    sought = steel.casefold()
+    likely = [name for name, text in _rows().items() if sought in text.casefold()]  # the only rows that need be read
+    return tuple(name for name in likely if sought in (s.casefold() for s in _row(name)["steels"]))
 
 
 def strength_class(
