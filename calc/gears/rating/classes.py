@@ -96,7 +96,7 @@ def class_names() -> tuple[str, ...]:
 def classes_of(steel: str) -> tuple[str, ...]:
     """The classes that name a steel among their usual ones."""
     sought = steel.casefold()
-    likely = [name for name, text in _rows().items() if sought in text.casefold()]  # the only rows that need be read
+    likely = [name for name, text in _rows().items() if f'"{sought}"' in text.casefold()]  # the only rows that need be read
     return tuple(name for name in likely if sought in (s.casefold() for s in _row(name)["steels"]))
 
 
