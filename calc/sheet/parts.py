@@ -2,7 +2,7 @@
 """Calls the parts of a solve, and takes over from an earlier solve those whose arguments have not changed."""
 
 from collections.abc import Callable, Mapping
-from typing import Never, ParamSpec, TypeVar, cast
+from typing import Any, Never, ParamSpec, TypeVar, cast
 
 from .errors import Cancelled, NoSolution
 from .step import Outcome
@@ -68,8 +68,24 @@ class Parts:
 
 
 def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:
-    """Inputs are compared by value, results by identity (they hold arrays)."""
+    """Inputs are compared by value, results by identity (they hold arrays), records that are put together for a call part by part."""
     try:
-        return len(known) == len(arguments) and all(a is b or bool(a == b) for a, b in zip(known, arguments))
+        return len(known) == len(arguments) and all(a is b or bool(a == b) or _alike(a, b) for a, b in zip(known, arguments))
     except ValueError:
         return False
+
+
+def _alike(a: Any, b: Any) -> bool:
+    """Two records of the same parts.  A number is the same where its line is: nothing that is kept leads back to lines of before."""
+    if a is b:
+        return True
+    if type(a) is not type(b) or getattr(a, "link", None) != getattr(b, "link", None):
+        return False
+    if type(a) is dict:
+        return a.keys() == b.keys() and all(_alike(part, b[key]) for key, part in a.items())
+    if type(a) is tuple:
+        return len(a) == len(b) and all(_alike(one, other) for one, other in zip(a, b))
+    kind: Any = type(a)
+    if kind.__eq__ is object.__eq__:
+        return hasattr(a, "__dict__") and _alike(vars(a), vars(b))
+    return bool(a == b)
