@@ -10,6 +10,7 @@ from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Text
 from .inputs import IN_WORDS
 from .result import BearingResult
+from .routes.balance import settled
 from .routes.states import BearingCase, OperatingPoint
 
 POINTS = 25
@@ -36,7 +37,7 @@ def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCa
 
 
 def _over_clearance(place: str, r: BearingResult) -> Curve:
-    film, edge = many(r.over_clearance.film), r.film - r.film_edge
+    film, edge = many(settled(*clearance_points(r.seat, r.duty)).film), r.film - r.film_edge
     clearance = r.clearance * SHARES * 1e6
     series = (
         Series(Text("at the edge"), clearance, (film[:POINTS] - edge) * 1e6),

@@ -114,7 +114,6 @@ class BearingResult:
     duty: OperatingPoint
     sweep: Sweep
     side: Side
-    over_clearance: Film
     beside: Film  # at a little less and a little more load
 
 

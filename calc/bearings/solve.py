@@ -25,7 +25,7 @@ from . import formulas as f
 from .charts import charts
 from .checks import checks
 from .corners import corner_points, corners, corners_table
-from .curves import clearance_points, curves
+from .curves import curves
 from .film import optimum
 from .film import short_bearing as short
 from .film.dynamics import dynamics
@@ -190,8 +190,8 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         moving = dynamics(hot, duty, seat, ratio)
     twice = replace(duty, load=based_on(2 * load, load))
     speeds = sweep_points(seat, speed, bench, duty)
-    at_corners, over_speeds, over_clearance, at_twice, beside = settled_together(
-        (corner_points(seat, duty), speeds, clearance_points(seat, duty), (seat, twice), loads_beside(seat, duty))
+    at_corners, over_speeds, at_twice, beside = settled_together(
+        (corner_points(seat, duty), speeds, (seat, twice), loads_beside(seat, duty))
     )
     with about(Text("{place} bearing, twice the load", place=IN_WORDS[place])):
         doubled = _at_known_rise(seat, twice, at_twice)
@@ -213,7 +213,7 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
         trumpler_film=trumpler, routes_spread=side.spread, reynolds=reynolds, raimondi_boyd=raimondi_boyd,
         din31652=din31652, short_bearing=short_bearing, corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty,
-        sweep=swept, side=side, over_clearance=over_clearance, beside=beside)  # fmt: skip
+        sweep=swept, side=side, beside=beside)  # fmt: skip
 
 
 def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:
