@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from functools import cache
 from typing import Any
 
 from .design import Design
@@ -55,8 +56,11 @@ class Predicted:
 
 def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], at: Callable[[Design], Values]) -> dict[str, Outcome[Any]]:
     """The outcomes, each with a table of what was measured of it, made when it is asked for."""
-    values = {id: value for outcome in outcomes.values() for value in outcome.values() for id in value.ids}
-    predicted = Predicted(design, values, at)
+
+    @cache
+    def predicted() -> Predicted:
+        return Predicted(design, {id: value for outcome in outcomes.values() for value in outcome.values() for id in value.ids}, at)
+
     for key in {row.step for row in design.measured} & outcomes.keys():
         rows = [row for row in design.measured if row.step == key]
         if outcomes[key].state == "solved":
@@ -64,10 +68,10 @@ def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], at: Callabl
     return outcomes
 
 
-def _more(outcome: Outcome[Any], rows: list[Measured], predicted: Predicted) -> Callable[[], Further]:
+def _more(outcome: Outcome[Any], rows: list[Measured], predicted: Callable[[], Predicted]) -> Callable[[], Further]:
     def further() -> Further:
         made = outcome.further() if outcome.further is not None else Further()
-        return replace(made, tables=(measured_table(rows, predicted), *made.tables))
+        return replace(made, tables=(measured_table(rows, predicted()), *made.tables))
 
     return further
 

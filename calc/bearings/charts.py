@@ -19,7 +19,7 @@ from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Name, Text
 from ..sheet.trace import untraced
 from ..sheet.value import unlinked
-from .curves import POINTS, SHARES
+from .curves import POINTS, SHARES, over_clearance
 from .film.optimum import ECCENTRICITIES, share_of_largest_load, share_of_least_friction
 from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, solve_film
 from .film.table import FilmRangeError, eccentricity_from, film_at
@@ -65,7 +65,7 @@ def _around(r: BearingResult, eccentricity: float, length_ratio: float) -> tuple
 
 
 def _clearance(place: str, r: BearingResult) -> Curve:
-    over = r.over_clearance
+    over = over_clearance(r)
     first = {name: many(getattr(over, name))[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
     parts = (
         Series(Text("smallest film"), r.clearance * SHARES * 1e6, first["film"] / r.film),

@@ -11,7 +11,7 @@ from ..sheet.text import Amount, Text
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.balance import settled
-from .routes.states import BearingCase, OperatingPoint
+from .routes.states import BearingCase, Film, OperatingPoint
 
 POINTS = 25
 SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
@@ -36,8 +36,13 @@ def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCa
     return replace(seat, clearance=each(np.tile(seat.clearance * SHARES, 2))), replace(duty, load=each(load))
 
 
+def over_clearance(r: BearingResult) -> Film:
+    """The films at `clearance_points`."""
+    return settled(*clearance_points(r.seat, r.duty))
+
+
 def _over_clearance(place: str, r: BearingResult) -> Curve:
-    film, edge = many(settled(*clearance_points(r.seat, r.duty)).film), r.film - r.film_edge
+    film, edge = many(over_clearance(r).film), r.film - r.film_edge
     clearance = r.clearance * SHARES * 1e6
     series = (
         Series(Text("at the edge"), clearance, (film[:POINTS] - edge) * 1e6),
