@@ -16,13 +16,12 @@ from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.remedy import by_key
-from ..sheet.step import Outcome, Table
+from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import EMPTY, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from .charts import charts
 from .checks import checks
 from .corners import corner_points, corners, corners_table
 from .curves import curves
@@ -77,7 +76,7 @@ def solve(
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=tuple(e for place, r in results.items() for e in errata(place, r)),
-        notes=Later(lambda: notes(bearings, shaft, results)), charts=lambda: tuple(charts(results)))  # fmt: skip
+        notes=Later(lambda: notes(bearings, shaft, results)), charts=lambda: _charts(results))  # fmt: skip
 
 
 def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:
@@ -88,6 +87,12 @@ def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: 
     yield bushes_table(runs, bearings.bush_material or bearings.housing_material)
     sizes = {place: (r.seat.bearing.diameter, r.seat.bearing.length) for place, r in results.items()}
     yield reference_table(Journal(place, *sizes[place], speed, r.load) for place, r in results.items())
+
+
+def _charts(results: dict[str, BearingResult]) -> tuple[Curve, ...]:
+    from .charts import charts  # for who looks at them only
+
+    return tuple(charts(results))
 
 
 def _pairing(place: str, r: BearingResult) -> Iterator[Check]:
