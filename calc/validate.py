@@ -81,8 +81,9 @@ def rows() -> list[Row]:
 
 def unmet() -> Iterator[Unmet]:
     """What the sources print and this program does not give."""
-    for case in _known()["unmet"]:
-        values = _solved(read(DESIGNS / case["design"])).values()
+    known = _known()
+    for case in known["unmet"]:
+        values = _solved(_document(case, known["designs"])).values()
         for expect in case["expect"]:
             found = values[expect["value"]]
             yield Unmet(case["source"], expect["value"], float(expect["is"]), found.shown, found.unit, case["why"])
@@ -92,13 +93,17 @@ def _known() -> dict[str, Any]:
     return tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
 
 
-def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
-    """`design` is a whole one, or the name of a shipped file or of one of `designs`."""
+def _document(case: dict[str, Any], designs: dict[str, Any]) -> Document:
+    """`design` is a whole one, or the name of a shipped file or of one of `designs`; `set` changes keys of it."""
     given = designs.get(case["design"], case["design"]) if isinstance(case["design"], str) else case["design"]
     document = read(DESIGNS / given) if isinstance(given, str) else Document(given, case["source"])
     for key, value in case.get("set", {}).items():
         document = document.with_value(key, value)
-    values = _solved(document).values()
+    return document
+
+
+def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
+    values = _solved(_document(case, designs)).values()
     for expect in case["expect"]:
         published = float(expect["is"])
         tolerance = max(expect.get("abs", 0.0), abs(published) * expect.get("rel", 0.0))
