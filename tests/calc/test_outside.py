@@ -16,7 +16,7 @@ from calc.countershaft.bending.beam import beam, bend, natural_frequency
 from calc.countershaft.making.tolerance import lever_front, lever_rear, permitted_unbalance, plane_unbalance
 from calc.gears import formulas as g
 from calc.gears.measures import formulas as m
-from calc.lubricant import Lubricant
+from calc.lubricant import Lubricant, density
 from calc.viscosity_index import viscosity_index
 
 CASES = tomllib.loads((Path(__file__).parents[1] / "reference" / "outside.toml").read_text(encoding="utf-8"))["case"]
@@ -68,6 +68,21 @@ def viscosity(c):
     oil = Oil(name="oil", nu40=c["nu_40"] * 1e-6, nu100=c["nu_100"] * 1e-6, rho15=c.get("rho_15", 900.0), base="mineral")
     state = Lubricant(oil, c.get("law", "walther")).at(c.get("T", 40.0))
     return {"nu": state.nu * 1e6, "mu": state.mu * 1e3, "index": viscosity_index(oil.nu40, oil.nu100)}
+
+
+def measured_oils(rho_15, row):
+    """Of an oil by its viscosity at 30 and 100 °C: that at 60, and the rise with pressure from the viscosities as measured, in 1/GPa."""
+    mu, c = [float(x) for x in row[:3]], 0.6
+
+    def straight(nu):
+        return math.log10(math.log10(nu + c))
+
+    cold, hot = (mu[i] / density(rho_15=rho_15, T=T) * 1e3 for i, T in ((0, 30.0), (2, 100.0)))
+    share = math.log(313.15 / 303.15) / math.log(373.15 / 303.15)
+    nu_40 = 10**10 ** (straight(cold) + share * (straight(hot) - straight(cold))) - c
+    oil = Lubricant(Oil(name="oil", nu40=nu_40 * 1e-6, nu100=hot * 1e-6, rho15=rho_15, base="mineral"))
+    rise = {f"alpha_{T}": oil.alpha(mu=x * 1e-3) * 1e9 for T, x in zip((30, 60, 100), mu)}
+    return {"mu_60": oil.at(60.0).mu * 1e3} | rise
 
 
 def continuous(c):
@@ -151,6 +166,15 @@ def test_how_far_a_bearing_with_grooves_is_from_the_whole_film(case):
         share = 100 * (np.array([one[name] for one in ours]) - theirs[name]) / of
         assert (share.min(), share.max()) == pytest.approx((least, most), abs=0.06), name
     assert set(case["apart"]) == set(columns) - {"eps"} and case["why"]
+
+
+@pytest.mark.parametrize("case", [c for c in CASES if c["check"] == "measured_oils"], ids=lambda c: c["name"])
+def test_how_far_the_oils_are_from_measured_ones(case):
+    for name, (least, most) in case["apart"].items():
+        i = case["columns"].index(name)
+        both = [(measured_oils(case["inputs"]["rho_15"], row)[name], float(row[i])) for row in case["rows"] if row[i]]
+        share = [100 * (ours / theirs - 1) for ours, theirs in both]
+        assert (min(share), max(share)) == pytest.approx((least, most), abs=0.06), name
 
 
 def test_every_case_says_where_it_is_from_and_whether_it_was_read():
