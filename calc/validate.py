@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from .bearings.film.table import eccentricity_from, film_at
-from .catalogue import TABLES
+from .catalogue import TABLES, Oil
 from .design_file import Document, design, read
+from .lubricant import Lubricant
 from .sheet.units import UNITS
 from .shipped import DESIGNS
 from .solve import Results, solve
@@ -75,6 +76,7 @@ def rows() -> list[Row]:
     known = _known()
     found = [row for case in known["case"] for row in _case(case, known["designs"])]
     found += [row for film in known["film"] for row in _film(film)]
+    found += [_oil(oil) for oil in known["oil"]]
     found += _raimondi_boyd()
     return sorted(found, key=lambda row: list(KINDS).index(row.kind))
 
@@ -121,6 +123,14 @@ def _film(case: dict[str, Any]) -> Iterator[Row]:
         found = getattr(ours, name) / UNITS[expect.get("unit", "")].factor
         what, unit = f"{name} at S = {S:g}, l/d = {ratio:g}", expect.get("unit", "")
         yield Row(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
+
+
+def _oil(case: dict[str, Any]) -> Row:
+    """A viscosity of an oil by the law, from those at 40 and 100 °C, mm²/s; its density does not count."""
+    oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
+    ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor
+    what = f"ν at {case['temperature']:g} °C of {case['nu_40']:g} and {case['nu_100']:g} mm²/s"
+    return Row(case["kind"], case["source"], what, case["is"], ours, max(case.get("abs", 0.0), case["is"] * case.get("rel", 0.0)), "mm²/s")
 
 
 def _solved(document: Document) -> Results:
