@@ -3,6 +3,7 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -126,10 +127,10 @@ def test_a_long_bearing_comes_to_sommerfelds(eps):
     loads = [1 / film_at(eps, b).sommerfeld for b in (0.25, 0.5, 1.0, 2.0)]
     endless = reynolds(eps, math.inf)
     loads.append(1 / endless.sommerfeld)
-    assert all(after > before for before, after in zip(loads, loads[1:]))
+    assert all(after > before for before, after in pairwise(loads))
     assert endless.side_flow_ratio == 0.0
     leaks = [film_at(eps, b).side_flow_ratio for b in (0.1, 0.5, 1.0, 2.0)]
-    assert all(after < before for before, after in zip(leaks, leaks[1:]))
+    assert all(after < before for before, after in pairwise(leaks))
 
 
 @settings(max_examples=8, deadline=None)
@@ -260,8 +261,8 @@ def test_parts_of_a_groove_feed_as_the_whole(eps, d, b, width, parts):
     whole = flow.groove_factor(eps=eps, d=d, l=l, b_G=b_G)
     ends = np.append(0.0, np.cumsum(parts)) * 2 * math.pi / sum(parts)
     ends[-1] = 2 * math.pi
-    fixed = sum(flow.part_groove_factor(eps=eps, phi_A=a, phi_E=e, d=d, l=l, b_G=b_G) for a, e in zip(ends, ends[1:]))
-    swept = sum(flow.swept_part_groove_factor(eps=eps, delta_A=a, delta_E=e, d=d, l=l, b_G=b_G) for a, e in zip(ends, ends[1:]))
+    fixed = sum(flow.part_groove_factor(eps=eps, phi_A=a, phi_E=e, d=d, l=l, b_G=b_G) for a, e in pairwise(ends))
+    swept = sum(flow.swept_part_groove_factor(eps=eps, delta_A=a, delta_E=e, d=d, l=l, b_G=b_G) for a, e in pairwise(ends))
     assert [fixed, swept] == pytest.approx([whole, whole], rel=1e-9)
     holes = np.mean([flow.at_angle(eps=eps, delta=delta) for delta in np.linspace(0, 2 * math.pi, 65)[:-1]])
     assert flow.swept(eps=eps) == pytest.approx(holes, rel=1e-12)

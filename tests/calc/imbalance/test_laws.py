@@ -103,7 +103,7 @@ def test_two_counterweights_cancel_force_and_couple_of_the_crankpins(fan, kappa,
 @given(cylinders=st.integers(2, 12), strokes=st.sampled_from([2, 4]), lam=st.floats(0.05, 0.4), pitch=st.floats(0.05, 0.5))
 def test_even_firing_leaves_forces_of_the_firing_frequency_only(cylinders, strokes, lam, pitch):
     """Inline engines: forces of order n are N times one cylinder's where n is a multiple of 2·N/strokes, and zero elsewhere."""
-    engine, e, found = solved(
+    _, e, found = solved(
         ImbalanceInputs(crank_balance_fraction=0.0), cylinders=cylinders, strokes=strokes, firing_order=None, rod_length=0.0535 / lam,
         cylinder_pitch=pitch,
     )  # fmt: skip
