@@ -66,20 +66,27 @@ def test_the_numbers_of_the_cylinders_do_not_matter(fan, data):
 @settings(max_examples=40, deadline=None)
 @given(fan=fans(), turn=st.floats(0, 2 * math.pi))
 def test_a_turned_throw_turns_its_vectors_by_the_order_times_its_angle(fan, turn):
-    """One cylinder at another throw, seen from the same crank angle: F⁺ and F⁻ of order n turn by ±n times the angle, without counterweights."""
-    one = {
-        **fan,
-        "cylinders": 2,
-        "crank_angles": (0.0, 0.0),
-        "bank_of_cylinder": (fan["bank_of_cylinder"][0],) * 2,
-        "axial_positions": (0.0, 1.0),
-    }
+    """One cylinder at another throw, seen from the same crank angle: its vectors turn by ±n times the angle, without counterweights.
+
+    A bank that is turned with its throw turns them by the angle alone, whatever the order.
+    """
+    bank, opening = fan["bank_of_cylinder"][0], fan["bank_angle"]
+    one = {**fan, "cylinders": 2, "axial_positions": (0.0, 1.0)}  # of the couples, cylinder 2 alone has an arm
     plain = ImbalanceInputs(crank_balance_fraction=0.0)
-    here, there = (vectors(solved(plain, **{**one, "crank_angles": (0.0, angle)})[2]) for angle in (0.0, turn))
-    n = np.arange(1, 9)
-    expected = here[:, 2] * np.exp(1j * n * turn), here[:, 3] * np.exp(-1j * n * turn)  # couples: cylinder 2 alone has an arm
-    scale = 1e-8 * np.abs(here).max()
-    assert np.abs(there[:, 2] - expected[0]).max() < scale and np.abs(there[:, 3] - expected[1]).max() < scale
+
+    def second(angle, bank_2):
+        return vectors(solved(plain, **{**one, "crank_angles": (0.0, angle), "bank_of_cylinder": (bank, bank_2)})[2])
+
+    here, there = second(0.0, bank), second(turn, bank)
+    n, scale = np.arange(1, 9), 1e-8 * np.abs(here).max()
+    for column, sense in ((2, 1), (3, -1)):
+        own = here[:, column - 2] / 2  # both cylinders are alike there
+        assert np.abs(here[:, column] - own).max() < scale
+        assert np.abs(there[:, column] - own * np.exp(1j * sense * n * turn)).max() < scale
+        assert np.abs(there[:, column - 2] - own * (1 + np.exp(1j * sense * n * turn))).max() < scale
+    way = opening if bank == 0 else -opening
+    beside = second(way, 1 - bank)
+    assert np.abs(beside[:, 2:] - here[:, 2:] * np.exp(1j * way)).max() < scale
 
 
 @settings(max_examples=40, deadline=None)
