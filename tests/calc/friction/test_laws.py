@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from calc.contact.teeth import ohlendorf_loss_factor
@@ -19,6 +19,7 @@ from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
 from calc.friction.mesh.motion import motion
 from calc.friction.mesh.path import contact_length, line_load, path
+from calc.sheet.errors import NoSolution
 
 from .pairs import friction, lubricant, r753, wheel
 
@@ -50,7 +51,14 @@ def load_of(mesh, stress, n):
 
 def lost(mesh, T, n, Ra, stress, law="barus", by_regime=True, P=None, **said):
     own = friction(flank_roughness=(Ra,), pressure_law=law, **said)
-    return solve_mesh(case(own, mesh, oil_at(OIL, T), n), load_of(mesh, stress, n) if P is None else P, by_regime)
+    try:
+        with np.errstate(all="ignore"):
+            return solve_mesh(case(own, mesh, oil_at(OIL, T), n), load_of(mesh, stress, n) if P is None else P, by_regime)
+    except (
+        NoSolution
+    ) as none:  # films of many hundred °C: the laws of the oil end there, and Roelands' oil stiffens with heat above some 400 °C
+        assert none.advice
+        assume(False)
 
 
 # --- load and sliding along the path ----------------------------------------------------------------------------------------------
