@@ -13,21 +13,23 @@ from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.remedy import by_key
 from ..sheet.step import Erratum
-from ..sheet.text import EMPTY, SEMICOLON, Text
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.units import Watt
 from . import curves, notes
 from .balance.closure import Drive
 from .inputs import FrictionInputs
 from .mesh.film import ELLIPTICAL, LEAST_FACTOR, Oil
 from .mesh.loss import loss_factor, solve_mesh
+from .mesh.mixed import THESIS
 from .mesh.path import array, line_load
-from .mesh.traction import THESIS
-from .models.compared import MODELS
+from .models.compared import MODELS, factor_apart
 from .result import FrictionResult, MeshResult, by_regime
 
 OWN = Text("rule of this program")
 BALANCE_LIMIT = 1e-6  # W
 BULK_LIMIT = 10.0  # K
 HOT_TEETH = 150.0  # °C
+APART = 1.3  # between the loss that is judged and a published model inside its range
 
 
 def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
@@ -92,6 +94,24 @@ def _delivers(power: float) -> Check:
     )
 
 
+def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
+    """How far the sliding loss that is judged lies from that of the published model that is farthest from it."""
+    P_s = mesh.judged.sliding_loss
+    factors = {name: factor_apart(P_1=P_s, P_2=P) for name, P in inside.items()}
+    worst = max(factors, key=lambda name: factors[name])
+    each = Text("; ").join(Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items())
+    return check(
+        f"{id}.models",
+        Text("Sliding loss that is judged and published models inside their range, factor between them, {title}", title=mesh.case.mesh.title),
+        factors[worst],
+        "<=",
+        APART,
+        "",
+        Text("rule of this program; published models of tooth friction differ by as much among themselves"),
+        Text("Judged: {P_s} W; {each}. Take the loss as known to this factor.", P_s=Amount(P_s), each=each),
+    )  # fmt: skip
+
+
 def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Check]:
     """One limit, that power comes out at all; else advice: where the model leaves its range, and what the flanks would like."""
     yield check(
@@ -127,10 +147,11 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         1.0,
         "",
         Text("mixed friction below about 1 (AGMA 925-A03, as generally published)"),
-        Text(
-            "The flanks touch: smoother flanks, thicker or cooler oil, more speed. Below 0.8 the mixed law is harsher than Schlenk's tests."
-        ),
+        Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     )
+    inside = {name: one.loss for name, one in mesh.published_models.items() if one is not None and not one.outside and one.loss > 0}
+    if inside and mesh.judged.sliding_loss > 0:
+        yield _beside(id, mesh, inside)
     yield check(
         f"{id}.deborah",
         Text("Largest Deborah number, {title}", title=mesh.case.mesh.title),

@@ -196,14 +196,19 @@ class FrictionInputs:
     load_sharing: str = choice(
         "Load sharing", "linear", "smooth", default="linear", help="linear: flanks as generated. smooth: both tips relieved."
     )
-    solid_friction: float = quantity(
-        "Friction of the solids", default=0.135, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.108, 0.162),
-        source="gear friction thesis, widened by 20 %",
-        help="Coefficient where the flanks touch.",
+    load_share: str = choice(
+        "Load share of the roughness", "zhu-hu", "castro-seabra", "olver-spikes", "doleschel", "thesis", default="zhu-hu",
+        help="How much of the load rides on the peaks where the film is thin. The friction source's model always takes the thesis'.",
     )  # fmt: skip
-    pressure_law: str = choice(
-        "Viscosity under pressure", "barus", "roelands", default="barus", help="Roelands' is milder above some 0.5 GPa."
-    )
+    solid_friction: float | None = quantity(
+        "Friction of the peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
+        source="lubricated steel 0.065 to 0.1 (Arana et al. 2018, Robbe-Valloire 2002, FEUP); gear friction thesis 0.135",
+        help="Coefficient where the flanks touch. Left out: 0.08, and 0.135 in the friction source's model.",
+    )  # fmt: skip
+    pressure_law: str | None = choice(
+        "Viscosity under pressure", "barus", "roelands", default=None,
+        help="Roelands' is milder above some 0.5 GPa. Left out: Roelands, and Barus in the friction source's model.",
+    )  # fmt: skip
     film: str = choice(
         "Film that is judged", "judged", "source", default="judged",
         help="judged: by lubrication regime, with rolling loss. source: EHL film everywhere.",

@@ -13,7 +13,7 @@ from typing import Any, cast
 import numpy as np
 
 from ...contact.hertz import half_width, hertz_pressure, mean_pressure
-from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature, mean_roughness
+from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -27,10 +27,12 @@ from ...sheet.value import converged, unlinked
 from ..inputs import FrictionInputs
 from .film import EXPONENT, Film, Oil, film
 from .geometry import MeshGeometry, column, flat, require
+from .mixed import THESIS
 from .motion import Motion, motion
 from .path import Path, array, line_load, path, transverse_force
 from .rolling import ehl_rolling_power, rigid_rolling_power
-from .traction import HOTTEST, THESIS, Surfaces, Traction, body_resistance, combined_roughness, place, skin_temperature, traction
+from .surfaces import Surfaces, surfaces_of
+from .traction import HOTTEST, Traction, place, skin_temperature, traction
 
 MICROMETRE: Metre = 1e-6
 SKIN = 1e-8  # K: to which the temperature of the skins, where the bodies resist, and that of the teeth, where it is estimated, are found
@@ -140,7 +142,10 @@ class Warming:
 
 @record
 class Case:
-    """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the teeth."""
+    """A mesh at its speed with its oil: everything but the power that it carries.  `oil` is at the temperature of the teeth.
+
+    `surfaces` rub by regime, `source_surfaces` as the friction source has it.
+    """
 
     mesh: MeshGeometry
     path: Path
@@ -148,8 +153,12 @@ class Case:
     oil: Oil
     Ra: Metre  # mean of both flanks
     surfaces: Surfaces
+    source_surfaces: Surfaces
     warming: Warming
     estimated: bool  # whether the temperature of the teeth is `warming`'s
+
+    def rubbing(self, by_regime: bool) -> Surfaces:
+        return self.surfaces if by_regime else self.source_surfaces
 
 
 def case(
@@ -157,21 +166,10 @@ def case(
 ) -> Case:
     """What does not change with the power.  `fineness` of the path (points, strips) is for tests of convergence."""
     way = path(mesh, friction.load_sharing, **fineness)
-    Ra_1, Ra_2 = friction.flank_roughness[0], friction.flank_roughness[-1]
-    for Ra in (Ra_1, Ra_2):
-        require(Text("flank roughness"), Ra)
-    sigma = combined_roughness(Ra_1=Ra_1, Ra_2=Ra_2)
-    if np.any(sigma == 0):
-        smooth = Text("{ra_1} µm is so small that its square is 0", ra_1=Amount(Ra_1 / MICROMETRE))
-        raise NoSolution(Text("flank roughness"), smooth, Text("give friction.flank_roughness_um of a real flank: 0.1 to 2 µm"))
-    mu_s = require(Text("friction of the solids"), friction.solid_friction, zero=True)
-    M_1 = M_2 = 0.0
-    if (bodies := friction.body_resistance) is not None:
-        M_1, M_2 = (body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1]))
-    surfaces = Surfaces(sigma=sigma, mu_s=mu_s, roelands=friction.pressure_law == "roelands", M_1=M_1, M_2=M_2)
+    surfaces, source = surfaces_of(friction, mesh)
     return Case(
-        mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2), surfaces=surfaces,
-        warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
+        mesh=mesh, path=way, motion=motion(mesh, way, n_1), oil=oil, Ra=surfaces.Ra, surfaces=surfaces,
+        source_surfaces=source, warming=warming or Warming(oil.T_m, LUBRICATION_FACTOR["spray"], friction.tip_relief_factor),
         estimated=friction.bulk == "estimated" and friction.bulk_temperature is None,
     )  # fmt: skip
 
@@ -326,7 +324,7 @@ def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
 
     def rubbing(oil: Oil) -> tuple[Film, Traction]:
         f = film(by_regime, oil, m, w_f, p_H, c.path.cells, exponent)
-        return f, traction(oil, m, f, w, w_f, p_m, b_H, c.surfaces, c.path.x, name)
+        return f, traction(oil, m, f, w, w_f, p_m, b_H, c.rubbing(by_regime), c.path.x, name)
 
     oil = _skins(c, rubbing)
     f, t = rubbing(oil)

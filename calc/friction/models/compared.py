@@ -2,6 +2,7 @@
 """The loss of a mesh by all models side by side, each with its range; how far they spread."""
 
 from ...sheet.formula import formula
+from ...sheet.functions import largest
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import Amount, Text
@@ -42,6 +43,11 @@ MODELS = {
 @formula("P_max/P_min", "definition: the largest loss of all models over the smallest")
 def spread(P_max: Watt, P_min: Watt) -> Number:
     return P_max / P_min
+
+
+@formula("P_>/P_<", "definition: the larger of two losses over the smaller")
+def factor_apart(P_1: Watt, P_2: Watt) -> Number:
+    return largest(P_1 / P_2, P_2 / P_1)
 
 
 def spread_of(losses: list[Watt]) -> Number | None:

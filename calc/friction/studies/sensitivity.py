@@ -19,6 +19,8 @@ from ...sheet.units import Watt
 from ..balance.closure import Drive, drive, total_losses
 from ..losses.windage import AIR_DENSITY
 from ..mesh.geometry import column
+from ..mesh.mixed import LOAD_SHARES, PUBLISHED
+from ..mesh.surfaces import Surfaces
 
 WARMER = 10.0  # K
 DUST = 1e-9  # of the losses: what the last digits make
@@ -53,9 +55,12 @@ def swings(d: Drive, power: Watt | None, nominal: Watt) -> tuple[Swing, ...]:
 def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
     """The constants that are numbers: all ends of all of them at once."""
     f = d.friction
-    Lambda, mu_s, rho_m = d.oil.Lambda, f.solid_friction, f.mist_density
+    Lambda, mu_s, rho_m = d.oil.Lambda, _rubbing(d).mu_s, f.mist_density
     shown = listed(Text("{Ra}", Ra=Amount(Ra * 1e6)) for Ra in f.flank_roughness)
     thin = min(AIR_DENSITY, rho_m)
+    published = f.solid_friction is None and f.film == "judged"
+    ends_mu, words_mu = (PUBLISHED, _ends_of(*PUBLISHED)) if published else (_about(mu_s, 0.2), _both(mu_s, 0.2))
+    why_mu = Text("published for lubricated steel") if published else Text("±20 %, the spread of the literature")
     why_Lambda = Text("as given, ±40 %") if d.lubricant.oil.limiting_shear is not None else Text("by base stock, ±40 %")
     open_: list[tuple[str, float, tuple[float, float], Text, str, tuple[Text, Text], Text]] = [
         ("Lambda", Lambda, _about(Lambda, 0.4), Text("limiting shear Λ"), "Λ", _both(Lambda, 0.4), why_Lambda),
@@ -80,11 +85,11 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
         (
             "mu_s",
             mu_s,
-            _about(mu_s, 0.2),
+            ends_mu,
             Text("friction of the solids μ_s"),
             "μ_s",
-            _both(mu_s, 0.2),
-            Text("±20 %, the spread of the literature"),
+            words_mu,
+            why_mu,
         ),
         (
             "mist",
@@ -133,7 +138,16 @@ def _about(x: float, share: float) -> tuple[float, float]:
 
 
 def _both(x: float, share: float) -> tuple[Text, Text]:
-    return Text("{low}", low=Amount(x * (1 - share))), Text("{high}", high=Amount(x * (1 + share)))
+    return _ends_of(*_about(x, share))
+
+
+def _ends_of(low: float, high: float) -> tuple[Text, Text]:
+    return Text("{low}", low=Amount(low)), Text("{high}", high=Amount(high))
+
+
+def _rubbing(d: Drive) -> Surfaces:
+    """How the flanks rub in the model that is judged."""
+    return next(iter(d.cases.values())).rubbing(d.friction.film == "judged")
 
 
 def _kgm3(low: float, high: float) -> tuple[Text, Text]:
@@ -161,8 +175,10 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
             Text("flanks as generated, or both tips relieved"),
             load_sharing=sharing,
         )
-    law = {"barus": "roelands", "roelands": "barus"}[f.pressure_law]
-    other(Text("viscosity under pressure"), "η(p)", LAWS[f.pressure_law], LAWS[law], Text("two laws"), pressure_law=law)
+    taken, law = ("roelands", "barus") if _rubbing(d).roelands else ("barus", "roelands")
+    other(Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), pressure_law=law)
+    if f.film == "judged":
+        found.append(_shares(d, power, nominal))
     film = {"judged": "source", "source": "judged"}[f.film]
     words = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
     other(Text("film"), "film", words[f.film], words[film], Text("the friction source's model, or by Johnson's regimes"), film=film)
@@ -172,6 +188,20 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
             Swing(Text("rolling of the rigid film"), "rolling", Text("none: a starved inlet"), Text("full inlet"), P, nominal, why)
         )
     return found
+
+
+def _shares(d: Drive, power: Watt | None, nominal: Watt) -> Swing:
+    """All published load shares: the ends are those that cost least and most."""
+    f, title = d.friction, LOAD_SHARES[d.friction.load_share].title
+    costs = {f.load_share: nominal}
+    for name in LOAD_SHARES:
+        P = nominal if name == f.load_share else _number(_power(d, replace(f, load_share=name), power))
+        if P is not None:
+            costs[name] = P
+    low, high = min(costs, key=lambda name: costs[name]), max(costs, key=lambda name: costs[name])
+    why = Text("the five published laws; taken is that of {title}", title=title)
+    ends = LOAD_SHARES[low].title, LOAD_SHARES[high].title
+    return Swing(Text("load share of the roughness"), "ξ(λ)", *ends, costs[low], costs[high], why)
 
 
 def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, rolling: bool = True) -> Any:

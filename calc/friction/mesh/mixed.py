@@ -1,0 +1,136 @@
+# SPDX-License-Identifier: Apache-2.0
+# mypy: disable-error-code="no-any-return"
+"""Mixed friction: which share of the load rides on the roughness, and what both parts rub together.
+
+All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left on them; from about
+λ = 2 on the film carries all, and the friction is the film's.
+
+The program judges by the load share of Zhu and Hu, full numerical solutions of contacts with measured roughness, put together as Castro and
+Seabra do for gears: μ = ξ·μ_s + (1 − ξ)^1.2·μ_f.  μ_s is that of *lubricated* peaks, 0.08: published for ground gears and steel are 0.065
+(FZG gears at the lowest speed) and 0.07 (Arana, Larrañaga and Ulacia 2018, read), 0.08 (Robbe-Valloire 2002, read in the gear friction
+thesis), 0.09 and 0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and
+Schlenk say of the choice stands in tests/calc/friction/models/test_measured_gears.py.
+
+The gear friction thesis takes 1 − erf λ, plain weights and μ_s = 0.135 of peaks of dry rollers: beside, unchanged.  The paper it follows
+(Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07 and λ over the rms roughness.
+
+Each law with where it comes from and where it holds; the ends are held, so that λ → 0 is all solid and λ → ∞ all film:
+
+    zhu-hu          Zhu and Hu 2001; from memory                             λ 0.05 to 2, all film above
+    castro-seabra   Castro and Seabra 2007; from memory                      λ 0.1 to 2, all film above
+    olver-spikes    Smeeth and Spikes 1996, Olver and Spikes 1998; memory    any λ; 4 % still ride at λ = 4
+    doleschel       Doleschel 2003; read in the thesis and Arana et al.      λ over the mean Ra, 0 to 2
+    thesis          after Diab 2006, changed; read in both                   λ 0 to 2
+
+Matsumoto's law of the same table needs the peaks' height Rz and the least film, λ = h_min/(Rz_1 + Rz_2); it is not offered.
+"""
+
+from collections.abc import Callable
+
+from ...sheet.formula import formula
+from ...sheet.functions import largest, smallest, sqrt
+from ...sheet.record import record
+from ...sheet.text import Text
+from ...sheet.units import Metre, Number
+from .erf import erf
+
+THESIS = Text("gear friction thesis")
+ZHU_HU = Text("Zhu and Hu 2001, from memory")
+CASTRO = Text("Castro and Seabra 2007, from memory")
+
+BOUNDARY: Number = 0.08  # friction of lubricated peaks
+PUBLISHED = (0.065, 0.10)  # its published values
+DRY: Number = 0.135  # the gear friction thesis', after Masjedi and Khonsari's rollers
+FULL: Number = 2.3  # λ above which the law of Zhu and Hu would fall again: the film carries all from 2.02 on
+
+
+@formula("σ", Text("{thesis}: both roughnesses together", thesis=THESIS), unit="µm")
+def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
+    """>>> combined_roughness(Ra_1=8e-07, Ra_2=8e-07)
+    1.131370...e-06
+    """
+    return sqrt(Ra_1**2 + Ra_2**2)
+
+
+@formula("λ", Text("{thesis}: film over roughness", thesis=THESIS), governs="min")
+def film_ratio(h: Metre, sigma: Metre) -> Number:
+    return h / sigma
+
+
+# --- how the load is shared ------------------------------------------------------------------------------------------------
+@formula("ξ", Text("{thesis}, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"})
+def solid_share(lam: Number) -> Number:
+    return 1 - erf(lam)
+
+
+@formula("f_λ", Text("{zhu_hu}: share of the load on the film; all of it from λ = 2.02 on", zhu_hu=ZHU_HU), names={"lam": "λ"})
+def film_share(lam: Number) -> Number:
+    """>>> film_share(lam=0.4)
+    0.6029...
+    """
+    return smallest(1.21 * smallest(lam, FULL) ** 0.64 / (1 + 0.37 * smallest(lam, FULL) ** 1.26), 1.0)
+
+
+@formula("f_λ", Text("{castro}: share of the load on the film; all of it from λ = 2.04 on", castro=CASTRO), names={"lam": "λ"})
+def film_share_by_power(lam: Number) -> Number:
+    """>>> film_share_by_power(lam=0.4)
+    0.6344...
+    """
+    return smallest(0.82 * lam**0.28, 1.0)
+
+
+@formula("ξ", "what the film does not carry", names={"f": "f_λ"})
+def solid_rest(f: Number) -> Number:
+    return 1 - f
+
+
+@formula("ξ", "Smeeth and Spikes 1996, Olver and Spikes 1998, from memory", names={"lam": "λ"})
+def solid_share_by_square(lam: Number) -> Number:
+    """>>> solid_share_by_square(lam=1.0)
+    0.25
+    """
+    return 1 / (1 + lam) ** 2
+
+
+@formula("ξ", Text("Doleschel 2003, in the {thesis}, fig. 14: λ over the mean roughness, up to 2", thesis=THESIS), names={"lam": "λ"})
+def solid_share_by_parabola(lam: Number, sigma: Metre, Ra: Metre) -> Number:
+    """>>> solid_share_by_parabola(lam=1.0, sigma=1e-06, Ra=1e-06)
+    0.25
+    """
+    return largest(1 - lam * sigma / (2 * Ra), 0.0) ** 2
+
+
+# --- what both rub together ------------------------------------------------------------------------------------------------
+@formula("μ", Text("{thesis}: mixed friction", thesis=THESIS))
+def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
+    return xi * mu_s + (1 - xi) * mu_f
+
+
+@formula("μ", Text("{castro}: mixed friction; the film that carries less shears under less pressure", castro=CASTRO))
+def friction_of_gears(xi: Number, mu_s: Number, mu_f: Number) -> Number:
+    """>>> friction_of_gears(xi=0.3, mu_s=0.08, mu_f=0.03)
+    0.0435...
+    """
+    return xi * mu_s + (1 - xi) ** 1.2 * mu_f
+
+
+@record
+class LoadShare:
+    """One law: its authors, the share of the roughness from λ, the combined and the mean roughness, and how both parts are put together."""
+
+    title: Text
+    solid: Callable[[Number, Metre, Metre], Number]
+    together: Callable[..., Number]
+
+
+LOAD_SHARES = {
+    "zhu-hu": LoadShare(Text("Zhu and Hu"), lambda lam, sigma, Ra: solid_rest(f=film_share(lam=lam)), friction_of_gears),
+    "castro-seabra": LoadShare(
+        Text("Castro and Seabra"), lambda lam, sigma, Ra: solid_rest(f=film_share_by_power(lam=lam)), friction_of_gears
+    ),
+    "olver-spikes": LoadShare(Text("Olver and Spikes"), lambda lam, sigma, Ra: solid_share_by_square(lam=lam), friction),
+    "doleschel": LoadShare(
+        Text("Doleschel"), lambda lam, sigma, Ra: solid_share_by_parabola(lam=lam, sigma=sigma, Ra=Ra), friction
+    ),
+    "thesis": LoadShare(THESIS, lambda lam, sigma, Ra: solid_share(lam=lam), friction),
+}  # fmt: skip
