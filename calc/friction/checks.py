@@ -102,13 +102,13 @@ def _beside(id: str, mesh: MeshResult, inside: dict[str, Watt]) -> Check:
     each = Text("; ").join(Text("{authors} {P_of} W", authors=MODELS[name].authors, P_of=Amount(P)) for name, P in inside.items())
     return check(
         f"{id}.models",
-        Text("Sliding loss that is judged and published models inside their range, factor between them, {title}", title=mesh.case.mesh.title),
+        Text("Sliding loss as judged against published models inside their range, {title}", title=mesh.case.mesh.title),
         factors[worst],
         "<=",
         APART,
         "",
         Text("rule of this program; published models of tooth friction differ by as much among themselves"),
-        Text("Judged: {P_s} W; {each}. Take the loss as known to this factor.", P_s=Amount(P_s), each=each),
+        Text("Factor of the farthest. Judged: {P_s} W; {each}. Take the loss as known to this factor.", P_s=Amount(P_s), each=each),
     )  # fmt: skip
 
 

@@ -1,26 +1,27 @@
 # SPDX-License-Identifier: Apache-2.0
 # mypy: disable-error-code="no-any-return"
-"""Mixed friction: which share of the load rides on the roughness, and what both parts rub together.
+"""Mixed friction: which share ξ of the load rides on the roughness, and what both parts rub together.
 
 All depends on the film over the roughness, λ.  Where λ is small the peaks carry and rub through what the oil has left on them; from about
 λ = 2 on the film carries all, and the friction is the film's.
 
-The program judges by the load share of Zhu and Hu, full numerical solutions of contacts with measured roughness, put together as Castro and
-Seabra do for gears: μ = ξ·μ_s + (1 − ξ)^1.2·μ_f.  μ_s is that of *lubricated* peaks, 0.08: published for ground gears and steel are 0.065
-(FZG gears at the lowest speed) and 0.07 (Arana, Larrañaga and Ulacia 2018, read), 0.08 (Robbe-Valloire 2002, read in the gear friction
-thesis), 0.09 and 0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and
-Schlenk say of the choice stands in tests/calc/friction/models/test_measured_gears.py.
+The program judges by the load share of Zhu and Hu, full numerical solutions of contacts with measured roughness, and by the load-sharing
+concept of Johnson, Greenwood and Poon: the film that carries 1 − ξ of the load has that part of the pressure only, so that its oil is less
+thick (`traction.py`).  μ_s is that of *lubricated* peaks, 0.08.  Published for ground gears and steel are 0.065 (FZG gears at the lowest
+speed) and 0.07 (both in Arana, Larrañaga and Ulacia 2018, read), 0.08 (Robbe-Valloire 2002, read in the gear friction thesis), 0.09 and
+0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and Schlenk say of the
+choice stands in tests/calc/friction/models/test_measured_gears.py.
 
-The gear friction thesis takes 1 − erf λ, plain weights and μ_s = 0.135 of peaks of dry rollers: beside, unchanged.  The paper it follows
-(Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07 and λ over the rms roughness.
+The gear friction thesis takes 1 − erf λ, the whole pressure for the film, and μ_s = 0.135 of rollers: beside, unchanged.  The paper that it
+follows (Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07, λ over the rms roughness, and α under pressure.
 
 Each law with where it comes from and where it holds; the ends are held, so that λ → 0 is all solid and λ → ∞ all film:
 
-    zhu-hu          Zhu and Hu 2001; from memory                             λ 0.05 to 2, all film above
-    castro-seabra   Castro and Seabra 2007; from memory                      λ 0.1 to 2, all film above
-    olver-spikes    Smeeth and Spikes 1996, Olver and Spikes 1998; memory    any λ; 4 % still ride at λ = 4
-    doleschel       Doleschel 2003; read in the thesis and Arana et al.      λ over the mean Ra, 0 to 2
-    thesis          after Diab 2006, changed; read in both                   λ 0 to 2
+    zhu-hu          Zhu and Hu 2001, from memory                                   λ 0.05 to 2, all film above
+    castro-seabra   Castro and Seabra 2007, from memory                            λ 0.1 to 2, all film above
+    olver-spikes    Smeeth and Spikes 1996, Olver and Spikes 1998, from memory     any λ; 4 % still ride at λ = 4
+    doleschel       Doleschel 2003, read in the thesis and in Arana et al.         λ over the mean Ra, 0 to 2
+    thesis          after Diab 2006, changed; read in both                         λ 0 to 2
 
 Matsumoto's law of the same table needs the peaks' height Rz and the least film, λ = h_min/(Rz_1 + Rz_2); it is not offered.
 """
@@ -31,12 +32,13 @@ from ...sheet.formula import formula
 from ...sheet.functions import largest, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.units import Metre, Number
+from ...sheet.units import Metre, Number, Pascal
 from .erf import erf
 
 THESIS = Text("gear friction thesis")
 ZHU_HU = Text("Zhu and Hu 2001, from memory")
 CASTRO = Text("Castro and Seabra 2007, from memory")
+SHARING = Text("load-sharing concept of Johnson, Greenwood and Poon 1972, as generally published")
 
 BOUNDARY: Number = 0.08  # friction of lubricated peaks
 PUBLISHED = (0.065, 0.10)  # its published values
@@ -100,37 +102,32 @@ def solid_share_by_parabola(lam: Number, sigma: Metre, Ra: Metre) -> Number:
     return largest(1 - lam * sigma / (2 * Ra), 0.0) ** 2
 
 
+@formula("p_f", Text("{sharing}: mean pressure of the film", sharing=SHARING), unit="MPa")
+def film_pressure(xi: Number, p_m: Pascal) -> Pascal:
+    """>>> film_pressure(xi=0.3, p_m=800000000.0)
+    560000000.0
+    """
+    return (1 - xi) * p_m
+
+
 # --- what both rub together ------------------------------------------------------------------------------------------------
 @formula("μ", Text("{thesis}: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
 
 
-@formula("μ", Text("{castro}: mixed friction; the film that carries less shears under less pressure", castro=CASTRO))
-def friction_of_gears(xi: Number, mu_s: Number, mu_f: Number) -> Number:
-    """>>> friction_of_gears(xi=0.3, mu_s=0.08, mu_f=0.03)
-    0.0435...
-    """
-    return xi * mu_s + (1 - xi) ** 1.2 * mu_f
-
-
 @record
 class LoadShare:
-    """One law: its authors, the share of the roughness from λ, the combined and the mean roughness, and how both parts are put together."""
+    """One law: its authors, and the share of the roughness from λ, the combined and the mean roughness."""
 
     title: Text
     solid: Callable[[Number, Metre, Metre], Number]
-    together: Callable[..., Number]
 
 
 LOAD_SHARES = {
-    "zhu-hu": LoadShare(Text("Zhu and Hu"), lambda lam, sigma, Ra: solid_rest(f=film_share(lam=lam)), friction_of_gears),
-    "castro-seabra": LoadShare(
-        Text("Castro and Seabra"), lambda lam, sigma, Ra: solid_rest(f=film_share_by_power(lam=lam)), friction_of_gears
-    ),
-    "olver-spikes": LoadShare(Text("Olver and Spikes"), lambda lam, sigma, Ra: solid_share_by_square(lam=lam), friction),
-    "doleschel": LoadShare(
-        Text("Doleschel"), lambda lam, sigma, Ra: solid_share_by_parabola(lam=lam, sigma=sigma, Ra=Ra), friction
-    ),
-    "thesis": LoadShare(THESIS, lambda lam, sigma, Ra: solid_share(lam=lam), friction),
-}  # fmt: skip
+    "zhu-hu": LoadShare(Text("Zhu and Hu"), lambda lam, sigma, Ra: solid_rest(f=film_share(lam=lam))),
+    "castro-seabra": LoadShare(Text("Castro and Seabra"), lambda lam, sigma, Ra: solid_rest(f=film_share_by_power(lam=lam))),
+    "olver-spikes": LoadShare(Text("Olver and Spikes"), lambda lam, sigma, Ra: solid_share_by_square(lam=lam)),
+    "doleschel": LoadShare(Text("Doleschel"), lambda lam, sigma, Ra: solid_share_by_parabola(lam=lam, sigma=sigma, Ra=Ra)),
+    "thesis": LoadShare(THESIS, lambda lam, sigma, Ra: solid_share(lam=lam)),
+}

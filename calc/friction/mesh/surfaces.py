@@ -29,13 +29,14 @@ def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetre
 @record
 class Surfaces:
     """How the flanks rub by one model: combined and mean roughness, friction of the solids and their share of the load; the viscosity law
-    under pressure; resistance of the bodies."""
+    under pressure, and whether the film has only the pressure that it carries, by which α falls; resistance of the bodies."""
 
     sigma: Metre
     Ra: Metre
     mu_s: Number
     load_share: str
     roelands: bool
+    relieved: bool
     M_1: KelvinMetrePerWatt
     M_2: KelvinMetrePerWatt
 
@@ -61,6 +62,7 @@ def surfaces_of(friction: FrictionInputs, mesh: MeshGeometry) -> tuple[Surfaces,
         M_1, M_2 = (body_resistance(R_K=R_K, b=mesh.face_width, beta_b=mesh.base_helix_angle) for R_K in (bodies[0], bodies[-1]))
     judged = Surfaces(
         sigma=sigma, Ra=mean_roughness(Ra_1=Ra_1, Ra_2=Ra_2), mu_s=BOUNDARY if mu_s is None else mu_s, load_share=friction.load_share,
-        roelands=law != "barus", M_1=M_1, M_2=M_2,
+        roelands=law != "barus", relieved=True, M_1=M_1, M_2=M_2,
     )  # fmt: skip
-    return judged, replace(judged, mu_s=DRY if mu_s is None else mu_s, load_share="thesis", roelands=law == "roelands")
+    mu_s = DRY if mu_s is None else mu_s
+    return judged, replace(judged, mu_s=mu_s, load_share="thesis", roelands=law == "roelands", relieved=False)

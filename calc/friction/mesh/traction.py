@@ -5,8 +5,9 @@ Part ξ of the load rides on the roughness and rubs as solids do (`mixed.py`); t
 squeezed to a thin hard layer of the width 2·b_H (Eyring, with a limit to its shear stress); between rigid ones it stays thin and is sheared
 over a far wider gap.
 
-Under pressure the oil thickens by Barus in the friction source's model, and by Roelands in the one that is judged: measured to 0.7 GPa,
-mineral oil and PAO follow him within 17 %, while Barus is up to 54 % above in the exponent (tests/calc/friction/mesh/test_mixed.py).
+Under pressure the oil thickens by Barus in the friction source's model, and by Roelands in the one that is judged, where the stress of
+Eyring takes α as it is under that pressure, as in Arana et al. 2018 (there at the Hertzian pressure, here at the mean one, which the
+viscosity has too).  As measured, mineral oil and PAO follow Roelands much closer than Barus (tests/calc/friction/mesh/test_mixed.py).
 
 The friction heat warms the film, warm oil rubs less: at every position the film temperature T_f is where both agree.  The skins of the
 teeth have the bulk temperature, unless the bodies' own resistance to heat is given (`loss.py`).
@@ -19,7 +20,7 @@ import numpy as np
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
-from ...sheet.functions import asinh, exp, ln, smallest, sqrt
+from ...sheet.functions import asinh, exp, ln, power, smallest, sqrt
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
@@ -38,7 +39,7 @@ from ...sheet.units import (
 )  # fmt: skip
 from ...sheet.value import based_on, converged
 from .film import Film, Oil
-from .mixed import THESIS, film_ratio
+from .mixed import THESIS, film_pressure, film_ratio, friction
 from .motion import Motion
 from .path import array
 from .surfaces import KelvinMetrePerWatt, Surfaces
@@ -73,6 +74,14 @@ def roelands_index(alpha_f: PerPascal, eta_f: PascalSecond) -> Number:
 @formula("η", "Roelands 1966, as generally published: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
+
+
+@formula("α_p", "Roelands 1966, as generally published: slope of ln η over the pressure, at the mean pressure", unit="1/GPa")
+def slope_under_pressure(alpha_f: PerPascal, Z: Number, p_m: Pascal) -> PerPascal:
+    """>>> slope_under_pressure(alpha_f=1.5e-08, Z=0.55, p_m=800000000.0)
+    7.25...e-09
+    """
+    return alpha_f * power(1 + ROELANDS_COMPLIANCE * p_m, Z - 1)
 
 
 @formula("τ_E", Text("{thesis}: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
@@ -276,7 +285,7 @@ def _rigid(c: Contact) -> Rubbing:
     mu_IR = rigid_fluid_friction(eta_0=c.oil.eta_0, V_s=m.V_s, R=m.R, h_0=film.h_0, w_f=c.w_f)
     a = sheared_half_width(R=m.R, h_0=film.h_0)
     epsilon, R_th = _heat(c, a)
-    mu = c.surfaces.mixing.together(xi=c.xi, mu_s=c.surfaces.mu_s, mu_f=mu_IR)
+    mu = friction(xi=c.xi, mu_s=c.surfaces.mu_s, mu_f=mu_IR)
     q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
     T_f = film_temperature(T_m=c.oil.T_m, q=q, R_th=R_th)
     return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T_f, De=deborah(eta=c.oil.eta_0, u_e=m.u_e, a=a))
@@ -286,23 +295,26 @@ def _elastic(c: Contact, there: Number, x: Metre, subject: str) -> Rubbing:
     """Oil sheared between the flattened flanks, at the temperature that this makes.  `there`: 0 where no part of a stretch is elastic."""
     oil, m, film, s = c.oil, c.motion, c.film, c.surfaces
     epsilon, R_th = _heat(c, c.b_H)
+    p_f = film_pressure(xi=c.xi, p_m=c.p_m) if s.relieved else c.p_m
 
     def at(T_f: Celsius) -> Rubbing:
         eta_f = oil.lubricant.at(T_f).mu
         alpha_f = oil.alpha_at(eta_f)
         if s.roelands:
-            eta = viscosity_by_roelands(eta_f=eta_f, Z=roelands_index(alpha_f=alpha_f, eta_f=eta_f), p_m=c.p_m)
+            Z = roelands_index(alpha_f=alpha_f, eta_f=eta_f)
+            eta = viscosity_by_roelands(eta_f=eta_f, Z=Z, p_m=p_f)
+            alpha_p = slope_under_pressure(alpha_f=alpha_f, Z=Z, p_m=p_f) if s.relieved else alpha_f
         else:
-            eta = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=c.p_m)
-        tau_E = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha_f)
-        mu_f = fluid_friction(tau_E=tau_E, p_m=c.p_m, eta=eta, V_s=m.V_s, h=film.h, Lambda=oil.Lambda)
-        mu = s.mixing.together(xi=c.xi, mu_s=s.mu_s, mu_f=mu_f)
+            eta, alpha_p = viscosity_under_pressure(eta_f=eta_f, alpha_f=alpha_f, p_m=p_f), alpha_f
+        tau_E = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha_p)
+        mu_f = fluid_friction(tau_E=tau_E, p_m=p_f, eta=eta, V_s=m.V_s, h=film.h, Lambda=oil.Lambda)
+        mu = friction(xi=c.xi, mu_s=s.mu_s, mu_f=mu_f)
         q = friction_power(mu=mu, w=c.w, V_s=m.V_s)
         T = film_temperature(T_m=oil.T_m, q=q, R_th=R_th)
         return Rubbing(mu=mu, q=q, epsilon=epsilon, T_f=T, De=deborah(eta=eta, u_e=m.u_e, a=c.b_H))
 
     with untraced():
-        most = s.mixing.together(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)
+        most = friction(xi=c.xi, mu_s=s.mu_s, mu_f=oil.Lambda)
         highest = oil.T_m + there * most * c.w * m.V_s * R_th
         T_f = settled(lambda T: oil.T_m + there * (at(T).T_f - oil.T_m), oil.T_m, highest, x, subject)
     return converged(closing_film_temperature, T_f, at, lambda rubs: rubs.T_f)

@@ -5,8 +5,8 @@ import numpy as np
 import pytest
 
 from calc.friction.mesh.loss import case, solve_mesh
+from calc.friction.mesh.mixed import friction as mixed
 from calc.friction.mesh.path import line_load, transverse_force
-from calc.friction.mesh.traction import friction as mixed
 
 from ..pairs import friction, oil, recorded, spur_pair
 

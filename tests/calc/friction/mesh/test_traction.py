@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 from calc.contact.hertz import half_width, hertz_pressure, mean_pressure
+from calc.friction.mesh import mixed
 from calc.friction.mesh import traction as t
 from calc.friction.mesh.erf import erf
 from calc.friction.mesh.film import film
@@ -39,16 +40,16 @@ def warming(c, P):
     p_m, h = mean_pressure(p_H), film(False, c.oil, m, w_f, p_H, c.path.cells).h
     B_1, B_2 = (t.transient_resistance(t.STEEL_DIFFUSIVITY, b_H, u, t.STEEL_CONDUCTIVITY) for u in (m.u_1, m.u_2))
     R_th = t.film_resistance(t.heat_partition(B_1, B_2, 0.0, 0.0), B_1, h, b_H, c.oil.k_f)
-    xi = t.solid_share(t.film_ratio(h, c.surfaces.sigma))
+    xi, mu_s = mixed.solid_share(mixed.film_ratio(h, c.source_surfaces.sigma)), c.source_surfaces.mu_s
 
     def warmed(T):
         eta_f = lube.at(T).mu
         alpha_f = lube.alpha(eta_f)
         tau_E = t.eyring_stress(lube.limiting_shear, alpha_f)
         mu_f = t.fluid_friction(tau_E, p_m, t.viscosity_under_pressure(eta_f, alpha_f, p_m), m.V_s, h, lube.limiting_shear)
-        return c.oil.T_m + t.friction_power(t.friction(xi, c.surfaces.mu_s, mu_f), w, m.V_s) * R_th
+        return c.oil.T_m + t.friction_power(mixed.friction(xi, mu_s, mu_f), w, m.V_s) * R_th
 
-    return warmed, c.oil.T_m + t.friction(xi, c.surfaces.mu_s, lube.limiting_shear) * w * m.V_s * R_th
+    return warmed, c.oil.T_m + mixed.friction(xi, mu_s, lube.limiting_shear) * w * m.V_s * R_th
 
 
 def damped(warmed, T_m, shape):
@@ -120,8 +121,8 @@ def test_viscosity_under_pressure_is_capped():
 
 
 def test_solid_share_begins_at_a_film_ratio_of_two():
-    assert t.solid_share(0.0) == 1.0
-    assert t.solid_share(2.0) == pytest.approx(0.0047, abs=1e-4)
+    assert mixed.solid_share(0.0) == 1.0
+    assert mixed.solid_share(2.0) == pytest.approx(0.0047, abs=1e-4)
 
 
 def test_both_bodies_see_one_flash_temperature():
