@@ -47,13 +47,13 @@ def test_every_mesh_passes_on_what_the_next_takes_in():
 
 
 def test_the_train_is_of_the_expected_size():
-    """Rolling 1.5, 1.6, 1.7 W and the source's sliding 4.9, 4.1, 5.4 W from the shaft up; 290 to 302 W, 1.07 to 1.11 N·m at the crank."""
-    for name, rolling, sliding in (("idler_shaft", 1.5, 4.9), ("central_idler", 1.6, 4.1), ("crank_central", 1.7, 5.4)):
+    """Rolling 1.5, 1.6, 1.6 W and the source's sliding 4.9, 4.0, 5.3 W from the shaft up; 285 to 295 W, 1.05 to 1.08 N·m at the crank."""
+    for name, rolling, sliding in (("idler_shaft", 1.5, 4.9), ("central_idler", 1.6, 4.0), ("crank_central", 1.6, 5.3)):
         assert VALUES[f"{name}.rolling_loss"] == pytest.approx(rolling, abs=0.06)
         assert VALUES[f"{name}.source.loss"] == pytest.approx(sliding, abs=0.06)
         assert VALUES[f"{name}.rigid_share"] == 100
-    assert 290 < VALUES["crank_power"] < 302
-    assert 1.07 < VALUES["crank_torque"] < 1.11
+    assert 285 < VALUES["crank_power"] < 295
+    assert 1.05 < VALUES["crank_torque"] < 1.08
 
 
 @pytest.mark.parametrize("name", RECORDED["values"])
@@ -135,7 +135,7 @@ def test_the_film_that_is_chosen_is_judged():
         assert source[f"{name}.loss"] == source[f"{name}.source.loss"]
         assert source[f"{name}.rolling_loss"] == 0
         assert source[f"{name}.by_regime.loss"] > source[f"{name}.by_regime.sliding_loss"]
-    assert source["crank_power"] < VALUES["crank_power"]
+    assert source["mesh_loss"] > VALUES["mesh_loss"]  # its peaks rub far more than the rigid film rolls
 
 
 def test_reversing_a_mesh_swaps_approach_and_recess():

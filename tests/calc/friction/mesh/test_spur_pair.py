@@ -77,12 +77,13 @@ def test_at_100_w_the_film_is_rigid_and_rolling_costs_more_than_sliding():
     assert found.loss == found.sliding_loss + found.rolling_loss
 
 
-def test_at_10_kw_the_regimes_agree_with_the_source():
+def test_at_10_kw_the_films_agree_with_the_source_and_the_friction_does_not():
     row = RECORDED["runs"][1]
     source, judged = solved(row)[1], solved(row, by_regime=True)[1]
     assert judged.rigid_share == 0.0
     assert judged.rolling_loss == 0.0
-    assert judged.loss == pytest.approx(source.loss, rel=1e-12)
+    assert judged.film_min == pytest.approx(source.film_min, rel=1e-12)
+    assert judged.loss < 0.5 * source.loss
 
 
 def test_nothing_slides_at_the_pitch_point():

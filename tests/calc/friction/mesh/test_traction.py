@@ -143,7 +143,7 @@ def test_the_loss_grows_with_the_power(by_regime):
     assert losses == sorted(losses)
 
 
-@pytest.mark.parametrize(("said", "more"), [({}, {"flank_roughness": (1.6e-6,)}), ({"solid_friction": 0.1}, {})])
+@pytest.mark.parametrize(("said", "more"), [({}, {"flank_roughness": (1.6e-6,)}), ({"solid_friction": 0.07}, {})])
 def test_rougher_flanks_and_more_solid_friction_cost_more(said, more):
     mesh, o = r753()["idler_shaft"], oil("10W-40 Q8 T905", 120.0)
     less, greater = (solve_mesh(case(friction(**s), mesh, o, 27.8), 280.0, True).sliding_loss for s in (said, more))

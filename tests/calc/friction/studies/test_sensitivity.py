@@ -3,6 +3,7 @@
 
 import pytest
 
+from calc.friction.mesh.mixed import LOAD_SHARES
 from calc.friction.studies import sensitivity
 from calc.solve import solve
 
@@ -29,10 +30,10 @@ def loss(document, **friction):
 # --- the ends -------------------------------------------------------------------------------------------------------------------
 @pytest.mark.parametrize("document", [LOADED, gamma()], ids=["pair", "gamma"])
 @pytest.mark.parametrize("name, low, high", [
-    ("friction of the solids μ_s", {"solid_friction": 0.108}, {"solid_friction": 0.162}),
+    ("friction of the solids μ_s", {"solid_friction": 0.065}, {"solid_friction": 0.1}),
     ("flank roughness Ra", {"flank_roughness_um": 0.56}, {"flank_roughness_um": 1.04}),
     ("density of the oil mist", {"mist_density_kgm3": 1.2}, {"mist_density_kgm3": 48.0}),
-    ("viscosity under pressure", {"pressure_law": "barus"}, {"pressure_law": "roelands"}),
+    ("viscosity under pressure", {"pressure_law": "roelands"}, {"pressure_law": "barus"}),
     ("film", {"film": "judged"}, {"film": "source"}),
 ])  # fmt: skip
 def test_an_end_is_the_design_with_that_constant(document, name, low, high):
@@ -65,6 +66,19 @@ def test_the_ends_of_the_pressure_viscosity():
     _, _, at_low, at_high, *_ = rows(with_alpha(20.0))["pressure-viscosity α"]
     assert at_low == pytest.approx(friction_of(with_alpha(16.0)).result.total_loss, rel=1e-8)
     assert at_high == pytest.approx(friction_of(with_alpha(24.0)).result.total_loss, rel=1e-8)
+
+
+def test_the_ends_of_a_friction_that_is_given():
+    _, _, at_low, at_high, *_ = rows(changed(LOADED, friction={"solid_friction": 0.12}))["friction of the solids μ_s"]
+    assert (at_low, at_high) == pytest.approx((loss(LOADED, solid_friction=0.096), loss(LOADED, solid_friction=0.144)), rel=1e-8)
+
+
+@pytest.mark.parametrize("document", [LOADED, gamma()], ids=["pair", "gamma"])
+def test_the_load_shares_that_cost_least_and_most(document):
+    low, high, at_low, at_high, *_ = rows(document)["load share of the roughness"]
+    found = {str(law.title): loss(document, load_share=name) for name, law in LOAD_SHARES.items()}
+    assert (at_low, at_high) == pytest.approx((min(found.values()), max(found.values())), rel=1e-8)
+    assert (found[str(low)], found[str(high)]) == pytest.approx((at_low, at_high), rel=1e-8)
 
 
 def test_the_load_sharing_of_a_spur_pair_only():
