@@ -186,6 +186,9 @@ class Local:
     mu: Number
     q: WattPerMetre
     T_f: Celsius
+    w: NewtonPerMetre
+    V_s: MetrePerSecond
+    b_H: Metre
 
     def drawn(self, name: str) -> Array:
         """One of them to draw: film and friction only where a place is loaded, nan elsewhere."""
@@ -308,6 +311,7 @@ class Lost:
     P_s: Watt
     P_R: Watt
     w: NewtonPerMetre
+    b_H: Metre
     p_H: Pascal
     oil: Oil
     f: Film
@@ -333,7 +337,7 @@ def _lost(c: Case, P: Watt, by_regime: bool, exponent: Number) -> Lost:
         P_R = no_rolling_loss()
     else:
         P_R = rolling_loss(s=s, q_R=rigid_rolling_power(eta_0=oil.eta_0, u_e=m.u_e, R=m.R, h_0=f.h_0), r=f.rigid)
-    return Lost(P_s=P_s, P_R=P_R, w=w, p_H=p_H, oil=oil, f=f, t=t)
+    return Lost(P_s=P_s, P_R=P_R, w=w, b_H=b_H, p_H=p_H, oil=oil, f=f, t=t)
 
 
 def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
@@ -355,7 +359,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         bulk_temperature=None,
         temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
-        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in (c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f))),
+        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in (c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H))),
         lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=_extreme(np.min, f.Phi),
     )  # fmt: skip
 

@@ -2,7 +2,7 @@
 """The same train under other conditions, side by side: another oil, temperature, load sharing, roughness, power.
 
 Each scenario is a whole balance of its own; what it does not say is that of the design.  Shown are the judged model and the friction
-source's, mesh by mesh, in a table and in six curves along the path of contact.
+source's, mesh by mesh, in a table and in nine curves along the path of contact.
 """
 
 from collections.abc import Iterator, Mapping
@@ -26,6 +26,9 @@ from ..result import FrictionResult, ScenarioMesh, ScenarioResult
 
 # What is drawn along the path: attribute of `Local`, title, label of the axis, factor.
 ALONG = (
+    ("V_s", Text("sliding speed"), axis_label("V_s", "m/s"), 1.0),
+    ("w", Text("normal force per length of the contact line, as the pairs share it"), axis_label("w", "N/mm"), 1e-3),
+    ("b_H", Text("half width of the contact"), axis_label("b_H", "µm"), 1e6),
     ("p_H", Text("Hertzian pressure"), axis_label("p_H", "MPa"), 1e-6), ("h", Text("film"), axis_label("h", "µm"), 1e6),
     ("lam", Text("film over roughness"), Text("λ"), 1.0),
     ("mu", Text("coefficient of friction"), Text("μ"), 1.0), ("T_f", Text("film temperature"), axis_label("T_f", "°C"), 1.0),
@@ -189,7 +192,7 @@ def _shown(cell: str | float | None, unit: str) -> str | Amount:
 
 
 def curves(found: Mapping[str, ScenarioResult], marks: Mapping[str, Text]) -> Iterator[Curve]:
-    """Six curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of each mesh."""
+    """Nine curves a mesh along its path, a line a scenario; both models as variants.  `marks`: the label of the path of each mesh."""
     meshes = next(iter(found.values())).meshes if found else {}
     for key in meshes:
         for attribute, title, label, factor in ALONG:

@@ -36,7 +36,7 @@ def gears(name):
 def lubricant(base):
     """An oil of FEUP's library by its own viscosities at 40 and 100 °C."""
     law = FEUP["oils"][base]
-    nu40, nu100 = ((10 ** 10 ** (law["m"] - law["n"] * math.log10(T + 273.15)) - 0.7) * 1e-6 for T in (40.0, 100.0))
+    nu40, nu100 = ((10**10 ** (law["m"] - law["n"] * math.log10(T + 273.15)) - 0.7) * 1e-6 for T in (40.0, 100.0))
     plain = replace(oils()["FVA 3 (ref mineral)"], name=base, base=base, limiting_shear=None, pressure_viscosity_40=None, printed=())
     return Lubricant(replace(plain, nu40=nu40, nu100=nu100, rho15=law["rho15"]), "d341")
 
@@ -141,7 +141,9 @@ def test_iso_14635_beside_schlenk(torque, Ra):
 # --- the ends ------------------------------------------------------------------------------------------------------------------------
 def thick(**said):
     """Smooth flanks, cold oil: λ above 4 all along the path."""
-    return case(friction(flank_roughness=(0.05e-6,), **said), fzg(20e-3), oil_at(Lubricant(oils()["FVA 3 (ref mineral)"]), 60.0), 36.0), 40e3
+    return case(
+        friction(flank_roughness=(0.05e-6,), **said), fzg(20e-3), oil_at(Lubricant(oils()["FVA 3 (ref mineral)"]), 60.0), 36.0
+    ), 40e3
 
 
 def test_a_thick_film_rubs_as_oil_alone():

@@ -117,6 +117,9 @@ def thesis(name):
     return outcome, {key: one.meshes["crank_pump"].source for key, one in outcome.result.scenarios.items()}
 
 
+NAMES = {"10W-40": "10W40", "0W-30": "0W30", "10W-40-synthetic": "10W40 synthetic", "MIL-L-23699E": "MIL-L-23699E"}
+
+
 def agree(found, row):
     for ours, key in (
         ("loss", "loss_W"), ("efficiency", "efficiency"), ("loss_factor", "loss_factor"), ("friction_mean", "friction_mean"), ("lambda_min", "lambda_min"),
@@ -129,18 +132,26 @@ def agree(found, row):
 
 def test_first_scenario_temperatures():
     outcome, found = thesis("temperatures")
-    agree(found["40-C"], SUMMARY[THESIS + "10W40", "linear"])
+    agree(found["10W-40-40-C"], SUMMARY[THESIS + "10W40", "linear"])
     loaded = RECORDED["runs"][0]
-    assert found["40-C"].loss == pytest.approx(loaded["loss_W"], rel=1e-4)
-    losses = [found[key].loss for key in ("40-C", "50-C", "60-C")]
-    assert losses == sorted(losses), "thinner oil, more load on the roughness"
-    assert outcome.result.scenarios["40-C"].total_loss == pytest.approx(outcome.result.total_loss, rel=1e-9)
+    assert found["10W-40-40-C"].loss == pytest.approx(loaded["loss_W"], rel=1e-4)
+    for name in NAMES:
+        losses = [found[f"{name}-{T}-C"].loss for T in (40, 50, 60)]
+        assert losses == sorted(losses), "thinner oil, more load on the roughness"
+    assert outcome.result.scenarios["10W-40-40-C"].total_loss == pytest.approx(outcome.result.total_loss, rel=1e-9)
 
 
 def test_second_scenario_oils():
     _, found = thesis("oils")
-    for key, oil in (("10W-40", "10W40"), ("0W-30", "0W30"), ("10W-40-synthetic", "10W40 synthetic"), ("MIL-L-23699E", "MIL-L-23699E")):
-        agree(found[key], SUMMARY[THESIS + oil, "linear"])
+    for key, oil in NAMES.items():
+        agree(found[f"{key}-40-C"], SUMMARY[THESIS + oil, "linear"])
+
+
+def test_both_scenarios_are_the_same_twelve_runs():
+    (_, by_oil), (_, by_temperature) = thesis("temperatures"), thesis("oils")
+    assert {key: run.loss for key, run in by_oil.items()} == {key: run.loss for key, run in by_temperature.items()}
+    assert list(by_oil) == [f"{name}-{T}-C" for name in NAMES for T in (40, 50, 60)]
+    assert list(by_temperature) == [f"{name}-{T}-C" for T in (40, 50, 60) for name in NAMES]
 
 
 def test_third_scenario_tip_relief():
@@ -149,14 +160,14 @@ def test_third_scenario_tip_relief():
     agree(found["tips-relieved"], SUMMARY[THESIS + "10W40", "smooth"])
 
 
-@pytest.mark.parametrize("name, number", [("temperatures", 3), ("oils", 4), ("tip_relief", 2)])
+@pytest.mark.parametrize("name, number", [("temperatures", 12), ("oils", 12), ("tip_relief", 2)])
 def test_they_are_shown_side_by_side(name, number):
     outcome = friction_of(read(DESIGNS / f"thesis_{name}.toml")).whole
     tables = [t for t in outcome.tables if t.id.startswith("scenarios_")]
     assert [len(t.rows) for t in tables] == [number, number]
     assert [len(t.rows) for t in outcome.tables if t.id == "scenarios"] == [number]
     curves = [c for c in outcome.curves if c.id.startswith("scenarios_")]
-    assert len(curves) == 6
+    assert len(curves) == 9  # the thesis' six, and pressure, λ and temperature
     for curve in curves:
         assert len(curve.series) == 2 * number and len(curve.variants) == 2
         for series in curve.series:
