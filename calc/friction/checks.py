@@ -150,7 +150,8 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     )
     inside = {name: one.loss for name, one in mesh.published_models.items() if one is not None and not one.outside and one.loss > 0}
-    if inside and mesh.judged.sliding_loss > 0:
+    elastic = by_regime(mesh).lead_at_pitch >= 1  # all of them come from loaded teeth and discs, whose films are EHL
+    if inside and elastic and mesh.judged.sliding_loss > 0:
         yield _beside(id, mesh, inside)
     yield check(
         f"{id}.deborah",
@@ -232,6 +233,23 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
         )
     if not c.mesh.spur:
         return
+    if (
+        by_regime(mesh).lead_at_pitch >= 1
+        and friction.film == "judged"
+        and friction.solid_friction is None
+        and friction.load_share != "thesis"
+    ):
+        yield Erratum(
+            f"{id}.friction_mean",
+            Text("Mean coefficient of friction"),
+            mesh.source.friction_mean,
+            "",
+            Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS),
+            Text(
+                "Peaks that rub as dry rollers do, and too many of them: measured gears have half of that and less, and so has the paper that the "
+                "source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
+            ),
+        )
     try:
         elliptical = solve_mesh(c, P, False, ELLIPTICAL)
     except NoSolution:  # the thinner film of the source can get too hot where the right one does not: then it has no value

@@ -10,6 +10,7 @@ from .losses.wheels import has_bearings
 from .mesh.film import Oil
 from .mesh.geometry import WheelGeometry
 from .mesh.loss import LOADED
+from .mesh.mixed import FULL
 from .result import FrictionResult, by_regime
 
 JUMP = 1e-6  # of the power
@@ -76,6 +77,14 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         found.append(
             Text("Xu and Kahraman's regression is not shown: it does not hold for flanks rougher than 2 µm together, nor for any pressure.")
         )
+    if any(by_regime(mesh).lambda_min < FULL for mesh in result.meshes.values()):
+        rubbing = next(iter(result.meshes.values())).case.rubbing(friction.film == "judged")
+        touching = Text(
+            "Where the film is thinner than twice the roughness, the load share by {law} rides on peaks that rub with {mu_s}.",
+            law=rubbing.mixing.title,
+            mu_s=Amount(rubbing.mu_s),
+        )
+        found.append(touching)
     assumed = next(value for value in oils.judged_values(oil.lubricant.oil) if value.key == "limiting_shear")
     where = Text("{source}; confidence {confidence}", source=assumed.source, confidence=assumed.confidence)
     found.append(

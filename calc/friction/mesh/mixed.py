@@ -68,7 +68,7 @@ def solid_share(lam: Number) -> Number:
 @formula("f_λ", Text("{zhu_hu}: share of the load on the film; all of it from λ = 2.02 on", zhu_hu=ZHU_HU), names={"lam": "λ"})
 def film_share(lam: Number) -> Number:
     """>>> film_share(lam=0.4)
-    0.6029...
+    0.6028...
     """
     return smallest(1.21 * smallest(lam, FULL) ** 0.64 / (1 + 0.37 * smallest(lam, FULL) ** 1.26), 1.0)
 

@@ -80,7 +80,7 @@ def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> Pascal
 @formula("α_p", "Roelands 1966, as generally published: slope of ln η over the pressure, at the mean pressure", unit="1/GPa")
 def slope_under_pressure(alpha_f: PerPascal, Z: Number, p_m: Pascal) -> PerPascal:
     """>>> slope_under_pressure(alpha_f=1.5e-08, Z=0.55, p_m=800000000.0)
-    7.25...e-09
+    7.2185...e-09
     """
     return alpha_f * power(1 + ROELANDS_COMPLIANCE * p_m, Z - 1)
 

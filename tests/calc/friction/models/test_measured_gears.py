@@ -16,7 +16,7 @@ from calc.friction.mesh.mixed import BOUNDARY, LOAD_SHARES, PUBLISHED
 from calc.friction.models import regressions
 from calc.lubricant import Lubricant
 
-from ..pairs import friction, fzg, reference, wheel
+from ..pairs import closed, friction, fzg, reference, wheel
 
 MEASURED = reference("friction_measured.toml")
 FEUP = MEASURED["feup"]
@@ -173,3 +173,24 @@ def test_the_friction_of_the_peaks_is_a_published_one():
     lubricated = [said[key] for key in ("arana_measured", "arana_proposed", "robbe_valloire", "feup_code", "gearpie")]
     assert BOUNDARY == said["robbe_valloire"] == sorted(lubricated)[2]  # their median
     assert PUBLISHED == (min(lubricated), max(lubricated))
+
+
+# --- the check that compares -----------------------------------------------------------------------------------------------------
+def comparison(power, **said):
+    found = closed(shaft_power=None, power=power, speed=36.0, T=90.0, oil="FVA 3 (ref mineral)", meshes={"pinion_gear": fzg(20e-3)}, **said)
+    mesh = found.result.meshes["pinion_gear"]
+    return mesh, next((c for c in found.checks if c.id == "friction.pinion_gear.models"), None)
+
+
+@pytest.mark.parametrize("said", [{}, {"film": "source"}, {"solid_friction": 0.03}])
+def test_a_check_compares_with_the_models_inside_their_range(said):
+    mesh, check = comparison(41e3, flank_roughness=(0.4e-6,), **said)
+    inside = [one.loss for one in mesh.published_models.values() if one is not None and not one.outside]
+    assert len(inside) >= 3
+    assert check.value == pytest.approx(max(max(P / mesh.judged.sliding_loss, mesh.judged.sliding_loss / P) for P in inside))
+    assert check.kind == "caution" and check.verdict == ("warn" if check.value > 1.3 else "pass")
+
+
+def test_where_no_model_is_inside_nothing_is_compared():
+    mesh, check = comparison(20.0, flank_roughness=(0.4e-6,))
+    assert check is None and mesh.schlenk.outside
