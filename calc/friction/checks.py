@@ -233,12 +233,8 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
         )
     if not c.mesh.spur:
         return
-    if (
-        by_regime(mesh).lead_at_pitch >= 1
-        and friction.film == "judged"
-        and friction.solid_friction is None
-        and friction.load_share != "thesis"
-    ):
+    own_law = friction.film == "judged" and friction.solid_friction is None and friction.load_share != "thesis"
+    if own_law and by_regime(mesh).lead_at_pitch >= 1:
         yield Erratum(
             f"{id}.friction_mean",
             Text("Mean coefficient of friction"),
@@ -246,8 +242,8 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             "",
             Text("method of the {thesis}, section on mixed lubrication", thesis=THESIS),
             Text(
-                "Peaks that rub as dry rollers do, and too many of them: measured gears have half of that and less, and so has the paper that the "
-                "source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
+                "Peaks that rub as those of rollers do, and too many of them: measured gears have half of that and less, and so has the "
+                "paper that the source follows (Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07 where it takes 0.135)."
             ),
         )
     try:

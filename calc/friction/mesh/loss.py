@@ -351,6 +351,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         estimate = rolling_estimate(s=s, q_E=q_E, r=f.rigid)
     P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
     H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
+    along_path = c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H
     p_C = pressure_at_pitch_point(p_H=c.path.at_pitch_point(p_H)) if c.mesh.spur else None
     return MeshLoss(
         loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,
@@ -359,7 +360,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         bulk_temperature=None,
         temperature_max=hottest_film(T_f=t.T_f), deborah_max=largest_deborah(De=t.De),
         rigid_share=rigid_share(s=s, r=f.rigid),
-        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in (c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H))),
+        load=P, local=Local(*(array(c.path.in_the_middle(x)) for x in along_path)),
         lead_at_pitch=c.path.at_pitch_point(f.lead), thermal_reduction_min=_extreme(np.min, f.Phi),
     )  # fmt: skip
 
