@@ -211,7 +211,7 @@ class FrictionInputs:
     )  # fmt: skip
     film: str = choice(
         "Film that is judged", "judged", "source", default="judged",
-        help="judged: by lubrication regime, with rolling loss. source: EHL film everywhere.",
+        help="judged: by lubrication regime and lubricated peaks, with rolling loss. source: the friction source's model, EHL everywhere.",
     )  # fmt: skip
     mist_density: float = quantity(
         "Density of the oil mist", "kg/m³", default=24.0, low=0.1, high=1000, symbol="rho_m", usual=(1.2, 50),

@@ -70,7 +70,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
             )
         )
     if friction.film == "source":
-        found.append(Text("The friction source's film is judged: EHL everywhere, no rolling loss."))
+        found.append(Text("The friction source's model is judged: EHL everywhere, its solid friction, no rolling loss."))
     elif any(mesh.judged.rolling_loss for mesh in result.meshes.values()):
         found.append(Text("The rolling loss of the rigid film supposes a full inlet: it is an upper bound."))
     if any(mesh.xu_kahraman is None for mesh in result.meshes.values()):
