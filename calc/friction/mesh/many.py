@@ -31,7 +31,7 @@ def losses(
 ) -> MeshLoss:  # fmt: skip
     """The loss where the teeth have the temperature T [°C], the driver turns at n_1 [1/s] and takes in the power P [W].
 
-    One number each or arrays of one length.  `by_regime`: False takes the EHL film everywhere.  `points`: of each piece of the path,
+    One number each or arrays of one length.  `by_regime`: False takes the friction source's model.  `points`: of each piece of the path,
     4 pieces on a spur path; with those left out a spur loss is right to 1e-6, a helical one to 2e-3, and where the regime changes on the
     path to 4e-3 and 2e-2.  NoSolution names the operating point and the place on the path where the temperature of the film does not
     settle, or the quantity that has no meaning.
