@@ -72,6 +72,7 @@ def test_reports_know_no_single_step() -> None:
         "calc.explain",
         "calc.id_words",
         "calc.languages",
+        "calc.prediction",
         "calc.publications",
         "calc.solve",
         "calc.version",
