@@ -14,7 +14,7 @@ from .materials.data import running_surface
 from .materials.suitability import fatigue_note
 from .result import BearingResult
 from .routes import supply
-from .routes.din31652 import film_heavily_loaded
+from .routes.falz import film_heavily_loaded
 from .routes.side_by_side import ROUTES
 
 TURNS = Text(
@@ -131,12 +131,12 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         yield Erratum(f"bearings.{place}.film", Text("Smallest film, {place}", place=IN_WORDS[place]), r.raimondi_boyd.film * 1e6, "µm",
             Text("method of Finotti 2013, 5.5.1, on the clearance as given"),
             expansion + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""))  # fmt: skip
-    if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
+    if r.falz is not None and 0.9 < r.falz.sommerfeld <= 1:
         with untraced():
-            wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
-        So = Amount(r.din31652.sommerfeld, form=".3f")
+            wrong = film_heavily_loaded(r.clearance, r.falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
+        So = Amount(r.falz.sommerfeld, form=".3f")
         yield Erratum(
-            f"bearings.{place}.din31652.film", Text("Film by DIN 31652, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
+            f"bearings.{place}.falz.film", Text("Film by Falz, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
             Text("method of Finotti 2013, Table 5.4: the branch of the first pass"),
             Text("So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.", sommerfeld=So),
         )  # fmt: skip

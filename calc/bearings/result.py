@@ -104,7 +104,7 @@ class BearingResult:
     routes_spread: Number | None = value("Spread of the routes' films", "%", default=None)
     reynolds: RouteResult | None = group(default=None)
     raimondi_boyd: RouteResult | None = group(default=None)
-    din31652: RouteResult | None = group(default=None)
+    falz: RouteResult | None = group(default=None, former="din31652")
     short_bearing: RouteResult | None = group(default=None)
     corners: Corners = group()
     dynamics: Dynamics = group()

@@ -18,7 +18,7 @@ from .. import formulas as f
 from ..film import short_bearing as short
 from ..film.table import eccentricity_from, film_at
 from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
-from . import din31652 as din
+from . import falz as by_falz
 from . import flow, supply
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, Seized
@@ -94,7 +94,7 @@ def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, None, Q=Q)
 
 
-def din31652(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as given."""
     b, g = seat.bearing, seat.clearance
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
@@ -104,7 +104,7 @@ def din31652(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     omega = f.angular_speed(n=duty.effective_speed)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
-    h_0 = din.film(g=g, So=So, b=ratio)
+    h_0 = by_falz.film(g=g, So=So, b=ratio)
     eps = f.eccentricity_of_film(h_0=h_0, g=g)
     if not 0 <= eps < 1:
         least, gap = Amount(h_0 * 1e6, form=".1f"), Amount(g / 2e-6, form=".1f")
@@ -113,8 +113,8 @@ def din31652(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
             Text("Falz's film is {h_0} µm in a gap of {g} µm at So = {so}, l/d = {ratio}", h_0=least, g=gap, so=load, ratio=b_d)
         )
     mu_f = None
-    if din.polynomial_holds(ratio):
-        _, mu_f = din.friction(psi=psi, So=So, b=ratio)
+    if by_falz.polynomial_holds(ratio):
+        _, mu_f = by_falz.friction(psi=psi, So=So, b=ratio)
         f_v = f.friction_variable_of(f=mu_f, psi=psi)
     else:
         f_v = f.friction_variable(So=So, eps=eps, phi=attitude_angle(eps=eps, b=ratio))

@@ -13,13 +13,13 @@ from ..film.table import eccentricity_from
 from ..inputs import IN_WORDS
 from .balance import balanced
 from .raimondi_boyd import OutsideCharts
-from .routes import Route, din31652, own_cold, raimondi_boyd, short_bearing
+from .routes import Route, falz, own_cold, raimondi_boyd, short_bearing
 from .states import BearingCase, Film, OperatingPoint
 
 SPREAD = 0.10  # rule of this program
 ROUTES: dict[str, tuple[Text, Route]] = {
     "reynolds": (Text("Reynolds' equation"), own_cold), "raimondi_boyd": (Text("Raimondi & Boyd"), raimondi_boyd),
-    "din31652": (Text("DIN 31652"), din31652), "short_bearing": (Text("short bearing"), short_bearing),
+    "falz": (Text("Falz, as the thesis uses it"), falz), "short_bearing": (Text("short bearing"), short_bearing),
 }  # fmt: skip
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
@@ -66,7 +66,7 @@ def reason(name: str, side: Side) -> Text:
     if name != "short_bearing" and ratio < side.whole * (1 - 1e-9):
         return Text("it takes the whole length, where the groove parts the film")
     own = side.films["reynolds"]
-    S = 1 / (2 * pi * film.sommerfeld) if name == "din31652" else film.sommerfeld
+    S = 1 / (2 * pi * film.sommerfeld) if name == "falz" else film.sommerfeld
     exact = 1 - float(eccentricity_from(S, ratio, outside="nan"))
     l_d, So = Amount(ratio, form=".3g"), Amount(film.sommerfeld, form=".3g")
     if exact > 0 and abs((1 - film.eccentricity) / exact - 1) < side.deviations[name] / 2:
@@ -80,7 +80,7 @@ def reason(name: str, side: Side) -> Text:
         )
     if name == "raimondi_boyd":
         return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
-    if name == "din31652":
+    if name == "falz":
         return Text(
             "Falz's two branches meet only at l/d = {falz_meets}: l/d is {ratio}, So = {sommerfeld} lies {branch} 1",
             falz_meets=Amount(FALZ_MEETS, form="g"), ratio=l_d, sommerfeld=So,
@@ -107,7 +107,7 @@ def routes_table(place: str, side: Side) -> Table:
             film.friction_variable, film.friction_power, film.temperature_rise, film.oil_flow * 6e4,
         ))  # fmt: skip
     columns = (
-        (Text("route"), ""), (Text("h_0"), "µm"), (Text("Δ"), "%"), (Text("ε"), ""), (Text("S (DIN: So)"), ""), (Text("f*"), ""),
+        (Text("route"), ""), (Text("h_0"), "µm"), (Text("Δ"), "%"), (Text("ε"), ""), (Text("S (Falz: So)"), ""), (Text("f*"), ""),
         (Text("P_f"), "W"), (Text("ΔT"), "K"), (Text("Q"), "L/min"),
     )  # fmt: skip
     note = Text("On the clearance as given. The own solution of Reynolds' equation judges, on the warm clearance.")

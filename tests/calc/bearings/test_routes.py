@@ -45,7 +45,7 @@ def test_the_spread_is_the_farthest_from_reynolds(gamma_results):
 def test_the_warning_says_who_is_off_and_why(gamma_results):
     found = {c.id: c for c in gamma_results.outcomes["bearings"].checks}
     front, rear = (found[f"bearings.{place}.routes_spread"].advice for place in ("front", "rear"))
-    assert "DIN 31652 is −14 % off: Falz's two branches" in front and "short bearing is +18 % off" in front
+    assert "Falz, as the thesis uses it is −14 % off: Falz's two branches" in front and "short bearing is +18 % off" in front
     assert "Raimondi" not in front
     assert "Raimondi & Boyd is −15 % off: its cubic in d/l" in rear
 
@@ -61,7 +61,7 @@ def test_a_groove_is_unknown_to_the_source_s_methods(gamma):
     found = outcome(gamma, supply="groove", groove_width_mm=4.0)
     advice = {c.id: c for c in found.checks}["bearings.front.routes_spread"].advice
     assert "takes the whole length, where the groove parts the film" in advice
-    wrong = next(e for e in found.errata if e.about == "bearings.front.din31652.film")
+    wrong = next(e for e in found.errata if e.about == "bearings.front.falz.film")
     assert wrong.source_value == pytest.approx(13.2, abs=0.05)
 
 
