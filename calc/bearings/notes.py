@@ -122,7 +122,7 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
 
 def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
     """What the source's methods give for this bearing, where they leave out or mistake what matters."""
-    if r.raimondi_boyd is not None:
+    if r.raimondi_boyd is not None and r.duty.supply_pressure > 0:
         given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
         expansion = Text(
             "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when warm and "

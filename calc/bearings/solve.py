@@ -217,8 +217,9 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         specific_load=p, pressure_velocity=pv, heat_index=W, surface_speed=u, shear_rate=shear, length_ratio=ratio, transition_speed=n_T,
         least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
         trumpler_film=trumpler, routes_spread=side.spread, reynolds=routes["reynolds"], raimondi_boyd=routes["raimondi_boyd"],
-        falz=routes["falz"], short_bearing=routes["short_bearing"], corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty,
-        sweep=swept, side=side, beside=beside)  # fmt: skip
+        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], falz=routes["falz"], short_bearing=routes["short_bearing"],
+        corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty, sweep=swept, side=side,
+        beside=beside)  # fmt: skip
 
 
 def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:

@@ -12,13 +12,14 @@ from .. import formulas as f
 from ..film.table import eccentricity_from
 from ..inputs import IN_WORDS
 from .balance import balanced
-from .raimondi_boyd import OutsideCharts
-from .routes import Route, falz, own_cold, raimondi_boyd, short_bearing
-from .states import BearingCase, Film, OperatingPoint
+from .routes import Route, falz, own_cold, raimondi_boyd, raimondi_boyd_own_flow, short_bearing
+from .states import BearingCase, Film, OperatingPoint, OutsideCharts
 
 SPREAD = 0.10  # rule of this program
 ROUTES: dict[str, tuple[Text, Route]] = {
-    "reynolds": (Text("Reynolds' equation"), own_cold), "raimondi_boyd": (Text("Raimondi & Boyd"), raimondi_boyd),
+    "reynolds": (Text("Reynolds' equation"), own_cold),
+    "raimondi_boyd": (Text("Raimondi & Boyd, supply flow of the thesis"), raimondi_boyd),
+    "raimondi_boyd_own_flow": (Text("Raimondi & Boyd, own flow"), raimondi_boyd_own_flow),
     "falz": (Text("Falz, as the thesis uses it"), falz), "short_bearing": (Text("short bearing"), short_bearing),
 }  # fmt: skip
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
@@ -78,7 +79,7 @@ def reason(name: str, side: Side) -> Text:
             oil_flow2=own_flow,
             hotter=hotter,
         )
-    if name == "raimondi_boyd":
+    if name.startswith("raimondi_boyd"):
         return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
     if name == "falz":
         return Text(

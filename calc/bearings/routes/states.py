@@ -75,6 +75,10 @@ class Seized(ValueError):
     """The journal has no clearance left at this temperature."""
 
 
+class OutsideCharts(ValueError):
+    """The point lies outside what a published method shows."""
+
+
 class OutsideBalance(ValueError):
     """The heat of the film is not carried away at any temperature that is looked at.  `end`: what ends the film above, if it ends."""
 

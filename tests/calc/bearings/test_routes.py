@@ -1,4 +1,4 @@
-"""The four routes side by side: what each finds, how far off it is, and why."""
+"""The routes side by side: what each finds, how far off it is, and why."""
 
 import pytest
 
@@ -27,7 +27,7 @@ def test_the_own_solution_on_the_clearance_as_given(gamma, changes, place, film,
     assert r.friction_power == pytest.approx(power, abs=0.06)
 
 
-def test_all_four_have_their_row(gamma_results):
+def test_all_have_their_row(gamma_results):
     found = gamma_results.outcomes["bearings"]
     table = next(t for t in found.tables if t.id == "routes_front")
     assert [row[0] for row in table.rows] == [title for title, _ in ROUTES.values()]
@@ -47,7 +47,7 @@ def test_the_warning_says_who_is_off_and_why(gamma_results):
     front, rear = (found[f"bearings.{place}.routes_spread"].advice for place in ("front", "rear"))
     assert "Falz, as the thesis uses it is −14 % off: Falz's two branches" in front and "short bearing is +18 % off" in front
     assert "Raimondi" not in front
-    assert "Raimondi & Boyd is −15 % off: its cubic in d/l" in rear
+    assert "Raimondi & Boyd, supply flow of the thesis is −15 % off: its cubic in d/l" in rear
 
 
 def test_a_route_whose_flow_is_another_is_told_by_its_flow(gamma):
@@ -68,4 +68,4 @@ def test_a_groove_is_unknown_to_the_source_s_methods(gamma):
 def test_a_route_outside_its_charts_has_no_value_and_a_note(gamma):
     found = outcome(gamma, front__length_mm=12.0)
     assert found.result.bearings["front"].raimondi_boyd is None
-    assert any("Raimondi & Boyd gives no value here" in note for note in found.notes)
+    assert any("Raimondi & Boyd, own flow gives no value here" in note for note in found.notes)

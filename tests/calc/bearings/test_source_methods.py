@@ -10,6 +10,7 @@ from calc.bearings import formulas as f
 from calc.bearings.film.table import film_at
 from calc.bearings.routes import falz, flow
 from calc.bearings.routes import raimondi_boyd as rb
+from calc.bearings.routes.states import OutsideCharts
 from calc.catalogue import oils
 from calc.lubricant import Lubricant
 
@@ -115,15 +116,15 @@ def test_chart_interpolation_of_the_source(b, S, film, friction):
 
 
 def test_the_charts_refuse_what_they_do_not_show():
-    with pytest.raises(rb.OutsideCharts, match="l/d"):
+    with pytest.raises(OutsideCharts, match="l/d"):
         rb.relative_film(0.1, 0.2)
-    with pytest.raises(rb.OutsideCharts, match="below the charts"):
+    with pytest.raises(OutsideCharts, match="below the charts"):
         rb.relative_film(1e-4, 0.5)
 
 
 def test_the_charts_are_met_at_their_own_points():
-    assert rb.chart_readings(0.319)[0.5] == pytest.approx((0.4, 8.1))
-    assert rb.chart_readings(0.0446)[1.0] == pytest.approx((0.2, 1.7))
+    assert rb.chart_readings(0.319)[0.5][:2] == pytest.approx((0.4, 8.1))
+    assert rb.chart_readings(0.0446)[1.0][:2] == pytest.approx((0.2, 1.7))
     assert rb.relative_film(0.261, 0.25) == pytest.approx(0.2)
 
 
