@@ -151,7 +151,7 @@ def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> N
     return mu * n_h / (p * psi**2)
 
 
-@formula("So", "DIN 31652-1: Sommerfeld number")
+@formula("So", "ISO 7902-1 (DIN 31652-1): Sommerfeld number")
 def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond) -> Number:
     """>>> sommerfeld_din(p=1043000, psi=0.002359, mu=0.007281, omega=272.3)
     2.927531...
@@ -346,7 +346,7 @@ def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
     return largest(u / ONE_METRE_PER_SECOND, 3.0) * n_T
 
 
-@formula("Δh/h", "distance of a route's film from that of Reynolds' equation", unit="%", names={"reference": "h_R"})
+@formula("Δh/h", "distance of a route's film from Reynolds' equation, the oil as warm", unit="%", names={"reference": "h_R"})
 def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Both bearings: judged by the program's own solution on the warm clearance, beside three other routes to the film."""
+"""Both bearings: judged by the program's own solution on the warm clearance, beside the other routes to the film."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -217,7 +217,8 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         specific_load=p, pressure_velocity=pv, heat_index=W, surface_speed=u, shear_rate=shear, length_ratio=ratio, transition_speed=n_T,
         least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
         trumpler_film=trumpler, routes_spread=side.spread, reynolds=routes["reynolds"], raimondi_boyd=routes["raimondi_boyd"],
-        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], falz=routes["falz"], short_bearing=routes["short_bearing"],
+        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], iso7902=routes["iso7902"], falz=routes["falz"],
+        short_bearing=routes["short_bearing"],
         corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty, sweep=swept, side=side,
         beside=beside)  # fmt: skip
 

@@ -27,12 +27,12 @@ def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecon
     return Q_rel * share * d * g * n_h * l / 4
 
 
-@formula("q_1", "DIN 31652-2, side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
+@formula("q_1", "ISO 7902-2 (DIN 31652-2), side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
 def side_flow_factor(b: Number, eps: Number) -> Number:
     return (b - 0.223 * b**3) * eps / 4
 
 
-@formula("Q_1", "DIN 31652-2, side flow", unit="L/min")
+@formula("Q_1", "ISO 7902-2 (DIN 31652-2), side flow", unit="L/min")
 def side_flow_din(d: Metre, psi: Number, omega: RadPerSecond, q_1: Number) -> CubicMetrePerSecond:
     return d**3 * psi * omega * q_1
 
@@ -104,7 +104,7 @@ def swept_part_groove_factor(eps: Number, delta_A: Radian, delta_E: Radian, d: M
     return (delta_E - delta_A) / 48 * (1 + 1.5 * eps**2) * d / (l - b_G)
 
 
-@formula("Q_2", "DIN 31652-2, flow by supply pressure", unit="L/min")
+@formula("Q_2", "ISO 7902-2 (DIN 31652-2), flow by supply pressure", unit="L/min")
 def supply_flow(d: Metre, psi: Number, p_s: Pascal, mu: PascalSecond, q_2: Number) -> CubicMetrePerSecond:
     return d**3 * psi**3 * p_s / mu * q_2
 

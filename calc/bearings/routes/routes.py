@@ -20,6 +20,7 @@ from ..film.table import eccentricity_from, film_at
 from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
 from . import falz as by_falz
 from . import flow, supply
+from . import iso7902 as iso
 from . import raimondi_boyd as rb
 from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
@@ -106,6 +107,23 @@ def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow
     Q = rb.film_flow(Q_rel=rb.relative_flow(S=S, b=ratio), d=b.diameter, g=g, n_h=duty.effective_speed, l=l if lands == 1 else lands * l)
     Q_s = rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
+
+
+def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as given."""
+    b, g = seat.bearing, seat.clearance
+    T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
+    oil = seat.oil_at(T)
+    psi = f.relative_clearance(g=g, d=b.diameter)
+    lands, l, p = _land(seat, duty)
+    omega = f.angular_speed(n=duty.effective_speed)
+    So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
+    ratio = f.length_ratio(l=l, d=b.diameter)
+    eps = iso.eccentricity(So=So, b=ratio)
+    beta = iso.attitude_angle(eps=eps, b=ratio)
+    f_v = _friction_variable(duty, So, eps, beta)
+    Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps)) if lands == 1 else None
+    return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
 
 
 def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:

@@ -55,7 +55,7 @@ class Film:
     clearance: Metre = value("Clearance (diametral)", "µm", "g")
     relative_clearance: Number = value("Relative clearance", "‰", "ψ")
     specific_load: Pascal = value("Specific load", "MPa", "p")
-    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
+    sommerfeld: Number = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
     film: Metre = value("Smallest film", "µm", "h_0")
     friction_coefficient: Number = value("Coefficient of friction", "", "f")
