@@ -153,7 +153,7 @@ def test_plain_check_has_every_value_and_every_check_of_the_json(checked):
     text = run("check", GAMMA).stdout
     # an old name beside the present one: in the JSON only
     former = [id for id in checked[1]["values"] if id.endswith(".pitch_diameter") or ".din31652." in id]
-    assert len(former) == 4 + 2 * 8
+    assert len(former) == 4 + 2 * 10
     for name in [*(checked[1]["values"].keys() - set(former)), *(c["id"] for c in checked[1]["checks"])]:
         assert name in text
 
