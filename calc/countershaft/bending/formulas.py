@@ -123,6 +123,14 @@ def natural_frequency(
     return b.natural_frequency(model) / (2 * pi)
 
 
+@formula("f_1", Text("{finite}; without rotary inertia", finite=FINITE), shows="the same root, M of μ and m alone")
+def natural_frequency_without_rotary(
+    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
+) -> RevPerSecond:
+    """To compare with beams that leave it out."""
+    return b.natural_frequency(model) / (2 * pi)
+
+
 @formula("M_max", FINITE, shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING))
 def largest_moment(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram,
     omega: RadPerSecond, z: Metre, z_B: Metre, u: Bent) -> NewtonMetre:  # fmt: skip

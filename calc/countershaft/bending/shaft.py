@@ -57,6 +57,7 @@ class Bending:
     slopes_stiff: Array
     natural_frequency: RevPerSecond
     natural_frequency_stiff: RevPerSecond
+    natural_frequency_without_rotary: RevPerSecond
     speed: RevPerSecond
     reactions: ComplexArray
     plane: Radian
@@ -126,7 +127,8 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
     return Bending(largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
-        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1], speed=based_on(abs(omega) / (2 * math.pi), omega),
+        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1],
+        natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
         reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
         deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
 
@@ -161,8 +163,11 @@ def _shared(material: Material, core: Any, eta: Number, inertia: Any) -> Any:
 
 def _frequencies(
     shaft: _Shaft, material: Material, core: Any, eta: Number, stiffnesses: tuple[Any, Any]
-) -> tuple[RevPerSecond, RevPerSecond]:
-    """The lowest natural frequency with the shared and with the whole stiffness, each in the weaker plane of the sections."""
+) -> tuple[RevPerSecond, RevPerSecond, RevPerSecond]:
+    """The lowest natural frequency with the shared and with the whole stiffness, and the first without rotary inertia.
+
+    Each in the weaker plane of the sections.
+    """
     outline = shaft.outline
     inertia = each(outline.inertia)
     if shaft.sector.any():
@@ -173,10 +178,11 @@ def _frequencies(
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             inertia = weaker
     j = f.rotary_inertia(rho=material.density, I=inertia)
-    rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, j=j, m=shaft.masses, z=shaft.ends, z_B=shaft.positions)
+    rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, m=shaft.masses, z=shaft.ends, z_B=shaft.positions)
     shared, whole = stiffnesses
-    first = f.natural_frequency(EI=shared, **rest, model=shaft.model(shared, rotary=j))
-    return first, first if eta == 1 else f.natural_frequency(EI=whole, **rest, model=shaft.model(whole, rotary=j))
+    first = f.natural_frequency(EI=shared, j=j, **rest, model=shaft.model(shared, rotary=j))
+    stiff = first if eta == 1 else f.natural_frequency(EI=whole, j=j, **rest, model=shaft.model(whole, rotary=j))
+    return first, stiff, f.natural_frequency_without_rotary(EI=shared, **rest, model=shaft.model(shared))
 
 
 def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, Radian], whole: tuple[Number, Radian],
