@@ -115,7 +115,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
                 journal_fit=inputs.journal_fit, seat_fit=inputs.seat_fit))  # fmt: skip
     if inputs.supply != "groove":
-        width = (inputs.pocket_width if inputs.supply == "pocket" else inputs.hole_diameter) or 0.0
+        widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
+        width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
         yield on("supply_range", Text("Width of the oil supply over the length"), width / bearing.length, "in", SUPPLY_WIDTH, "",
             Text("range of the supply factors, DIN 31652-2"),
             Text("Outside, the flow through the hole or pocket is not to be trusted."))  # fmt: skip

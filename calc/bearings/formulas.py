@@ -224,6 +224,11 @@ def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number)
     return k_s**2 * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
 
+@formula("f*", "the same, sheared where there is land and not in the grooves", names={"land": "λ"})
+def friction_variable_grooved(So: Number, eps: Number, phi: Radian, k_s: Number, land: Number) -> Number:
+    return k_s**2 * land * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
+
+
 @formula("f", "Raimondi & Boyd 1958: friction variable f* = f/ψ", names={"f_v": "f*"})
 def friction_coefficient(psi: Number, f_v: Number) -> Number:
     """>>> friction_coefficient(psi=0.002359, f_v=2.325)

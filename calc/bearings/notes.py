@@ -100,6 +100,10 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
         if supply.lands(inputs) == 2:
             return Text("The load comes over the groove: the bearing is taken as two lands throughout, the lower bound of its film.")
         return Text("The groove lies in the unloaded half and keeps its angle to the load: the film is that of the whole length.")
+    if inputs.supply == "axial_groove":
+        return Text(
+            "The film begins and ends at its axial grooves, which keep their angle to the load; the other methods do not know them."
+        )
     what = Text("pocket") if inputs.supply == "pocket" else Text("hole")
     if supply.keeps_its_angle(inputs):
         degrees = UNITS["°"].shown(inputs.supply_angle)

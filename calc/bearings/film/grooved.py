@@ -21,21 +21,13 @@ from ...sheet.arrays import Array
 from ...sheet.arrays import BoolArray as Mask
 from ...sheet.record import record
 from ...sheet.text import Text
+from .feeds import Feed
 from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, solved_where_active
 
 LEVELS = (4, 2, 1)  # coarser than the finest grid by
 TURN_TOLERANCE = 1e-9  # rad, of the attitude angle
 NUDGE = 0.02  # of the narrowest film: how far the journal is displaced for its stiffness
 SPEED = 1e-3  # of c·ω·(1 − ε): how fast it moves for its damping
-
-
-@record
-class Feed:
-    """A groove or pocket along the bearing."""
-
-    angle: float  # of its middle, from the load in the sense in which the film is dragged, rad
-    arc: float  # around, rad
-    share: float = 1.0  # of the bearing's length
 
 
 @record
@@ -98,7 +90,7 @@ def solve_grooved(
     k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy = (rate / load for rate in rates)
     return GroovedFilm(
         eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=1 / (2 * math.pi * So), attitude=phi,
-        friction=_sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi), side_flow=side_flow,
+        friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi), side_flow=side_flow,
         pressure_ratio=load / 2 / peak, k_xx=k_xx, k_xy=k_xy, k_yx=k_yx, k_yy=k_yy, c_xx=c_xx, c_xy=c_xy, c_yx=c_yx, c_yy=c_yy,
     )  # fmt: skip
 
@@ -109,10 +101,14 @@ def _require(eccentricity: float, feeds: tuple[Feed, ...]) -> None:
         raise ValueError(f"eccentricity ratio {eccentricity:g}: Reynolds' equation is solved from {low:g} to {high:g}")
     if not feeds or len({feed.share for feed in feeds}) > 1:
         raise ValueError("one feed or more, all of one length")
+    if overlap(feeds):
+        raise ValueError("the feeds overlap")
+
+
+def overlap(feeds: tuple[Feed, ...]) -> bool:
     turns = sorted((feed.angle % (2 * math.pi), feed.arc) for feed in feeds)
     after = [*turns[1:], (turns[0][0] + 2 * math.pi, turns[0][1])]
-    if any(one + arc / 2 >= other - next_arc / 2 for (one, arc), (other, next_arc) in zip(turns, after)):
-        raise ValueError("the feeds overlap")
+    return any(one + arc / 2 >= other - next_arc / 2 for (one, arc), (other, next_arc) in zip(turns, after))
 
 
 Force = Callable[[float, float, float, float], _Force]
@@ -163,7 +159,7 @@ def _state(force: Force, eccentricity: float, phi: float) -> Array:
     return np.array([phi, load, at_rest.side_flow, at_rest.peak, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy])
 
 
-def _sheared(eccentricity: float, phi: float, feeds: tuple[Feed, ...]) -> float:
+def sheared(eccentricity: float, phi: float, feeds: tuple[Feed, ...]) -> float:
     """∫dα/h over the land, the feeds' share of the length left out."""
     shear = 2 * math.pi / math.sqrt(1 - eccentricity**2)
     for feed in feeds:

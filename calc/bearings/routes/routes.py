@@ -12,10 +12,12 @@ import numpy as np
 from ...lubricant import State
 from ...sheet.arrays import each
 from ...sheet.errors import NoSolution
-from ...sheet.text import Amount, Text
+from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import based_on
 from .. import formulas as f
+from ..film import grooved_table as grooved
 from ..film import short_bearing as short
+from ..film.feeds import Feeds
 from ..film.table import eccentricity_from, film_at
 from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
 from . import falz as by_falz
@@ -58,6 +60,9 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=f.angular_speed(n=duty.effective_speed))
     p_rel = None
+    grooves = seat.grooves
+    if grooves is not None and not without_length:
+        return _with_grooves(seat, duty, grooves, T, oil, g, psi, p, S, So, ratio, l)
     if without_length:
         eps = short.eccentricity(S=S, b=ratio)
         phi, Q_rel, share = short.attitude_angle(eps=eps), short.relative_flow(eps=eps), short.side_flow_share(eps=eps)
@@ -74,6 +79,30 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
     h_0 = f.film(g=g, eps=eps)
     p_max = None if p_rel is None else f.largest_pressure(p=p, ratio=p_rel)
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_1, phi, p_max)
+
+
+def _with_grooves(
+    seat: BearingCase, duty: OperatingPoint, grooves: Feeds, T: float, oil: State, g: float, psi: float, p: float, S: float, So: float,
+    ratio: float, l: float,
+) -> Film:  # fmt: skip
+    """The film between axial grooves; one l/d, any number of states."""
+    b, inputs = seat.bearing, seat.inputs
+    if isinstance(S, float):
+        ratio = based_on(ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length)
+        eps = grooved.eccentricity(S=S, b=ratio, grooves=grooves)
+        at: dict[str, Any] = dict(eps=eps, b=ratio, grooves=grooves)
+        phi, q_s, p_rel = grooved.attitude_angle(**at), grooved.relative_side_flow(**at), grooved.pressure_ratio(**at)
+        land = grooved.sheared_share(**at)
+    else:
+        one = np.unique(np.asarray(ratio))
+        if one.size != 1:
+            raise NoSolution(Text("axial grooves are not searched over lengths and diameters"), EMPTY, Text("choose sizes with a hole"))
+        eps = each(grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan"))
+        state: Any = grooved.film_at(eps, one.item(), grooves)
+        phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
+    f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
+    Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
+    return _film(seat, duty, T, oil, g, psi, p, S, eps, f.film(g=g, eps=eps), f_v, Q_1, phi, f.largest_pressure(p=p, ratio=p_rel))
 
 
 def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:

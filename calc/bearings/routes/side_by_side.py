@@ -53,6 +53,8 @@ class Side:
     @property
     def compared(self) -> dict[str, float]:
         """Those that the spread is of."""
+        if self.spread is None:
+            return {}
         return {name: self.alike[name] for name in SOLVE_THE_FILM if name in self.alike and _compared(name, self.films[name], self.ratio)}
 
 
@@ -75,7 +77,7 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
     alike: dict[str, float] = {}
     spread: float | None = None
     for name in deviations:
-        counts = _compared(name, films[name], ratio)
+        counts = seat.grooves is None and _compared(name, films[name], ratio)
         same = _at_the_same_oil(place, name, seat, duty, own, shown=counts)
         if same is None:
             continue
