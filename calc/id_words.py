@@ -33,9 +33,10 @@ INSIDE: dict[str, Text] = {  # wherever they stand below a part of these steps
     "imbalance.backward": Text("backward"), "imbalance.backward_2": Text("backward 2"), "imbalance.forward": Text("forward"),
     "imbalance.forward_2": Text("forward 2"), "imbalance.two_term": Text("two term"),
     "engine.journal": Text("journal"), "engine.pin": Text("pin"),
-    "bearings.corners": Text("corners"), "bearings.din31652": Name("DIN 31652"), "bearings.dynamics": Text("dynamics"),
-    "bearings.raimondi_boyd": Name("Raimondi & Boyd"), "bearings.reynolds": Name("Reynolds"),
-    "bearings.short_bearing": Text("short bearing"),
+    "bearings.corners": Text("corners"), "bearings.dynamics": Text("dynamics"), "bearings.falz": Name("Falz"),
+    "bearings.iso7902": Name("ISO 7902"),
+    "bearings.raimondi_boyd": Name("Raimondi & Boyd"), "bearings.raimondi_boyd_own_flow": Text("Raimondi & Boyd, own flow"),
+    "bearings.reynolds": Name("Reynolds"), "bearings.short_bearing": Text("short bearing"),
 }  # fmt: skip
 
 

@@ -5,9 +5,9 @@ from typing import TYPE_CHECKING
 
 from ..lazy import lazy
 
-__all__ = ["film_at", "relative_clearance", "solve_film", "sommerfeld", "specific_load"]
+__all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 
 if TYPE_CHECKING:
-    from .public import film_at, relative_clearance, solve_film, sommerfeld, specific_load
+    from .public import Feed, film_at, relative_clearance, solve_film, solve_grooved, sommerfeld, specific_load
 else:
     __getattr__ = lazy(__name__, __all__)

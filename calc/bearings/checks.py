@@ -27,7 +27,7 @@ from . import formulas as f
 from .film.optimum import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
-from .routes.side_by_side import ROUTES, SPREAD, reason
+from .routes.side_by_side import ROUTES, SPREAD, film_reason
 
 # Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (as generally published), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
@@ -94,7 +94,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("A thicker or cooler oil, or a lower specific load, for a stable film."))  # fmt: skip
     if r.routes_spread is not None:
         yield on("routes_spread", Text("Spread of the routes"), r.routes_spread, "<=", SPREAD, "%",
-            Text("rule of this program, on the clearance as given"), _outside(r))  # fmt: skip
+            Text("rule of this program, on the clearance as given and with the oil of the own solution"), _outside(r))  # fmt: skip
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
         yield on("film_edge_usual", Text("Film at the edge against h_lim"), r.film_edge, ">=", h_lim, "µm",
             Text("in the manner of ISO 7902-3, as generally published"), Text("Lengthen the bearing or lower the clearance."))  # fmt: skip
@@ -115,7 +115,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
             Text("{journal_fit} in {seat_fit} makes other clearances: choose other fits, or leave the clearance out.",
                 journal_fit=inputs.journal_fit, seat_fit=inputs.seat_fit))  # fmt: skip
     if inputs.supply != "groove":
-        width = (inputs.pocket_width if inputs.supply == "pocket" else inputs.hole_diameter) or 0.0
+        widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
+        width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
         yield on("supply_range", Text("Width of the oil supply over the length"), width / bearing.length, "in", SUPPLY_WIDTH, "",
             Text("range of the supply factors, DIN 31652-2"),
             Text("Outside, the flow through the hole or pocket is not to be trusted."))  # fmt: skip
@@ -159,14 +160,13 @@ def _fits(r: BearingResult) -> tuple[float, float] | None:
 
 def _outside(r: BearingResult) -> Text:
     """Which routes are further off than the spread allows, by how much and why."""
-    own = r.side.films["reynolds"].film
     far_off = [
         Text(
-            "{routes} is {film} % off: {reason}", routes=ROUTES[name][0],
-            film=Amount((r.side.films[name].film / own - 1) * 100, form="+.0f"), reason=reason(name, r.side),
+            "{routes} is {film} % off: {reason}", routes=ROUTES[name][0], film=Amount(far * 100, form="+.0f"),
+            reason=film_reason(name, r.side.films[name], r.side.ratio),
         )
-        for name, far in r.side.deviations.items()
-        if far > SPREAD
+        for name, far in r.side.compared.items()
+        if abs(far) > SPREAD
     ]  # fmt: skip
     return SEMICOLON.join([*far_off, Text("the own solution of Reynolds' equation judges.")]) if far_off else EMPTY
 

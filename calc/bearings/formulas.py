@@ -151,7 +151,7 @@ def sommerfeld(mu: PascalSecond, n_h: RevPerSecond, p: Pascal, psi: Number) -> N
     return mu * n_h / (p * psi**2)
 
 
-@formula("So", "DIN 31652-1: Sommerfeld number")
+@formula("So", "ISO 7902-1 (DIN 31652-1): Sommerfeld number")
 def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond) -> Number:
     """>>> sommerfeld_din(p=1043000, psi=0.002359, mu=0.007281, omega=272.3)
     2.927531...
@@ -222,6 +222,11 @@ def sliding_ratio(n_J: RevPerSecond, n_B: RevPerSecond, n_h: RevPerSecond) -> Nu
 @formula("f*", "the same, the shear by the sliding speed and the pressure by the hydrodynamic one (balance of power in the load's frame)")
 def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number) -> Number:
     return k_s**2 * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
+
+
+@formula("f*", "the same, sheared where there is land and not in the grooves", names={"land": "λ"})
+def friction_variable_grooved(So: Number, eps: Number, phi: Radian, k_s: Number, land: Number) -> Number:
+    return k_s**2 * land * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
 
 @formula("f", "Raimondi & Boyd 1958: friction variable f* = f/ψ", names={"f_v": "f*"})
@@ -346,7 +351,7 @@ def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
     return largest(u / ONE_METRE_PER_SECOND, 3.0) * n_T
 
 
-@formula("Δh/h", "distance of a route's film from that of Reynolds' equation", unit="%", names={"reference": "h_R"})
+@formula("Δh/h", "distance of a route's film from Reynolds' equation, the oil as warm", unit="%", names={"reference": "h_R"})
 def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 

@@ -61,8 +61,8 @@ class BearingsInputs:
         help="Of the oil in the gallery before the bearing.")  # fmt: skip
     supply_pressure: float = quantity("Supply pressure", "bar", low=0, high=100, symbol="p_s", step=0.1, usual=(1, 6), source=THUMB,
         help="Of the oil in the gallery, above ambient.")  # fmt: skip
-    supply: str = choice("Oil supply", "hole", "groove", "pocket", "shaft",
-        help="hole, groove, pocket: in the seat. shaft: through holes in the journal, turning with the load.")  # fmt: skip
+    supply: str = choice("Oil supply", "hole", "groove", "pocket", "shaft", "axial_groove",
+        help="hole, groove, pocket, axial_groove: in the seat. shaft: through holes in the journal, turning with the load.")  # fmt: skip
     hole_diameter: float | None = quantity(
         "Oil hole diameter", "mm", default=None, low=0.1, high=200, symbol="d_H", source="DIN 31652-2",
         help=Text(
@@ -88,6 +88,13 @@ class BearingsInputs:
     pocket_length: float | None = quantity(
         "Pocket length", "mm", default=None, low=0.1, high=500, symbol="l_P", help="Around the seat; the flow does not ask for it."
     )
+    axial_groove_angles: tuple[float, ...] | None = series(
+        "Axial grooves at", "°", default=None, count=(1, 4), low=0, high=360, symbol="delta_A",
+        help="Middles, from the load in the sense in which the film is dragged past it; [90, 270] for a split bearing.")  # fmt: skip
+    axial_groove_width: float | None = quantity("Axial groove width", "mm", default=None, low=0.1, high=500, symbol="w_A",
+        help="Around the seat; the film ends at its edges.")  # fmt: skip
+    axial_groove_length: float | None = quantity("Axial groove length", "mm", default=None, low=0.1, high=1000, symbol="l_A",
+        help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.")  # fmt: skip
     expansion_restraint: float = quantity("Expansion held back", default=0.0, low=0, high=1, symbol="chi", step=0.05,
         help="Share of the housing's thermal expansion that the block holds back.")  # fmt: skip
     bush_material: str | None = text(
@@ -139,10 +146,14 @@ class BearingsInputs:
         return (self.journal_fit, self.seat_fit) != (ASSUMED_FIT, ASSUMED_FIT)
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        needs = {"hole": ("hole_diameter",), "shaft": ("hole_diameter",), "groove": ("groove_width",), "pocket": ("pocket_width",)}
+        needs = {
+            "hole": ("hole_diameter",), "shaft": ("hole_diameter",), "groove": ("groove_width",), "pocket": ("pocket_width",),
+            "axial_groove": ("axial_groove_angles", "axial_groove_width", "axial_groove_length"),
+        }  # fmt: skip
         for name in needs[self.supply]:
             if getattr(self, name) is None:
-                yield f"{name}_mm", Text('needed with supply = "{supply}"', supply=self.supply)
+                unit = "deg" if name.endswith("angles") else "mm"
+                yield f"{name}_{unit}", Text('needed with supply = "{supply}"', supply=self.supply)
         if abs(1 + self.bush_speed_ratio - 2 * self.load_speed_ratio) < LEAST_SPEED_SHARE:
             yield (
                 "load_speed_ratio",
@@ -155,6 +166,14 @@ class BearingsInputs:
             )
         if self.bush_speed_ratio == 1:
             yield "bush_speed_ratio", Text("a bush that turns with the journal does not slide on it; anything but 1 is allowed")
+        if self.supply == "axial_groove" and self.load_speed_ratio != self.bush_speed_ratio:
+            yield "supply", Text("a load that sweeps over axial grooves has no steady film: they need load_speed_ratio = bush_speed_ratio")
+        if self.supply == "axial_groove" and self.axial_groove_angles is not None and self.axial_groove_width is not None:
+            for place, bearing in (("front", self.front), ("rear", self.rear)):
+                angles = sorted(angle % (2 * pi) for angle in self.axial_groove_angles)
+                apart = min(b - a for a, b in zip(angles, [*angles[1:], angles[0] + 2 * pi]))
+                if apart <= 2 * self.axial_groove_width / bearing.diameter:
+                    yield "axial_groove_angles_deg", Text("the grooves of the {place} bearing overlap", place=IN_WORDS[place])
         if self.groove_arc is not None and self.groove_arc[0] >= self.groove_arc[1]:
             yield "groove_arc_deg", Text("must rise: from, to")
         if self.speed_range is not None and self.speed_range[0] >= self.speed_range[1]:
@@ -168,7 +187,7 @@ class BearingsInputs:
             if bearing.clearance is None and bearing.clearance_factor is None and not placed:
                 letters = Text("journal_fit and seat_fit with their letters (f7, H7)")
                 yield f"{place}.clearance_um", Text("give clearance_um or clearance_factor, or {letters}", letters=letters)
-            for name in ("hole_diameter", "groove_width", "pocket_width"):
+            for name in ("hole_diameter", "groove_width", "pocket_width", "axial_groove_length"):
                 width = getattr(self, name)
                 if width is not None and width >= bearing.length:
                     yield f"{name}_mm", Text("must be smaller than the length of the {place} bearing", place=IN_WORDS[place])

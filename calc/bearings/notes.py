@@ -14,7 +14,7 @@ from .materials.data import running_surface
 from .materials.suitability import fatigue_note
 from .result import BearingResult
 from .routes import supply
-from .routes.din31652 import film_heavily_loaded
+from .routes.falz import film_heavily_loaded
 from .routes.side_by_side import ROUTES
 
 TURNS = Text(
@@ -100,6 +100,10 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
         if supply.lands(inputs) == 2:
             return Text("The load comes over the groove: the bearing is taken as two lands throughout, the lower bound of its film.")
         return Text("The groove lies in the unloaded half and keeps its angle to the load: the film is that of the whole length.")
+    if inputs.supply == "axial_groove":
+        return Text(
+            "The film begins and ends at its axial grooves, which keep their angle to the load; the other methods do not know them."
+        )
     what = Text("pocket") if inputs.supply == "pocket" else Text("hole")
     if supply.keeps_its_angle(inputs):
         degrees = UNITS["°"].shown(inputs.supply_angle)
@@ -122,7 +126,7 @@ def _feed(inputs: BearingsInputs, results: Mapping[str, BearingResult]) -> Text:
 
 def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
     """What the source's methods give for this bearing, where they leave out or mistake what matters."""
-    if r.raimondi_boyd is not None:
+    if r.raimondi_boyd is not None and r.duty.supply_pressure > 0:
         given, hot, cold = (Amount(g * 1e6, form=".1f") for g in (r.clearance, r.clearance_hot, r.clearance_cold))
         expansion = Text(
             "The thesis leaves thermal expansion out: its clearance of {clearance} µm becomes {clearance_hot} µm when warm and "
@@ -131,12 +135,12 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         yield Erratum(f"bearings.{place}.film", Text("Smallest film, {place}", place=IN_WORDS[place]), r.raimondi_boyd.film * 1e6, "µm",
             Text("method of Finotti 2013, 5.5.1, on the clearance as given"),
             expansion + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""))  # fmt: skip
-    if r.din31652 is not None and 0.9 < r.din31652.sommerfeld <= 1:
+    if r.falz is not None and 0.9 < r.falz.sommerfeld <= 1:
         with untraced():
-            wrong = film_heavily_loaded(r.clearance, r.din31652.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
-        So = Amount(r.din31652.sommerfeld, form=".3f")
+            wrong = film_heavily_loaded(r.clearance, r.falz.sommerfeld, r.seat.bearing.length / r.seat.bearing.diameter)
+        So = Amount(r.falz.sommerfeld, form=".3f")
         yield Erratum(
-            f"bearings.{place}.din31652.film", Text("Film by DIN 31652, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
+            f"bearings.{place}.falz.film", Text("Film by Falz, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
             Text("method of Finotti 2013, Table 5.4: the branch of the first pass"),
             Text("So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.", sommerfeld=So),
         )  # fmt: skip

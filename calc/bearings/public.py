@@ -4,6 +4,8 @@
 from ..catalogue import Oil, materials, oils
 from ..lubricant import Lubricant
 from ..sheet.units import Celsius, Metre, Newton, Number, Pascal, RevPerSecond
+from .film.feeds import Feed
+from .film.grooved import solve_grooved
 from .film.table import film_at
 from .formulas import relative_clearance, sommerfeld, specific_load
 from .inputs import BearingInputs, BearingsInputs
@@ -12,7 +14,7 @@ from .routes.routes import own_cold, own_warm
 from .routes.states import BearingCase, Film
 from .solve import operating_point
 
-__all__ = ["film_at", "relative_clearance", "solve_film", "sommerfeld", "specific_load"]
+__all__ = ["Feed", "film_at", "relative_clearance", "solve_film", "solve_grooved", "sommerfeld", "specific_load"]
 
 
 def solve_film(

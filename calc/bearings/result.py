@@ -30,20 +30,24 @@ class RouteResult:
 
     film: Metre = value("Smallest film", "µm", "h_0")
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
-    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
+    sommerfeld: Number = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
     friction_variable: Number = value("Friction variable", "", "f*")
     friction_coefficient: Number = value("Coefficient of friction", "", "f")
     friction_power: Watt = value("Friction power", "W", "P_f")
     temperature_rise: Kelvin = value("Temperature rise", "K", "ΔT")
     oil_flow: CubicMetrePerSecond = value("Oil flow", "L/min", "Q")
+    side_flow: CubicMetrePerSecond | None = value("of it carried out by the turning film", "L/min", "Q_1", default=None)
+    supply_flow: CubicMetrePerSecond | None = value("of it driven by the supply pressure", "L/min", "Q_2", default=None)
     attitude_angle: Radian | None = value("Attitude angle", "°", "φ", default=None)
+    film_pressure_max: Pascal | None = value("Largest film pressure", "MPa", "p_max", default=None)
 
 
 def route_result(film: Film | None) -> RouteResult | None:
     return None if film is None else RouteResult(
         film=film.film, eccentricity=film.eccentricity, sommerfeld=film.sommerfeld, friction_variable=film.friction_variable,
         friction_coefficient=film.friction_coefficient, friction_power=film.friction_power, temperature_rise=film.temperature_rise,
-        oil_flow=film.oil_flow, attitude_angle=film.attitude)  # fmt: skip
+        oil_flow=film.oil_flow, side_flow=film.side_flow, supply_flow=film.supply_flow if film.side_flow is not None else None,
+        attitude_angle=film.attitude, film_pressure_max=film.largest_pressure)  # fmt: skip
 
 
 @result
@@ -101,10 +105,12 @@ class BearingResult:
     duty_number: Number = value("Duty number", "", "μ·n/p")
     kreisle_film: Metre = value("Film asked for by roughness (Kreisle)", "µm", "h_K")
     trumpler_film: Metre = value("Film asked for by Trumpler", "µm", "h_T")
-    routes_spread: Number | None = value("Spread of the routes' films", "%", default=None)
+    routes_spread: Number | None = value("Spread of the routes' films at the same oil", "%", default=None)
     reynolds: RouteResult | None = group(default=None)
     raimondi_boyd: RouteResult | None = group(default=None)
-    din31652: RouteResult | None = group(default=None)
+    raimondi_boyd_own_flow: RouteResult | None = group(default=None)
+    iso7902: RouteResult | None = group(default=None)
+    falz: RouteResult | None = group(default=None, former="din31652")
     short_bearing: RouteResult | None = group(default=None)
     corners: Corners = group()
     dynamics: Dynamics = group()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Both bearings: judged by the program's own solution on the warm clearance, beside three other routes to the film."""
+"""Both bearings: judged by the program's own solution on the warm clearance, beside the other routes to the film."""
 
 from collections.abc import Iterator
 from dataclasses import replace
@@ -205,7 +205,7 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
     swept = sweep(speed, inputs, bool(bench), speeds[1], over_speeds)
     with about(Text("{place} bearing, speed of the thinnest film", place=IN_WORDS[place])):
         thinnest = _thinnest(seat, duty, swept)
-    reynolds, raimondi_boyd, din31652, short_bearing = (route_result(side.films.get(name)) for name in ROUTES)
+    routes = {name: route_result(side.films.get(name)) for name in ROUTES}
     return BearingResult(
         film=hot.film, film_edge=edge, film_double_load=doubled.film if doubled else None, speed_of_thinnest_film=swept.thinnest_speed,
         thinnest_film=None if thinnest is None else thinnest.film, eccentricity=hot.eccentricity, film_band=band,
@@ -216,9 +216,11 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         clearance=seat.clearance, clearance_hot=hot.clearance, clearance_cold=cold, relative_clearance=hot.relative_clearance, load=load,
         specific_load=p, pressure_velocity=pv, heat_index=W, surface_speed=u, shear_rate=shear, length_ratio=ratio, transition_speed=n_T,
         least_speed=least, least_speed_uncapped=uncapped, mckee_number=mckee, duty_number=number, kreisle_film=kreisle,
-        trumpler_film=trumpler, routes_spread=side.spread, reynolds=reynolds, raimondi_boyd=raimondi_boyd,
-        din31652=din31652, short_bearing=short_bearing, corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty,
-        sweep=swept, side=side, beside=beside)  # fmt: skip
+        trumpler_film=trumpler, routes_spread=side.spread, reynolds=routes["reynolds"], raimondi_boyd=routes["raimondi_boyd"],
+        raimondi_boyd_own_flow=routes["raimondi_boyd_own_flow"], iso7902=routes["iso7902"], falz=routes["falz"],
+        short_bearing=routes["short_bearing"],
+        corners=at_worst, dynamics=moving, hot=hot, seat=seat, duty=duty, sweep=swept, side=side,
+        beside=beside)  # fmt: skip
 
 
 def _thinnest(seat: BearingCase, duty: OperatingPoint, swept: Sweep) -> Film | None:

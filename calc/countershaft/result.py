@@ -91,6 +91,9 @@ class CountershaftResult:
     slope_rear_stiff: Radian | None = value("Slope of the rear journal, full stiffness", "mrad", "θ_r", default=None)
     first_critical_speed: RevPerSecond | None = value("First bending critical speed (natural frequency)", "rpm", "n_1", default=None)
     first_critical_speed_stiff: RevPerSecond | None = value("the same, full stiffness", "rpm", "n_1", default=None)
+    first_critical_speed_without_rotary: RevPerSecond | None = value(
+        "the first without rotary inertia, as other programs have it", "rpm", "n_1", default=None
+    )
     roll_torque: NewtonMetre | None = value("Roll torque of its force beside the crank", "N·m", "T_roll", default=None)
     bending: Bending | None = group(spread=True, default=None)
     tolerance: ToleranceResult | None = group(spread=True, default=None)

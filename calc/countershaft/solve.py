@@ -162,7 +162,8 @@ def _with_bending(result: CountershaftResult, bent: Bending, steel: Material, to
     to.notes += bending_notes(bent, steel)
     return replace(result, bending=bent, slope_front=item(bent.slopes[0]), slope_rear=item(bent.slopes[-1]),
         slope_front_stiff=item(bent.slopes_stiff[0]), slope_rear_stiff=item(bent.slopes_stiff[-1]),
-        first_critical_speed=bent.natural_frequency, first_critical_speed_stiff=bent.natural_frequency_stiff)  # fmt: skip
+        first_critical_speed=bent.natural_frequency, first_critical_speed_stiff=bent.natural_frequency_stiff,
+        first_critical_speed_without_rotary=bent.natural_frequency_without_rotary)  # fmt: skip
 
 
 def _with_supports(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], journals: Journals, result: CountershaftResult,

@@ -59,7 +59,9 @@ class RollingBearing:
         "Radial load of all of them together", "N", default=None, low=0, high=1e6, symbol="F",
         help="What they carry together. Left out: by the teeth of its wheel.",
     )  # fmt: skip
-    count: int = integer("Bearings that share the load", default=2, low=1, high=8, help="How many bearings share the radial load evenly.")
+    count: int = integer(
+        "Bearings that share the load", default=1, low=1, high=8, help="How many they are, sharing the radial load evenly."
+    )
     method: str = choice("Method", "palmgren", "skf", default="palmgren", help="skf: needs the series.")
     series: str | None = text("Series", default=None, help='For SKF\'s model: "60", "62", "63" …')
     lubrication: str = choice(

@@ -4,7 +4,7 @@
 from typing import Any
 
 from .. import oils
-from ..sheet.text import Amount, Text
+from ..sheet.text import COMMA, Amount, Name, Text
 from .inputs import FrictionInputs, carrier
 from .losses.wheels import has_bearings
 from .mesh.film import Oil
@@ -104,6 +104,9 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         )
     elif any(b.f_0 is None or b.f_1 is None for b in friction.rolling_bearings if b.method == "palmgren"):
         found.append(Text("Palmgren's factors f_0 and f_1 by type are from memory: give those of the bearing's catalogue."))
+    if friction.rolling_bearings:
+        many = COMMA.join(Text("{name} {count}", name=Name(b.name), count=Amount(b.count, form="d")) for b in friction.rolling_bearings)
+        found.append(Text("Rolling bearings, and how many share each load: {many}.", many=many))
     if any(wheel.thrown_oil is not None and wheel.thrown_oil < 0 for wheel in result.wheels.values()):
         found.append(Text("A jet of oil that is faster than the teeth drives its wheel: its loss is below zero."))
     if any(seal.method == "linke" for seal in friction.seals) and 0.0 in [wheel.seal_loss for wheel in result.wheels.values()]:

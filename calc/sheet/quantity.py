@@ -191,9 +191,10 @@ def value(label: str, unit: str = "", symbol: str = "", *, default: Any = MISSIN
     return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
 
 
-def group(*, spread: bool = False, default: Any = MISSING) -> Any:
-    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address."""
-    return field(default=default, kw_only=True, metadata={"group": spread})
+def group(*, spread: bool = False, default: Any = MISSING, former: str = "") -> Any:
+    """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.  `former`: the name
+    that it had."""
+    return field(default=default, kw_only=True, metadata={"group": spread, "former": former})
 
 
 @dataclass_transform(frozen_default=True, kw_only_default=True, eq_default=False, field_specifiers=(value, group))
@@ -212,13 +213,13 @@ def inputs(cls: type[T]) -> type[T]:
 
 
 @cache
-def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool], ...]:
-    """The fields of a class of results that are shown: a value's description, or whether a group is spread."""
+def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool, str], ...]:
+    """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name that it had."""
     found = []
     for f in fields(cls):
         about, spread = f.metadata.get("value"), f.metadata.get("group")
         if about is not None or spread is not None:
-            found.append((f.name, about, bool(spread)))
+            found.append((f.name, about, bool(spread), f.metadata.get("former", "")))
     return tuple(found)
 
 
@@ -237,31 +238,35 @@ def _gather(result: Any, found: list[Any]) -> None:
     elif kind is Stated:
         found.append(result.number)
     else:
-        for name, about, _ in _shown(kind):
+        for name, about, _, _ in _shown(kind):
             content = getattr(result, name)
             if content is not None:
                 found.append(content) if about is not None else _gather(content, found)
 
 
-def published(result: Any, prefix: str) -> Iterator[Published]:
-    """All values of a result with their addresses, in the order in which they are declared."""
+def published(result: Any, prefix: str, formerly: str = "") -> Iterator[Published]:
+    """All values of a result with their addresses, in the order in which they are declared.  `formerly`: the prefix that they had."""
     if isinstance(result, dict):
         for name, part in result.items():
-            yield from published(part, f"{prefix}.{name}")
+            yield from published(part, f"{prefix}.{name}", formerly and f"{formerly}.{name}")
         return
     if isinstance(result, Stated):
-        yield _published(prefix, result.about, result.number)
+        yield _published(prefix, result.about, result.number, formerly)
         return
     kind: Any = type(result)
-    for name, about, spread in _shown(kind):
+    for name, about, spread, formerly_named in _shown(kind):
         content = getattr(result, name)
         if content is None:
             continue
+        before = formerly or prefix
         if about is not None:
-            former = f"{prefix}.{about.former}" if about.former else ""
+            former = f"{before}.{about.former or name.rstrip('_')}" if formerly or about.former else ""
             yield _published(f"{prefix}.{name.rstrip('_')}", about, content, former)
+        elif spread:
+            yield from published(content, prefix, formerly)
         else:
-            yield from published(content, prefix if spread else f"{prefix}.{name}")
+            had = f"{before}.{formerly_named or name}" if formerly or formerly_named else ""
+            yield from published(content, f"{prefix}.{name}", had)
 
 
 def _published(id: str, about: Described, inside: Any, former: str = "") -> Published:

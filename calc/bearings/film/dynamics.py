@@ -24,6 +24,7 @@ from .. import formulas as f
 from ..routes.states import BearingCase, Film, OperatingPoint
 from . import dynamics_formulas as d
 from . import tabulated
+from .grooved_table import film_at
 
 
 @record
@@ -87,7 +88,7 @@ def coefficients(eps: Number, b: Number, phi: Radian | None = None) -> Coefficie
 def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, *, mass: Kilogram | None = None) -> Dynamics:
     """The film as a spring and damper.  `ratio`: l/d of the film (of one land, where a groove parts it); `mass`: the bearing's share of
     the shaft's, for the threshold speed."""
-    k = coefficients(hot.eccentricity, ratio, hot.attitude)
+    k = coefficients(hot.eccentricity, ratio, hot.attitude) if seat.grooves is None else _between_grooves(hot, seat, ratio)
     F, g = duty.load, hot.clearance
     omega = f.angular_speed(n=duty.effective_speed)
     n_F, sense = _load_speed(duty, seat)
@@ -110,6 +111,16 @@ def dynamics(hot: Film, duty: OperatingPoint, seat: BearingCase, ratio: Number, 
         damping_xx=d.damping_xx(c_xx=k.c_xx, F=F, g=g, omega=omega), damping_xy=across, damping_yx=across,
         damping_yy=d.damping_yy(c_yy=k.c_yy, F=F, g=g, omega=omega), whirl_ratio=whirl, critical_mass=heaviest, threshold_speed=threshold,
     )  # fmt: skip
+
+
+def _between_grooves(hot: Film, seat: BearingCase, ratio: Number) -> Coefficients:
+    """Of a film that axial grooves bound, which does not turn with the line of centres."""
+    grooves = seat.grooves
+    assert grooves is not None
+    at = film_at(hot.eccentricity, ratio, grooves)
+    names = ("k_xx", "k_xy", "k_yx", "k_yy", "c_xx", "c_xy", "c_yy")
+    found = {name: d.grooved_coefficient(value=getattr(at, name), eps=hot.eccentricity, b=ratio) for name in names}
+    return Coefficients(**found)
 
 
 def orbit(film: Dynamics, R_0: Newton, phi: Radian, duty: OperatingPoint, seat: BearingCase) -> Orbit:

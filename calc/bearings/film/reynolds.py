@@ -213,7 +213,7 @@ def _pressure(grid: _Grid, guess: Array | None) -> Array:
     inside = pressure[1:-1, :-1]
     for _ in range(ITERATION_LIMIT):
         whole = int(np.flatnonzero(active.any(axis=1))[-1]) + 1  # nodes around that the film can reach
-        inside[:whole] = _solved(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
+        inside[:whole] = solved_where_active(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
         inside[whole:] = 0.0
         push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
         push[:, 1:] += aside[:, :-1] * inside[:, :-1]
@@ -244,7 +244,7 @@ def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
     source = -12.0 * (np.cos(grid.theta) * grid.around)[1:-1, None] * inner
     last = active.shape[0] - 1 - active[::-1].argmax(axis=0)
     whole = int(last.max()) + 1
-    squeeze = _solved(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
+    squeeze = solved_where_active(active[:whole], diagonal[:whole], along[1:whole], aside[:whole, :-1], source[:whole])
 
     rows, node = np.arange(inner.size), last + 1
     before = 0.5 * (grid.theta[node] + grid.theta[node - 1])
@@ -256,7 +256,7 @@ def _squeezed(eccentricity: float, grid: _Grid, pressure: Array) -> float:
     return float((squeeze * source[:whole]).sum() + (at_end**2 / grid.film[node + 1] ** 3 * shift) @ inner) / 24.0
 
 
-def _solved(active: Mask, diagonal: Array, along: Array, aside: Array, source: Array) -> Array:
+def solved_where_active(active: Mask, diagonal: Array, along: Array, aside: Array, source: Array) -> Array:
     """Solve for the active nodes; the others are zero.  Symmetric and banded: Cholesky, nodes across numbered first."""
     from scipy.linalg.lapack import dpbsv  # type: ignore[import-untyped]
 

@@ -27,12 +27,17 @@ def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecon
     return Q_rel * share * d * g * n_h * l / 4
 
 
-@formula("q_1", "DIN 31652-2, side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
+@formula("Q_1", "side flow of Reynolds' solution with its grooves", unit="L/min", names={"Q_rel": "Q_s*"})
+def side_flow_grooved(Q_rel: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
+    return Q_rel * d * g * n_h * l / 4
+
+
+@formula("q_1", "ISO 7902-2 (DIN 31652-2), side flow; within a few per cent of Reynolds' solution for l/d ≤ 1", names={"b": "(l/d)"})
 def side_flow_factor(b: Number, eps: Number) -> Number:
     return (b - 0.223 * b**3) * eps / 4
 
 
-@formula("Q_1", "DIN 31652-2, side flow", unit="L/min")
+@formula("Q_1", "ISO 7902-2 (DIN 31652-2), side flow", unit="L/min")
 def side_flow_din(d: Metre, psi: Number, omega: RadPerSecond, q_1: Number) -> CubicMetrePerSecond:
     return d**3 * psi * omega * q_1
 
@@ -50,6 +55,11 @@ def opposite(eps: Number) -> Number:
 @formula("E", "hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone (Finotti 2013, Table 5.1)")
 def at_angle(eps: Number, delta: Radian) -> Number:
     return (1 - eps * cos(delta)) ** 3
+
+
+@formula("E", "several grooves: their sum", names={"one": "E_1", "more": "E_2"})
+def together(one: Number, more: Number) -> Number:
+    return one + more
 
 
 @formula("x", "width of hole or pocket over the length")
@@ -104,7 +114,7 @@ def swept_part_groove_factor(eps: Number, delta_A: Radian, delta_E: Radian, d: M
     return (delta_E - delta_A) / 48 * (1 + 1.5 * eps**2) * d / (l - b_G)
 
 
-@formula("Q_2", "DIN 31652-2, flow by supply pressure", unit="L/min")
+@formula("Q_2", "ISO 7902-2 (DIN 31652-2), flow by supply pressure", unit="L/min")
 def supply_flow(d: Metre, psi: Number, p_s: Pascal, mu: PascalSecond, q_2: Number) -> CubicMetrePerSecond:
     return d**3 * psi**3 * p_s / mu * q_2
 

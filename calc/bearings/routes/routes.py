@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Four routes to the film, side by side: one function each, from an assumed temperature rise to the one that it makes.
+"""The routes to the film, side by side: one function each, from an assumed temperature rise to the one that it makes.
 
 The own solution of Reynolds' equation judges; the others are shown beside it on the clearance as given.  `balance` closes the loop.
 """
@@ -12,16 +12,19 @@ import numpy as np
 from ...lubricant import State
 from ...sheet.arrays import each
 from ...sheet.errors import NoSolution
-from ...sheet.text import Amount, Text
+from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.value import based_on
 from .. import formulas as f
+from ..film import grooved_table as grooved
 from ..film import short_bearing as short
+from ..film.feeds import Feeds
 from ..film.table import eccentricity_from, film_at
 from ..film.tabulated import attitude_angle, eccentricity, pressure_ratio, relative_flow, side_flow_share
-from . import din31652 as din
+from . import falz as by_falz
 from . import flow, supply
+from . import iso7902 as iso
 from . import raimondi_boyd as rb
-from .states import BearingCase, Film, OperatingPoint, Seized
+from .states import BearingCase, Film, OperatingPoint, OutsideCharts, Seized
 
 Route = Callable[[BearingCase, OperatingPoint, float], Film]
 
@@ -43,14 +46,11 @@ def short_bearing(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
 
 def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: bool, without_length: bool = False) -> Film:
     """By the table, or `without_length` in closed form.  Numbers: what has no film raises (Seized, FilmRangeError).  Arrays: it is nan."""
-    b, inputs = seat.bearing, seat.inputs
+    b = seat.bearing
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
     g = seat.clearance_at(T) if warm else seat.clearance
-    # a groove in the loaded half parts the bearing into two lands, each with half the load
-    lands = supply.lands(inputs)
-    l = b.length if lands == 1 else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
-    p = f.specific_load(F=duty.load if lands == 1 else based_on(duty.load / lands, duty.load, inputs.groove_arc), d=b.diameter, l=l)
+    lands, l, p = _land(seat, duty)
     ratio = f.length_ratio(l=l, d=b.diameter)
     one_point = isinstance(rise, float)
     if one_point and g <= 0:
@@ -60,6 +60,9 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=f.angular_speed(n=duty.effective_speed))
     p_rel = None
+    grooves = seat.grooves
+    if grooves is not None and not without_length:
+        return _with_grooves(seat, duty, grooves, T, oil, g, psi, p, S, So, ratio, l)
     if without_length:
         eps = short.eccentricity(S=S, b=ratio)
         phi, Q_rel, share = short.attitude_angle(eps=eps), short.relative_flow(eps=eps), short.side_flow_share(eps=eps)
@@ -78,23 +81,81 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
     return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_1, phi, p_max)
 
 
+def _with_grooves(
+    seat: BearingCase, duty: OperatingPoint, grooves: Feeds, T: float, oil: State, g: float, psi: float, p: float, S: float, So: float,
+    ratio: float, l: float,
+) -> Film:  # fmt: skip
+    """The film between axial grooves; one l/d, any number of states."""
+    b, inputs = seat.bearing, seat.inputs
+    if isinstance(S, float):
+        ratio = based_on(ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length)
+        eps = grooved.eccentricity(S=S, b=ratio, grooves=grooves)
+        at: dict[str, Any] = dict(eps=eps, b=ratio, grooves=grooves)
+        phi, q_s, p_rel = grooved.attitude_angle(**at), grooved.relative_side_flow(**at), grooved.pressure_ratio(**at)
+        land = grooved.sheared_share(**at)
+    else:
+        one = np.unique(np.asarray(ratio))
+        if one.size != 1:
+            raise NoSolution(Text("axial grooves are not searched over lengths and diameters"), EMPTY, Text("choose sizes with a hole"))
+        eps = each(grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan"))
+        state: Any = grooved.film_at(eps, one.item(), grooves)
+        phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
+    f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
+    Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)
+    return _film(seat, duty, T, oil, g, psi, p, S, eps, f.film(g=g, eps=eps), f_v, Q_1, phi, f.largest_pressure(p=p, ratio=p_rel))
+
+
 def raimondi_boyd(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
-    """The source's first method: charts of 1958 by its l/d formula, flow of a groove over the full length, clearance as given."""
+    """The source's first method: charts of 1958 by their l/d formula, flow of a groove over the full length, clearance as given.
+
+    Without supply pressure, the charts' own flow."""
+    return _by_charts(seat, duty, rise, own_flow=False)
+
+
+def raimondi_boyd_own_flow(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """Raimondi and Boyd's own way: the same charts, of each land where a groove parts the film, and the oil that the turning film draws
+    in, whatever the supply pressure."""
+    return _by_charts(seat, duty, rise, own_flow=True)
+
+
+def _by_charts(seat: BearingCase, duty: OperatingPoint, rise: float, *, own_flow: bool) -> Film:
     b, g = seat.bearing, seat.clearance
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
     oil = seat.oil_at(T)
     psi = f.relative_clearance(g=g, d=b.diameter)
-    p = f.specific_load(F=duty.load, d=b.diameter, l=b.length)
+    lands, l, p = _land(seat, duty) if own_flow else (1, b.length, f.specific_load(F=duty.load, d=b.diameter, l=b.length))
     S = f.sommerfeld(mu=oil.mu, n_h=duty.effective_speed, p=p, psi=psi)
-    ratio = f.length_ratio(l=b.length, d=b.diameter)
+    ratio = f.length_ratio(l=l, d=b.diameter)
     eps = f.eccentricity_of_relative_film(h_rel=rb.relative_film(S=S, b=ratio))
-    f_v = rb.friction_variable(S=S, b=ratio)
+    f_v, phi = rb.friction_variable(S=S, b=ratio), rb.attitude_angle(S=S, b=ratio)
     h_0 = f.film(g=g, eps=eps)
-    Q = flow.groove_flow_of_finotti(p_s=duty.supply_pressure, d=b.diameter, g=g, eps=eps, mu=oil.mu, l=b.length)
-    return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, None, Q=Q)
+    p_max = f.largest_pressure(p=p, ratio=rb.pressure_ratio(S=S, b=ratio))
+    if not own_flow and duty.supply_pressure > 0:
+        Q = flow.groove_flow_of_finotti(p_s=duty.supply_pressure, d=b.diameter, g=g, eps=eps, mu=oil.mu, l=b.length)
+        return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, None, phi, p_max, Q=Q)
+    Q = rb.film_flow(Q_rel=rb.relative_flow(S=S, b=ratio), d=b.diameter, g=g, n_h=duty.effective_speed, l=l if lands == 1 else lands * l)
+    Q_s = rb.side_flow(share=rb.side_flow_share(S=S, b=ratio), Q=Q)
+    return _film(seat, duty, T, oil, g, psi, p, S, eps, h_0, f_v, Q_s, phi, p_max, Q=Q, drawn_in=True)
 
 
-def din31652(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+def iso7902(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
+    """ISO 7902: both flows, by geometry and by supply pressure, as the own solution has the supply; clearance as given."""
+    b, g = seat.bearing, seat.clearance
+    T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
+    oil = seat.oil_at(T)
+    psi = f.relative_clearance(g=g, d=b.diameter)
+    lands, l, p = _land(seat, duty)
+    omega = f.angular_speed(n=duty.effective_speed)
+    So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
+    ratio = f.length_ratio(l=l, d=b.diameter)
+    eps = iso.eccentricity(So=So, b=ratio)
+    beta = iso.attitude_angle(eps=eps, b=ratio)
+    f_v = _friction_variable(duty, So, eps, beta)
+    Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps)) if lands == 1 else None
+    return _film(seat, duty, T, oil, g, psi, p, So, eps, f.film(g=g, eps=eps), f_v, Q_1, beta)
+
+
+def falz(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     """The source's second method: Falz's film, friction polynomial, a hole always opposite the load, clearance as given."""
     b, g = seat.bearing, seat.clearance
     T = f.mean_temperature(T_in=duty.supply_temperature, Delta_T=rise)
@@ -104,22 +165,31 @@ def din31652(seat: BearingCase, duty: OperatingPoint, rise: float) -> Film:
     omega = f.angular_speed(n=duty.effective_speed)
     So = f.sommerfeld_din(p=p, psi=psi, mu=oil.mu, omega=omega)
     ratio = f.length_ratio(l=b.length, d=b.diameter)
-    h_0 = din.film(g=g, So=So, b=ratio)
+    h_0 = by_falz.film(g=g, So=So, b=ratio)
     eps = f.eccentricity_of_film(h_0=h_0, g=g)
     if not 0 <= eps < 1:
         least, gap = Amount(h_0 * 1e6, form=".1f"), Amount(g / 2e-6, form=".1f")
         load, b_d = Amount(So, form=".3g"), Amount(ratio, form=".3g")
-        raise rb.OutsideCharts(
+        raise OutsideCharts(
             Text("Falz's film is {h_0} µm in a gap of {g} µm at So = {so}, l/d = {ratio}", h_0=least, g=gap, so=load, ratio=b_d)
         )
     mu_f = None
-    if din.polynomial_holds(ratio):
-        _, mu_f = din.friction(psi=psi, So=So, b=ratio)
+    if by_falz.polynomial_holds(ratio):
+        _, mu_f = by_falz.friction(psi=psi, So=So, b=ratio)
         f_v = f.friction_variable_of(f=mu_f, psi=psi)
     else:
         f_v = f.friction_variable(So=So, eps=eps, phi=attitude_angle(eps=eps, b=ratio))
     Q_1 = flow.side_flow_din(d=b.diameter, psi=psi, omega=omega, q_1=flow.side_flow_factor(b=ratio, eps=eps))
     return _film(seat, duty, T, oil, g, psi, p, So, eps, h_0, f_v, Q_1, mu_f=mu_f, opposite=True)
+
+
+def _land(seat: BearingCase, duty: OperatingPoint) -> tuple[int, float, float]:
+    """Number, length and specific load of the lands: a groove in the loaded half parts the bearing into two, each with half the load."""
+    b, inputs = seat.bearing, seat.inputs
+    lands = supply.lands(inputs)
+    l = b.length if lands == 1 else based_on((b.length - (inputs.groove_width or 0.0)) / 2, b.length, inputs.groove_width)
+    load = duty.load if lands == 1 else based_on(duty.load / lands, duty.load, inputs.groove_arc)
+    return lands, l, f.specific_load(F=load, d=b.diameter, l=l)
 
 
 def _friction_variable(duty: OperatingPoint, So: float, eps: float, phi: float) -> float:
@@ -131,10 +201,10 @@ def _friction_variable(duty: OperatingPoint, So: float, eps: float, phi: float) 
 def _film(
     seat: BearingCase, duty: OperatingPoint, T: float, oil: State, g: float, psi: float, p: float, S: float, eps: float, h_0: float,
     f_v: float, Q_1: float | None, phi: float | None = None, p_max: float | None = None, *, mu_f: float | None = None,
-    Q: float | None = None, opposite: bool = False,
+    Q: float | None = None, opposite: bool = False, drawn_in: bool = False,
 ) -> Film:  # fmt: skip
     """Flow and heat of a state.  `Q`: where the route has it as a whole; `Q_1` None: both lands of a groove are fed by the supply
-    pressure alone."""
+    pressure alone; `drawn_in`: Q is what the film draws in, and Q_1 leaves on the way."""
     Q_2 = None
     if Q is None:
         Q_2 = supply.supply_flow(seat, duty, psi, eps, oil, opposite=opposite)
@@ -144,7 +214,10 @@ def _film(
     power = f.friction_power(f=mu_f, F=duty.load, u=f.surface_speed(d=seat.bearing.diameter, n=duty.effective_speed))
     if isinstance(Q, float) and Q <= 0:
         raise NoSolution(Text("no oil flows through the bearing"), Text("supply pressure 0"), Text("raise the supply pressure"))
-    heated = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
+    if drawn_in and Q_1 is not None:
+        heated = rb.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q, Q_s=Q_1)
+    else:
+        heated = f.temperature_rise(P_f=power, rho=oil.rho, c_p=oil.cp, Q=Q)
     return Film(
         clearance=g, relative_clearance=psi, specific_load=p, sommerfeld=S, eccentricity=eps, film=h_0, friction_coefficient=mu_f,
         friction_variable=f_v, friction_power=power, oil_flow=Q, temperature_rise=heated, mean_temperature=T, oil=oil, attitude=phi,

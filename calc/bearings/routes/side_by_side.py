@@ -1,26 +1,34 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The four routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its range."""
+"""The routes side by side on the clearance as given: how far each is from Reynolds' equation, and where it leaves its range.
 
-from math import pi
+Two distances.  In thermal balance every route warms its oil by its own friction and flow: that is what it would have told its user.  Like
+with like the film of each is taken at the oil's temperature of Reynolds' solution: what is left is how well it solves the film.  The
+spread of the routes is of the second kind and of those that claim to solve it here.
+"""
 
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.record import record
 from ...sheet.step import Table
 from ...sheet.text import COMMA, Amount, Text
-from ...sheet.trace import about
+from ...sheet.trace import about, untraced
 from .. import formulas as f
-from ..film.table import eccentricity_from
+from ..film.table import FilmRangeError
 from ..inputs import IN_WORDS
 from .balance import balanced
-from .raimondi_boyd import OutsideCharts
-from .routes import Route, din31652, own_cold, raimondi_boyd, short_bearing
-from .states import BearingCase, Film, OperatingPoint
+from .iso7902 import FITTED_UP_TO
+from .routes import Route, falz, iso7902, own_cold, raimondi_boyd, raimondi_boyd_own_flow, short_bearing
+from .states import BearingCase, Film, OperatingPoint, OutsideCharts
 
 SPREAD = 0.10  # rule of this program
 ROUTES: dict[str, tuple[Text, Route]] = {
-    "reynolds": (Text("Reynolds' equation"), own_cold), "raimondi_boyd": (Text("Raimondi & Boyd"), raimondi_boyd),
-    "din31652": (Text("DIN 31652"), din31652), "short_bearing": (Text("short bearing"), short_bearing),
+    "reynolds": (Text("Reynolds' equation"), own_cold),
+    "raimondi_boyd_own_flow": (Text("Raimondi & Boyd, own flow"), raimondi_boyd_own_flow),
+    "raimondi_boyd": (Text("Raimondi & Boyd, supply flow of the thesis"), raimondi_boyd),
+    "iso7902": (Text("ISO 7902"), iso7902),
+    "short_bearing": (Text("short bearing"), short_bearing),
+    "falz": (Text("Falz, as the thesis uses it"), falz),
 }  # fmt: skip
+SOLVE_THE_FILM = ("raimondi_boyd_own_flow", "iso7902", "short_bearing")  # each within its range; Falz's is a rule of thumb
 FALZ_MEETS = 1.0  # l/d at which Falz's two branches meet
 SHORT_UP_TO, SHORT_ECCENTRICITY = 0.25, 0.5  # where the short bearing stays within a tenth in the load
 
@@ -30,17 +38,24 @@ class Side:
     """The routes that have an answer, the distance of each film from the own one, and what is to be said of those without."""
 
     films: dict[str, Film]
-    deviations: dict[str, float]
+    deviations: dict[str, float]  # in thermal balance
+    alike: dict[str, float]  # at the oil's temperature of the own solution
     spread: float | None
     silent: dict[str, Text]
-
-    @property
-    def outside(self) -> dict[str, str]:
-        """The routes further off than the spread that is allowed, each with the reason."""
-        return {name: reason(name, self) for name, far in self.deviations.items() if far > SPREAD}
-
     ratio: float  # l/d of the film
     whole: float  # l/d of the bearing, which the source's methods take
+
+    @property
+    def outside(self) -> dict[str, Text]:
+        """The routes further off in thermal balance than the spread that is allowed, each with the reason."""
+        return {name: reason(name, self) for name, far in self.deviations.items() if far > SPREAD}
+
+    @property
+    def compared(self) -> dict[str, float]:
+        """Those that the spread is of."""
+        if self.spread is None:
+            return {}
+        return {name: self.alike[name] for name in SOLVE_THE_FILM if name in self.alike and _compared(name, self.films[name], self.ratio)}
 
 
 def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: float) -> Side:
@@ -54,22 +69,51 @@ def side_by_side(place: str, seat: BearingCase, duty: OperatingPoint, ratio: flo
                 films[name] = balanced(route, seat, duty)
             except (NoSolution, OutsideCharts) as outside:
                 silent[name] = text_of(outside)
-    own = films.get("reynolds")
-    deviations = {} if own is None else {n: f.film_deviation(h_0=r.film, reference=own.film) for n, r in films.items() if n != "reynolds"}
     whole = seat.bearing.length / seat.bearing.diameter
-    return Side(films, deviations, max(deviations.values(), default=None), silent, ratio, whole)
+    own = films.get("reynolds")
+    if own is None:
+        return Side(films, {}, {}, None, silent, ratio, whole)
+    deviations = {name: abs(film.film / own.film - 1) for name, film in films.items() if name != "reynolds"}
+    alike: dict[str, float] = {}
+    spread: float | None = None
+    for name in deviations:
+        counts = seat.grooves is None and _compared(name, films[name], ratio)
+        same = _at_the_same_oil(place, name, seat, duty, own, shown=counts)
+        if same is None:
+            continue
+        alike[name] = same.film / own.film - 1
+        if counts:
+            far = f.film_deviation(h_0=same.film, reference=own.film)
+            spread = far if spread is None or far > spread else spread
+    return Side(films, deviations, alike, spread, silent, ratio, whole)
+
+
+def _at_the_same_oil(place: str, name: str, seat: BearingCase, duty: OperatingPoint, own: Film, *, shown: bool) -> Film | None:
+    """The route's film with the oil as warm as in the own solution; `shown`: by lines of the calculation."""
+    title, route = ROUTES[name]
+    try:
+        if not shown:
+            with untraced():
+                return route(seat, duty, own.temperature_rise)
+        with about(Text("{place} bearing, {title}, at the same oil", place=IN_WORDS[place], title=title)):
+            return route(seat, duty, own.temperature_rise)
+    except (NoSolution, OutsideCharts, FilmRangeError):
+        return None
+
+
+def _compared(name: str, film: Film, ratio: float) -> bool:
+    """Whether a route claims to solve the film here."""
+    within = ratio <= SHORT_UP_TO and film.eccentricity <= SHORT_ECCENTRICITY
+    return name in SOLVE_THE_FILM and (name != "short_bearing" or within)
 
 
 def reason(name: str, side: Side) -> Text:
-    """Why a route is far off here: in its film at the same Sommerfeld number, or else in its flow and so its oil's temperature."""
+    """Why a route is far off here: in its film with the same oil, or else in its flow and so its oil's temperature."""
     film, ratio = side.films[name], side.ratio
-    if name != "short_bearing" and ratio < side.whole * (1 - 1e-9):
+    if name in ("raimondi_boyd", "falz") and ratio < side.whole * (1 - 1e-9):
         return Text("it takes the whole length, where the groove parts the film")
     own = side.films["reynolds"]
-    S = 1 / (2 * pi * film.sommerfeld) if name == "din31652" else film.sommerfeld
-    exact = 1 - float(eccentricity_from(S, ratio, outside="nan"))
-    l_d, So = Amount(ratio, form=".3g"), Amount(film.sommerfeld, form=".3g")
-    if exact > 0 and abs((1 - film.eccentricity) / exact - 1) < side.deviations[name] / 2:
+    if name in side.alike and abs(side.alike[name]) < side.deviations[name] / 2:
         hotter = Text("hotter") if film.temperature_rise > own.temperature_rise else Text("cooler")
         flow, own_flow = (Amount(Q * 6e4, form=".3g") for Q in (film.oil_flow, own.oil_flow))
         return Text(
@@ -78,9 +122,17 @@ def reason(name: str, side: Side) -> Text:
             oil_flow2=own_flow,
             hotter=hotter,
         )
-    if name == "raimondi_boyd":
+    return film_reason(name, film, ratio)
+
+
+def film_reason(name: str, film: Film, ratio: float) -> Text:
+    """Why the film of a route is off at the same oil."""
+    l_d, So = Amount(ratio, form=".3g"), Amount(film.sommerfeld, form=".3g")
+    if name == "iso7902":
+        return Text("its fit of So errs by up to a tenth between B/D {fitted} and 1: B/D is {ratio}", fitted=FITTED_UP_TO, ratio=l_d)
+    if name.startswith("raimondi_boyd"):
         return Text("its cubic in d/l errs between the charts of l/d 1, ½, ¼: l/d is {ratio}", ratio=l_d)
-    if name == "din31652":
+    if name == "falz":
         return Text(
             "Falz's two branches meet only at l/d = {falz_meets}: l/d is {ratio}, So = {sommerfeld} lies {branch} 1",
             falz_meets=Amount(FALZ_MEETS, form="g"), ratio=l_d, sommerfeld=So,
@@ -101,20 +153,24 @@ def routes_table(place: str, side: Side) -> Table:
     rows: list[tuple[str | float | None, ...]] = []
     own = side.films.get("reynolds")
     for name, film in side.films.items():
-        far = None if own is None else (film.film / own.film - 1) * 100
+        far = None if own is None or name == "reynolds" else (film.film / own.film - 1) * 100
+        same = side.alike.get(name)
         rows.append((
-            ROUTES[name][0], film.film * 1e6, None if name == "reynolds" else far, film.eccentricity, film.sommerfeld,
+            ROUTES[name][0], film.film * 1e6, far, None if same is None else same * 100, film.eccentricity, film.sommerfeld,
             film.friction_variable, film.friction_power, film.temperature_rise, film.oil_flow * 6e4,
         ))  # fmt: skip
     columns = (
-        (Text("route"), ""), (Text("h_0"), "µm"), (Text("Δ"), "%"), (Text("ε"), ""), (Text("S (DIN: So)"), ""), (Text("f*"), ""),
-        (Text("P_f"), "W"), (Text("ΔT"), "K"), (Text("Q"), "L/min"),
+        (Text("route"), ""), (Text("h_0"), "µm"), (Text("Δ"), "%"), (Text("Δ, same oil"), "%"), (Text("ε"), ""),
+        (Text("S (ISO, Falz: So)"), ""), (Text("f*"), ""), (Text("P_f"), "W"), (Text("ΔT"), "K"), (Text("Q"), "L/min"),
     )  # fmt: skip
-    note = Text("On the clearance as given. The own solution of Reynolds' equation judges, on the warm clearance.")
+    note = Text(
+        "On the clearance as given. The own solution of Reynolds' equation judges, on the warm clearance. Δ: in thermal balance, each "
+        "route with its own flow. Δ, same oil: the film alone, with the oil as warm as in the own solution."
+    )
     for name, why in side.outside.items():
         note += Text(" {route}: {why}.", route=ROUTES[name][0], why=why)
     for name, why in side.silent.items():
         note += Text(" {routes} gives no value here: {why}.", routes=ROUTES[name][0], why=why)
     covers = tuple(f"bearings.{place}.{name}." for name in ROUTES)
-    title = Text("Four routes side by side, {place} bearing", place=IN_WORDS[place])
+    title = Text("The routes side by side, {place} bearing", place=IN_WORDS[place])
     return Table(f"routes_{place}", title, columns, tuple(rows), note, covers)

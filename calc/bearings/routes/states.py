@@ -9,6 +9,7 @@ from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.units import Celsius, CubicMetrePerSecond, Kelvin, Metre, Number, Pascal, Radian, Watt
 from .. import formulas as f
+from ..film.feeds import Feed, Feeds
 from ..inputs import BearingInputs, BearingsInputs
 
 
@@ -23,6 +24,15 @@ class BearingCase:
     journal_expansion: float
     housing_expansion: float
     viscosity_factor: float | None = None  # on the oil's viscosity, at a corner of its tolerance
+
+    @property
+    def grooves(self) -> Feeds | None:
+        """The axial grooves that bound the film, by the sizes of this bearing; None where it has none."""
+        i, b = self.inputs, self.bearing
+        if i.supply != "axial_groove" or i.axial_groove_angles is None or i.axial_groove_width is None or i.axial_groove_length is None:
+            return None
+        arc, share = 2 * i.axial_groove_width / b.diameter, i.axial_groove_length / b.length
+        return Feeds(tuple(Feed(float(angle), float(arc), float(share)) for angle in i.axial_groove_angles))
 
     def clearance_at(self, T: float) -> float:
         return f.clearance_at(
@@ -55,7 +65,7 @@ class Film:
     clearance: Metre = value("Clearance (diametral)", "µm", "g")
     relative_clearance: Number = value("Relative clearance", "‰", "ψ")
     specific_load: Pascal = value("Specific load", "MPa", "p")
-    sommerfeld: Number = value("Sommerfeld number (S; DIN: So)", "", "S")
+    sommerfeld: Number = value("Sommerfeld number (S; ISO, Falz: So)", "", "S")
     eccentricity: Number = value("Eccentricity ratio", "", "ε")
     film: Metre = value("Smallest film", "µm", "h_0")
     friction_coefficient: Number = value("Coefficient of friction", "", "f")
@@ -73,6 +83,10 @@ class Film:
 
 class Seized(ValueError):
     """The journal has no clearance left at this temperature."""
+
+
+class OutsideCharts(ValueError):
+    """The point lies outside what a published method shows."""
 
 
 class OutsideBalance(ValueError):

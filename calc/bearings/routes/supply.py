@@ -8,6 +8,7 @@ from ...lubricant import State
 from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
+from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import BearingsInputs
 from . import flow
@@ -47,6 +48,10 @@ def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float,
     d, l, p_s = b.diameter, b.length, duty.supply_pressure
     if inputs.supply == "groove":
         q_2 = _groove_factor(inputs, eps, d, l)
+    elif inputs.supply == "axial_groove":
+        long: float = inputs.axial_groove_length or 0.0
+        q = flow.pocket_factor(x=flow.share_of_length(b=long, l=l))
+        q_2 = flow.supply_factor(E=_at_grooves(inputs, eps), l=l, b=long, q=q)
     else:
         if opposite:
             E = flow.opposite(eps=eps)
@@ -64,6 +69,15 @@ def supply_flow(seat: BearingCase, duty: OperatingPoint, psi: float, eps: float,
         if inputs.supply == "shaft" and not opposite:
             p_s = _through_shaft(duty, oil, d)
     return flow.supply_flow(d=d, psi=psi, p_s=p_s, mu=oil.mu, q_2=q_2)
+
+
+def _at_grooves(inputs: BearingsInputs, eps: float) -> float:
+    """E of all axial grooves, each as a pocket of its length at its angle."""
+    angles = inputs.axial_groove_angles or ()
+    first, *others = (flow.at_angle(eps=eps, delta=based_on(delta, angles)) for delta in angles)
+    for more in others:
+        first = flow.together(one=first, more=more)
+    return first
 
 
 def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> float:

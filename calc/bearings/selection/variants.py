@@ -24,7 +24,13 @@ from .words import PLACES
 
 ENGINE_OIL = re.compile(r"(SAE \d+W?|\d+W-\d+)\b")  # names by SAE J300, with or without a maker's behind them
 SUPPLIES = {"hole": "hole_diameter", "shaft": "hole_diameter", "groove": "groove_width", "pocket": "pocket_width"}
-SUPPLY = {"hole": Text("hole"), "shaft": Text("shaft"), "groove": Text("groove"), "pocket": Text("pocket")}
+SUPPLY = {
+    "hole": Text("hole"),
+    "shaft": Text("shaft"),
+    "groove": Text("groove"),
+    "pocket": Text("pocket"),
+    "axial_groove": Text("axial grooves"),
+}
 DIAMETERS = (-0.15, 0.15, 0.3, 0.45)  # of the design's, more than it, where nothing ties it; rule of this program
 DIAMETER = keys(BearingInputs)["diameter_mm"].about
 SHORT = 0.1  # of the diameter: journals that leave room for everything beside them
@@ -49,6 +55,12 @@ class Variant:
 
 def tasks(case: Case) -> dict[str, list[Task]]:
     """Each bearing at each diameter that is looked at, the design's own first.  Raises NoSolution where they can not be known."""
+    if case.bearings.supply == "axial_groove":
+        raise NoSolution(
+            Text("the search for bearings does not know films between axial grooves"),
+            EMPTY,
+            Text("search with a hole, then set the grooves"),
+        )
     solved = _solved(case, case.bearings)
     by_place = {place: [_task(case, case.bearings, solved, place)] for place in PLACES}
     free = [place for place in PLACES if not tied(case, place)]

@@ -42,6 +42,7 @@ class Beam:
     element_f: ComplexArray
     K: Array
     M: Array
+    R: Array  # rotary inertia
     f: ComplexArray
     pinned: IndexArray
     free: IndexArray
@@ -106,7 +107,8 @@ def beam(ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins:
     """A beam of pieces between `ends` (one more than pieces).
 
     `load` per length: one number of each piece, or a row of two, at its ends.  `shear` may be infinite (Bernoulli's beam).  `forces` and
-    `masses`: their places and their amounts; a mass may be below zero (a hole).  `rotary`: ρ·I of each piece, left out without it.
+    `masses`: their places and their amounts; a mass may be below zero (a hole).  `rotary`: ρ·I of each piece, left out without it; it
+    counts for the frequencies, and not in the frame of a turning shaft, where −ρ·I would stiffen it by a part in ten thousand.
     """
     ends, places = np.asarray(ends, dtype=float), [np.asarray(x, dtype=float) for x in (pins, forces[0], masses[0])]
     z = _nodes(ends, np.concatenate(places), longest)
@@ -126,22 +128,22 @@ def beam(ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins:
     K = np.array([[one, a, -one, a], [a, b, -a, c], [-one, -a, one, -a], [a, c, -a, b]])
     K = np.moveaxis(K, 2, 0) * (12 * EI / (L**3 * (1 + Phi)))[:, None, None]
     M = (mu * L)[:, None, None] * (w @ over_length @ w.transpose(0, 2, 1))
-    if rotary is not None:
-        of_section = np.broadcast_to(np.asarray(rotary, dtype=float), ends.size - 1)[piece]
-        M += (of_section * L)[:, None, None] * (theta @ over_length[:3, :3] @ theta.transpose(0, 2, 1))
+    of_section = np.broadcast_to(np.asarray(0.0 if rotary is None else rotary, dtype=float), ends.size - 1)[piece]
+    R = (of_section * L)[:, None, None] * (theta @ over_length[:3, :3] @ theta.transpose(0, 2, 1))
     f = L[:, None] * (w @ over_length[:, 0] * q[:, :1] + w @ over_length[:, 1] * (q[:, 1:] - q[:, :1]))
 
     n = 2 * z.size
     at = 2 * np.arange(L.size)[:, None] + power[None, :]
-    whole_K, whole_M, whole_f = np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=complex)
+    whole_K, whole_M, whole_R, whole_f = np.zeros((n, n)), np.zeros((n, n)), np.zeros((n, n)), np.zeros(n, dtype=complex)
     np.add.at(whole_K, (at[:, :, None], at[:, None, :]), K)
     np.add.at(whole_M, (at[:, :, None], at[:, None, :]), M)
+    np.add.at(whole_R, (at[:, :, None], at[:, None, :]), R)
     np.add.at(whole_f, at, f)
     pinned, pushed, loaded = (2 * _nearest(z, x) for x in places)
     np.add.at(whole_f, pushed, np.asarray(forces[1], dtype=complex))
     np.add.at(whole_M, (loaded, loaded), np.asarray(masses[1], dtype=float))
-    return Beam(z=z, load=q, line_mass=mu, element_K=K, element_M=M, element_f=f, K=whole_K, M=whole_M, f=whole_f, pinned=pinned,
-        free=np.delete(np.arange(n), pinned))  # fmt: skip
+    return Beam(z=z, load=q, line_mass=mu, element_K=K, element_M=M, element_f=f, K=whole_K, M=whole_M, R=whole_R, f=whole_f,
+        pinned=pinned, free=np.delete(np.arange(n), pinned))  # fmt: skip
 
 
 def displaced(beam: Beam, omega: RadPerSecond = 0.0) -> ComplexArray:
@@ -174,7 +176,7 @@ def natural_frequency(beam: Beam) -> RadPerSecond:
 
     The Ritz step needs only K to be positive, so that a hole's mass below zero does no harm.
     """
-    K, M = (X[np.ix_(beam.free, beam.free)] for X in (beam.K, beam.M))
+    K, M = (X[np.ix_(beam.free, beam.free)] for X in (beam.K, beam.M + beam.R))
     n = beam.free.size
     D = np.linalg.solve(K, M)
     V = np.cos(np.outer(np.arange(n) + 0.5, np.arange(1, min(MODES, n) + 1)) * math.pi / n)  # any that are not alike

@@ -14,6 +14,7 @@ from ...sheet.functions import cos, largest, pi, sin, smallest
 from ...sheet.text import Text
 from ...sheet.units import (
     Kilogram,
+    KilogramMetre,
     KilogramPerMetre,
     KilogramPerMetre3,
     Metre,
@@ -95,6 +96,11 @@ def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
 
+@formula("j", "rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
+def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
+    return rho * I
+
+
 @formula("q", "centrifugal load per length of what is eccentric")
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S
@@ -108,10 +114,20 @@ def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonP
     return cast(Radian, found)
 
 
-@formula("f_1", Text("{finite}; without rotary inertia and gyroscopic effect", finite=FINITE),
-    shows="lowest root of |K − (2π·f)²·M| = 0, subspace iteration")  # fmt: skip
-def natural_frequency(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam) -> RevPerSecond:
+@formula("f_1", Text("{finite}; with rotary inertia, without gyroscopic effect", finite=FINITE),
+    shows="lowest root of |K − (2π·f)²·M| = 0, M of μ, j and m, subspace iteration")  # fmt: skip
+def natural_frequency(
+    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, j: KilogramMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
+) -> RevPerSecond:
     """The lowest natural frequency of bending in the weaker plane; `model` is made of the other arguments."""
+    return b.natural_frequency(model) / (2 * pi)
+
+
+@formula("f_1", Text("{finite}; without rotary inertia", finite=FINITE), shows="the same root, M of μ and m alone")
+def natural_frequency_without_rotary(
+    EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
+) -> RevPerSecond:
+    """To compare with beams that leave it out."""
     return b.natural_frequency(model) / (2 * pi)
 
 

@@ -57,6 +57,7 @@ class Bending:
     slopes_stiff: Array
     natural_frequency: RevPerSecond
     natural_frequency_stiff: RevPerSecond
+    natural_frequency_without_rotary: RevPerSecond
     speed: RevPerSecond
     reactions: ComplexArray
     plane: Radian
@@ -88,9 +89,9 @@ class _Shaft:
     positions: Any
     omega: RadPerSecond
 
-    def model(self, EI: Any, longest: Metre = FINE) -> Beam:
+    def model(self, EI: Any, longest: Metre = FINE, rotary: Any = None) -> Beam:
         forces, masses = (self.places, self.forces), (self.places, self.masses)
-        return beam(self.ends, EI, self.shear, self.line_mass, self.q, self.positions, forces, masses, longest=longest)
+        return beam(self.ends, EI, self.shear, self.line_mass, self.q, self.positions, forces, masses, rotary, longest)
 
     def given(self, EI: Any) -> dict[str, Any]:
         """What the solution is found from."""
@@ -120,13 +121,14 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of(shaft.given(EI_s)))
         slopes = many(f.slopes(**shaft.given(EI_s), u=bent))
         M_max = f.largest_moment(**shaft.given(EI_s), u=bent)
-        frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, model), (EI, stiff))
+        frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed = stresses(outline, bent, M_max, fillet_radius)
         at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max())))
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
     return Bending(largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
-        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1], speed=based_on(abs(omega) / (2 * math.pi), omega),
+        natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1],
+        natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
         reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
         deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
 
@@ -159,9 +161,13 @@ def _shared(material: Material, core: Any, eta: Number, inertia: Any) -> Any:
     return f.bending_stiffness(E=material.E, I=f.shared_inertia(I_0=core, eta=eta, I=inertia))
 
 
-def _frequencies(shaft: _Shaft, material: Material, core: Any, eta: Number, shared: tuple[Any, Beam],
-    whole: tuple[Any, Beam]) -> tuple[RevPerSecond, RevPerSecond]:  # fmt: skip
-    """The lowest natural frequency with the shared and with the whole stiffness, each in the weaker plane of the sections."""
+def _frequencies(
+    shaft: _Shaft, material: Material, core: Any, eta: Number, stiffnesses: tuple[Any, Any]
+) -> tuple[RevPerSecond, RevPerSecond, RevPerSecond]:
+    """The lowest natural frequency with the shared and with the whole stiffness, and the first without rotary inertia.
+
+    Each in the weaker plane of the sections.
+    """
     outline = shaft.outline
     inertia = each(outline.inertia)
     if shaft.sector.any():
@@ -170,10 +176,13 @@ def _frequencies(shaft: _Shaft, material: Material, core: Any, eta: Number, shar
         weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
-            shared, whole = ((EI, shaft.model(EI)) for EI in stiffnesses)
+            inertia = weaker
+    j = f.rotary_inertia(rho=material.density, I=inertia)
     rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, m=shaft.masses, z=shaft.ends, z_B=shaft.positions)
-    first = f.natural_frequency(EI=shared[0], **rest, model=shared[1])
-    return first, first if shared[1] is whole[1] else f.natural_frequency(EI=whole[0], **rest, model=whole[1])
+    shared, whole = stiffnesses
+    first = f.natural_frequency(EI=shared, j=j, **rest, model=shaft.model(shared, rotary=j))
+    stiff = first if eta == 1 else f.natural_frequency(EI=whole, j=j, **rest, model=shaft.model(whole, rotary=j))
+    return first, stiff, f.natural_frequency_without_rotary(EI=shared, **rest, model=shaft.model(shared))
 
 
 def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, Radian], whole: tuple[Number, Radian],

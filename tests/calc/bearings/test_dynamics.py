@@ -216,7 +216,7 @@ def made(e=0.74, b=0.46, load_speed_ratio=1.0, mass=None) -> Dynamics:
     hot = SimpleNamespace(eccentricity=e, attitude=film_at(e, b).attitude, clearance=CLEARANCE)
     speed = SPEED * abs(1 - 2 * load_speed_ratio)
     duty = SimpleNamespace(load=LOAD, effective_speed=speed, speed=SPEED)
-    seat = SimpleNamespace(inputs=SimpleNamespace(load_speed_ratio=load_speed_ratio, bush_speed_ratio=0.0))
+    seat = SimpleNamespace(inputs=SimpleNamespace(load_speed_ratio=load_speed_ratio, bush_speed_ratio=0.0), grooves=None)
     return dynamics(hot, duty, seat, b, mass=mass)
 
 

@@ -70,6 +70,17 @@ def test_a_helical_train_alone_with_bearings_is_shown_whole():
     assert outcome.result.wheels["w1"].bearing_force > 0
 
 
+@pytest.mark.parametrize("said, count", [({}, 1), ({"count": 2}, 2)])
+def test_rolling_bearings_say_how_many_they_are(said, count):
+    """One, unless the design says otherwise; the part without load counts once for each."""
+    bearing = {"name": "pinion", "bore_mm": 20.0, "outside_diameter_mm": 42.0, "f_1": 0.0}
+    outcome = friction_of(changed(pair(), friction={"rolling_bearings": [bearing | said]}))
+    single = friction_of(changed(pair(), friction={"rolling_bearings": [bearing | {"count": 1}]}))
+    ours, one = ({n: w.bearing_loss for n, w in o.result.wheels.items() if w.bearing_loss} for o in (outcome, single))
+    assert ours == {name: pytest.approx(count * loss, rel=1e-3) for name, loss in one.items()} and ours
+    assert any(f"share each load: pinion {count}." in note for note in outcome.notes)
+
+
 def test_teeth_that_run_away_are_no_solution():
     hot = {"bulk": "estimated", "solid_friction": 0.9, "oil_temperature_C": 120.0}
     outcome = friction_of(changed(pair(), gears={"power_kW": 3000.0}, friction=hot))

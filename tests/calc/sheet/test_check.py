@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from calc.root import root
 from calc.sheet.check import Check, check, grouped, step_verdict, worst
 from calc.sheet.number import short
-from calc.sheet.quantity import inputs, published, quantity, result, value
+from calc.sheet.quantity import group, inputs, published, quantity, result, value
 from calc.sheet.remedy import change, remedy
 from calc.sheet.text import Text
 from calc.sheet.units import Metre
@@ -149,6 +149,19 @@ def test_results_publish_what_is_there_in_its_unit():
     found = Found(film=9.5e-6, lambda_=0.3)
     assert [(v.id, v.shown, v.unit) for v in published(found, "a.b")] == [("a.b.film", 9.5, "µm"), ("a.b.lambda", 0.3, "")]
     assert found != Found(film=9.5e-6, lambda_=0.3)
+
+
+def test_a_group_that_is_renamed_is_found_by_its_former_name():
+    @result
+    class Outer:
+        film: float = value("Film", "µm")
+        now: Found | None = group(default=None, former="once")
+        each: dict[str, Found] = group()
+
+    one = Found(film=9.5e-6, lambda_=0.3)
+    ids = [v.ids for v in published(Outer(film=1e-6, now=one, each={"a": one}), "x")]
+    assert ids[:3] == [("x.film",), ("x.now.film", "x.once.film"), ("x.now.lambda", "x.once.lambda")]
+    assert ids[3:] == [("x.each.a.film",), ("x.each.a.lambda",)]
 
 
 @given(st.floats(-5, 5), st.floats(0.1, 3))

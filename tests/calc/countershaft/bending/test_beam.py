@@ -148,6 +148,19 @@ def test_frequency_with_rotary_inertia():
     assert natural_frequency(uniform(rotary=[j])) == pytest.approx(exact, rel=1e-6)
 
 
+def test_frequency_with_shear_and_rotary_inertia():
+    """Timoshenko's beam on two pins: μ·j/S·ω⁴ − ω²·(μ + (j + μ·E·I/S)·k²) + E·I·k⁴ = 0, the lower root, k = π/L."""
+    S, j, k = 2e6, 0.02, math.pi / L
+    half = MU + (j + MU * EI / S) * k**2
+    exact = math.sqrt((half - math.sqrt(half**2 - 4 * MU * j / S * EI * k**4)) / (2 * MU * j / S))
+    assert natural_frequency(uniform(shear=S, rotary=[j], longest=2e-3)) == pytest.approx(exact, rel=1e-6)
+
+
+def test_rotary_inertia_does_not_bend_a_turning_beam():
+    with_, without = (bend(uniform(rotary=rotary), 100.0) for rotary in ([0.02], None))
+    assert np.array_equal(with_.w, without.w)
+
+
 def test_frequency_of_an_overhang():
     """Held by two close pins: (1.8751/a)²·√(E·I/μ) of a built-in beam."""
     f = natural_frequency(uniform(ends=(-1e-3, 0, L), pins=(-1e-3, 0)))

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The source's second method: DIN 31652 as it uses it, with the film by Falz and the friction polynomial.
+"""The source's second method, which it calls DIN 31652: the film by Falz's rule, friction by the standard's polynomial.
 
-Falz's two formulas do not meet at So = 1 unless l = d; the source's own rule (So above or below 1) is kept here.  Friction by the
-polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity of Reynolds' solution.
+The rule is not the standard's: at the same So its film is 0.50 to 1.75 times that of Reynolds' equation for l/d 0.4 to 1 and ε 0.1 to
+0.95, up to 2.2 times at l/d ¼, where it may also give none.  Its two formulas do not meet at So = 1 unless l = d; the source's own
+choice (So above or below 1) is kept.  Friction by the polynomial only where it holds (l/d ≤ 0.55, or 1); elsewhere by the identity of
+Reynolds' solution.
 """
 
 from ...sheet.formula import formula
@@ -12,7 +14,7 @@ from ...sheet.units import Metre, Number
 from ...sheet.value import based_on
 
 POLYNOMIAL_UP_TO = 0.55
-FALZ = Text("Falz, after Finotti 2013, 5.5.2 (DIN 31652)")
+FALZ = Text("Falz, after Finotti 2013, 5.5.2 (there called DIN 31652)")
 POLYNOMIAL = Text("DIN 31652-1 as printed in Finotti 2013, 5.5.2")
 
 

@@ -1,0 +1,294 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reynolds' equation for a bearing whose film begins and ends at its feed: axial grooves or pockets that keep their angle to the load.
+
+The plain bearing of `reynolds` draws its oil in at the widest film, wherever the journal goes, so that its force turns with the line of
+centres.  Grooves stand where they were cut: the film between them is a pad of its own, and all eight coefficients must be found.
+
+Film h = 1 − x·cos α − y·sin α over c, α from the load in the sense in which the film is dragged, (x, y) the journal's place over c; the
+equation, its film end (Swift–Stieber) and the nodes are those of `reynolds`.  In a groove or pocket the pressure is that of the feed.
+Where the journal stands follows from ε by turning the line of centres until the force lies along the load.  Stiffness and damping are
+central differences of the force over small displacements and velocities, each with a film end of its own.
+
+Against Someya's data book (two grooves of 10° at ±90° to the load): see `tests/calc/bearings/test_grooved.py`.
+"""
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from ...sheet.arrays import Array
+from ...sheet.arrays import BoolArray as Mask
+from ...sheet.record import record
+from ...sheet.text import Text
+from .feeds import Feed
+from .reynolds import ECCENTRICITY_RANGE, EDGE_CLUSTERING, ITERATION_LIMIT, UNIFORM_SHARE, solved_where_active
+
+LEVELS = (4, 2, 1)  # coarser than the finest grid by
+TURN_TOLERANCE = 1e-9  # rad, of the attitude angle
+NUDGE = 0.02  # of the narrowest film: how far the journal is displaced for its stiffness
+SPEED = 1e-3  # of c·ω·(1 − ε): how fast it moves for its damping
+
+
+@record
+class GroovedFilm:
+    """One state of a film with its feed, dimensionless as in `reynolds.FilmSolution`; stiffness K·c/F, damping C·c·ω/F."""
+
+    eccentricity: float
+    length_ratio: float
+    sommerfeld: float
+    attitude: float
+    friction: float  # sheared oil everywhere but in the feeds
+    side_flow: float  # Q_s/(r·c·N·l): what leaves over both edges
+    pressure_ratio: float
+    k_xx: float
+    k_xy: float
+    k_yx: float
+    k_yy: float
+    c_xx: float
+    c_xy: float
+    c_yx: float
+    c_yy: float
+
+
+@record
+class _Grid:
+    alpha: Array  # from the load
+    theta: Array  # from the widest film
+    around: Array
+    across: Array
+    film: Array
+    conductance: Array
+    drag: Array
+    sideways: Array
+    fixed: Mask  # nodes in a feed, and the two ends
+
+
+@record
+class _Force:
+    along: float  # ∬Π·cos α over half the length
+    aside: float  # ∬Π·sin α
+    side_flow: float
+    peak: float
+
+
+def solve_grooved(
+    eccentricity: float, length_ratio: float, feeds: tuple[Feed, ...], *, feed_pressure: float = 0.0, cells: tuple[int, int] = (192, 16)
+) -> GroovedFilm:
+    """The film at ε, l/d, with its coefficients.  `feed_pressure`: over μ·ω·(r/c)².  Raises ValueError outside 0.02 <= ε <= 0.98."""
+    _require(eccentricity, feeds)
+    found: list[Array] = []
+    phi = math.atan2(math.pi * math.sqrt(1 - eccentricity**2), 4 * eccentricity)
+    for coarser in LEVELS:
+        force = _force_of(length_ratio, feeds, feed_pressure, (cells[0] // coarser, max(cells[1] // coarser, 4)))
+        phi = _attitude(lambda angle, of=force: _aside(of, eccentricity, angle), phi)  # type: ignore[misc]
+        if coarser <= 2:
+            found.append(_state(force, eccentricity, phi))
+    coarse, fine = found
+    phi, load, side_flow, peak, *rates = (fine + (fine - coarse) / 3).tolist()
+    So = load / 2
+    k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy = (rate / load for rate in rates)
+    return GroovedFilm(
+        eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=1 / (2 * math.pi * So), attitude=phi,
+        friction=sheared(eccentricity, phi, feeds) / (2 * So) + eccentricity / 2 * math.sin(phi), side_flow=side_flow,
+        pressure_ratio=load / 2 / peak, k_xx=k_xx, k_xy=k_xy, k_yx=k_yx, k_yy=k_yy, c_xx=c_xx, c_xy=c_xy, c_yx=c_yx, c_yy=c_yy,
+    )  # fmt: skip
+
+
+def _require(eccentricity: float, feeds: tuple[Feed, ...]) -> None:
+    low, high = ECCENTRICITY_RANGE
+    if not low <= eccentricity <= high:
+        raise ValueError(f"eccentricity ratio {eccentricity:g}: Reynolds' equation is solved from {low:g} to {high:g}")
+    if not feeds or len({feed.share for feed in feeds}) > 1:
+        raise ValueError("one feed or more, all of one length")
+    if overlap(feeds):
+        raise ValueError("the feeds overlap")
+
+
+def overlap(feeds: tuple[Feed, ...]) -> bool:
+    turns = sorted((feed.angle % (2 * math.pi), feed.arc) for feed in feeds)
+    after = [*turns[1:], (turns[0][0] + 2 * math.pi, turns[0][1])]
+    return any(one + arc / 2 >= other - next_arc / 2 for (one, arc), (other, next_arc) in zip(turns, after))
+
+
+Force = Callable[[float, float, float, float], _Force]
+
+
+def _force_of(length_ratio: float, feeds: tuple[Feed, ...], feed_pressure: float, cells: tuple[int, int]) -> Force:
+    """The force of the film for the journal's place and velocity, each along and across the load; starts from the film before."""
+    before: list[Array] = []
+
+    def force(x: float, y: float, v_x: float = 0.0, v_y: float = 0.0) -> _Force:
+        grid = _grid(math.hypot(x, y), math.atan2(y, x), length_ratio, feeds, cells)
+        squeeze = -v_x * np.cos(grid.alpha) - v_y * np.sin(grid.alpha)
+        pressure = _pressure(grid, squeeze, feed_pressure, before[-1] if before else None)
+        before[:] = [pressure]
+        return _integrals(grid, pressure)
+
+    return force
+
+
+def _aside(force: Force, eccentricity: float, angle: float) -> float:
+    found = force(eccentricity * math.cos(angle), eccentricity * math.sin(angle), 0.0, 0.0)
+    return math.atan2(found.aside, found.along)
+
+
+def _attitude(across: Callable[[float], float], phi: float) -> float:
+    """The angle at which no force stands across the load: the line of centres turned back by what the force is off, then secants."""
+    one, off = phi, across(phi)
+    other = phi - 0.5 * off
+    for _ in range(ITERATION_LIMIT):
+        far = across(other)
+        if abs(other - one) < TURN_TOLERANCE or far == off:
+            return other
+        one, other, off = other, other - far * (other - one) / (far - off), far
+    raise ArithmeticError(Text("no attitude angle found"))
+
+
+def _state(force: Force, eccentricity: float, phi: float) -> Array:
+    """φ, load, side flow, largest pressure, and the eight rates of the force."""
+    x, y = eccentricity * math.cos(phi), eccentricity * math.sin(phi)
+    at_rest = force(x, y, 0.0, 0.0)
+    step, speed = NUDGE * (1 - eccentricity), SPEED * (1 - eccentricity)
+    rates = []
+    for d_x, d_y, v_x, v_y, size in ((step, 0, 0, 0, step), (0, step, 0, 0, step), (0, 0, speed, 0, speed), (0, 0, 0, speed, speed)):
+        ahead, behind = force(x + d_x, y + d_y, v_x, v_y), force(x - d_x, y - d_y, -v_x, -v_y)
+        rates.append([(ahead.along - behind.along) / (2 * size), (ahead.aside - behind.aside) / (2 * size)])
+    (k_xx, k_yx), (k_xy, k_yy), (c_xx, c_yx), (c_xy, c_yy) = rates
+    load = math.hypot(at_rest.along, at_rest.aside)
+    return np.array([phi, load, at_rest.side_flow, at_rest.peak, k_xx, k_xy, k_yx, k_yy, c_xx, c_xy, c_yx, c_yy])
+
+
+def sheared(eccentricity: float, phi: float, feeds: tuple[Feed, ...]) -> float:
+    """∫dα/h over the land, the feeds' share of the length left out."""
+    shear = 2 * math.pi / math.sqrt(1 - eccentricity**2)
+    for feed in feeds:
+        from_widest = math.pi - phi + feed.angle
+        ends = (_gamma(from_widest + side * feed.arc / 2, eccentricity) for side in (-1, 1))
+        start, end = ends
+        shear -= feed.share * (end - start) / math.sqrt(1 - eccentricity**2)  # ∫dθ/h = γ/√(1 − ε²)
+    return shear
+
+
+def _gamma(theta: float, eccentricity: float) -> float:
+    """Sommerfeld's angle of θ, whole turns kept."""
+    turns = round(theta / (2 * math.pi))
+    rest = theta - 2 * math.pi * turns
+    half = math.atan2(math.sqrt(1 - eccentricity) * math.sin(rest / 2), math.sqrt(1 + eccentricity) * math.cos(rest / 2))
+    return 2 * half + 2 * math.pi * turns
+
+
+def _turn(gamma: float, spread: float) -> float:
+    """The turn whose spread is γ: turn − spread·sin(turn) = γ."""
+    turn = gamma
+    for _ in range(50):
+        error = turn - spread * math.sin(turn) - gamma
+        turn -= error / (1 - spread * math.cos(turn))
+        if abs(error) < 1e-14:
+            break
+    return turn
+
+
+def _grid(eccentricity: float, phi: float, length_ratio: float, feeds: tuple[Feed, ...], cells: tuple[int, int]) -> _Grid:
+    """From the middle of the first feed once round; a node on every edge of a feed, between them as in `reynolds`."""
+    narrow = 1.0 - eccentricity**2
+    spread = 1.0 - 1.0 / (1.0 - UNIFORM_SHARE + UNIFORM_SHARE * math.sqrt((1.0 + eccentricity) / (1.0 - eccentricity)))
+    ordered = sorted(feeds, key=lambda feed: (feed.angle - feeds[0].angle) % (2 * math.pi))
+    start = math.pi - phi + feeds[0].angle
+    edges, in_feed = [start], [True]
+    for feed in ordered:
+        middle = start + (feed.angle - feeds[0].angle) % (2 * math.pi)
+        if feed is not feeds[0]:
+            edges.append(middle - feed.arc / 2)
+            in_feed.append(True)
+        edges.append(middle + feed.arc / 2)
+        in_feed.append(False)
+    edges += [start + 2 * math.pi - feeds[0].arc / 2, start + 2 * math.pi]
+    in_feed.append(True)
+    turns = [_turn(_gamma(edge, eccentricity), spread) for edge in edges]
+
+    pieces = [0.0]
+    fixed = [True]
+    weights = [0.0]
+    for a, b, fed in zip(turns, turns[1:], in_feed):
+        count = 2 * max(1, round(cells[0] / 2 * (b - a) / (2 * math.pi)))
+        steps = np.linspace(a, b, count + 1)
+        half = (b - a) / count / 2
+        weights[-1] += half
+        weights += [2 * half] * (count - 1) + [half]
+        pieces = [*(pieces if len(pieces) > 1 else [a]), *steps[1:].tolist()]
+        fixed[-1] = fixed[-1] or fed
+        fixed += [fed] * count
+    turn = np.array(pieces)
+    gamma = turn - spread * np.sin(turn)
+    sine, cosine = np.sin(gamma), np.cos(gamma)
+    film = narrow / (1.0 - eccentricity * cosine)
+    theta = 2.0 * np.arctan2(math.sqrt(1.0 + eccentricity) * np.sin(gamma / 2), math.sqrt(1.0 - eccentricity) * np.cos(gamma / 2))
+    around = np.array(weights) * (1.0 - spread * np.cos(turn)) * film / math.sqrt(narrow)
+    square = (gamma - eccentricity * sine) / narrow**1.5
+    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5
+    conductance = 1.0 / np.diff(cube)
+    drag = 6.0 * np.diff(square) * conductance
+
+    z = _nodes_across(feeds[0].share, cells[1])
+    gap = np.diff(z)
+    across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
+    sideways = (film**3 * around / length_ratio**2)[:, None] / gap
+    held = np.array(fixed)[:, None] & (z[:-1] <= feeds[0].share + 1e-12)
+    held[0] = held[-1] = True
+    return _Grid(theta - math.pi + phi, theta, around, across, film, conductance, drag, sideways, held)
+
+
+def _nodes_across(share: float, cells: int) -> Array:
+    """From the middle to the edge, closer towards the edge; one on the end of a pocket."""
+    if share >= 1.0:
+        return np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells + 1)) / math.tanh(EDGE_CLUSTERING)
+    inner = min(max(round(cells * share / 2) * 2, 2), cells - 2)
+    towards = np.tanh(np.linspace(0.0, EDGE_CLUSTERING, inner + 1)) / math.tanh(EDGE_CLUSTERING) * share
+    beyond = share + (1 - share) * 0.5 * (1 - np.cos(np.linspace(0.0, math.pi, cells - inner + 1)))
+    return np.append(towards, beyond[1:])
+
+
+def _pressure(grid: _Grid, squeeze: Array, feed_pressure: float, guess: Array | None) -> Array:
+    """Π at all nodes: the complementarity problem of `reynolds`, with nodes that are held."""
+    inner = grid.across[:-1]
+    along = grid.conductance[:, None] * inner
+    aside = grid.sideways[1:-1]
+    diagonal = along[1:] + along[:-1] + aside
+    diagonal[:, 1:] += aside[:, :-1]
+    source = (-np.diff(grid.drag) - 12.0 * (squeeze * grid.around)[1:-1])[:, None] * inner
+
+    pressure = np.zeros((grid.theta.size, grid.across.size))
+    pressure[:, :-1] = np.where(grid.fixed, feed_pressure, 0.0)
+    free = ~grid.fixed[1:-1]
+    inside = pressure[1:-1, :-1]
+    held = pressure.copy()
+    from_held = along[1:] * held[2:, :-1] + along[:-1] * held[:-2, :-1] + aside * held[1:-1, 1:]
+    from_held[:, 1:] += aside[:, :-1] * held[1:-1, :-2]
+    if guess is not None and guess.shape == pressure.shape:
+        active = free & (guess[1:-1, :-1] > 0.0)
+    else:
+        active = free & (source > 0.0)
+    round_off = 1e-11 * float(np.abs(source).max())
+    for _ in range(ITERATION_LIMIT):
+        inside[:] = np.where(free, solved_where_active(active, diagonal, along[1:-1], aside[:, :-1], source + from_held), held[1:-1, :-1])
+        push = source + along[1:] * pressure[2:, :-1] + along[:-1] * pressure[:-2, :-1] + aside * pressure[1:-1, 1:]
+        push[:, 1:] += aside[:, :-1] * inside[:, :-1]
+        corrected = free & np.where(active, inside > 0.0, push > round_off)
+        if np.array_equal(corrected, active):
+            return pressure
+        active = corrected
+    raise ArithmeticError(Text("no film found on {size} nodes around", size=grid.theta.size))
+
+
+def _integrals(grid: _Grid, pressure: Array) -> _Force:
+    per_angle = pressure @ grid.across * grid.around
+    leaving = float((grid.sideways[:, -1] * pressure[:, -2]).sum())
+    # the half cell at the edge, where Π = 0 but the film still narrows: what its drag loses over every stretch of film
+    whole = pressure[:, -2] > 0.0
+    begins, ends = np.flatnonzero(np.diff(whole.astype(int)) == 1), np.flatnonzero(np.diff(whole.astype(int)) == -1)
+    wedge = float(grid.drag[begins].sum() - grid.drag[ends].sum()) * float(grid.across[-1])
+    return _Force(
+        along=float(per_angle @ np.cos(grid.alpha)), aside=float(per_angle @ np.sin(grid.alpha)),
+        side_flow=math.pi / 6.0 * (leaving + wedge), peak=float(pressure.max()),
+    )  # fmt: skip
