@@ -5,7 +5,7 @@ from .sheet.text import Amount, Text
 from .sheet.units import Celsius, NewtonPerMetreSecond, Number, Pascal, Radian
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
-TRUMPLER = Text("Trumpler, after Finotti 2013, 5.6")
+TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
 
 SPECIFIC_LOAD: Pascal = 5e6  # the most that is accepted
 USUAL_SPECIFIC_LOAD: Pascal = 2e6

@@ -72,5 +72,5 @@ def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Ch
         yield check(f"bearings.{place}.film_edge_standing",
             Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
             thinnest - (one.film - one.film_edge), ">=", one.kreisle_film, "µm",
-            Text("Kreisle, on the turning and the standing load together"),
+            Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
             Text("As for the film at the edge; the standing part is weight and gear force."))  # fmt: skip

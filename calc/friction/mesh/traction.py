@@ -58,11 +58,11 @@ HOTTEST: Celsius = 1500.0  # above, the law of the oil's density ends: it comes 
 PASSES = 60
 
 THESIS = Text("gear friction thesis")
-OLVER = Text("Olver 1991, Olver and Spikes 1998, as generally published")
+OLVER = Text("Olver 1991, Olver and Spikes 1998")
 
 
 # --- how the load is carried ----------------------------------------------------------------------------------------------
-@formula("σ", Text("{thesis}: both roughnesses together", thesis=THESIS), unit="µm")
+@formula("σ", Text("{thesis}, eq. 30: both roughnesses together", thesis=THESIS), unit="µm")
 def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     """>>> combined_roughness(Ra_1=8e-07, Ra_2=8e-07)
     1.131370...e-06
@@ -70,67 +70,72 @@ def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     return sqrt(Ra_1**2 + Ra_2**2)
 
 
-@formula("λ", Text("{thesis}: film over roughness", thesis=THESIS), governs="min")
+@formula("λ", Text("{thesis}, eq. 30: film over roughness", thesis=THESIS), governs="min")
 def film_ratio(h: Metre, sigma: Metre) -> Number:
     return h / sigma
 
 
-@formula("ξ", Text("{thesis}, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"})
+@formula(
+    "ξ", Text("{thesis}, eq. 23, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"}
+)
 def solid_share(lam: Number) -> Number:
     return 1 - erf(lam)
 
 
-@formula("μ", Text("{thesis}: mixed friction", thesis=THESIS))
+@formula("μ", Text("{thesis}, eq. 25: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
 
 
 # --- the fluid's part ------------------------------------------------------------------------------------------------------
-@formula("η", "Barus, viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+@formula("η", "Barus 1893: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
 
 
-@formula("Z", "Roelands 1966, as generally published: pressure-viscosity index from the coefficient α at no pressure")
+@formula("Z", "Roelands 1966: pressure-viscosity index from the coefficient α at no pressure")
 def roelands_index(alpha_f: PerPascal, eta_f: PascalSecond) -> Number:
     return alpha_f / (ROELANDS_COMPLIANCE * (ln(eta_f / PASCAL_SECOND) + 9.67))
 
 
-@formula("η", "Roelands 1966, as generally published: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+@formula("η", "Roelands 1966: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
 
 
-@formula("τ_E", Text("{thesis}: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
+@formula("τ_E", Text("{thesis}, eq. 47: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
 def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
     return 2 * Lambda / alpha_f
 
 
 @formula(
-    "μ_EHL", Text("{thesis}, eq. 32 (misprinted there): Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS)
+    "μ_EHL",
+    Text("{thesis}, eqs. 32 (misprinted there) and 48: Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS),
 )
 def fluid_friction(tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number) -> Number:
     return smallest(tau_E / p_m * asinh(eta * V_s / (tau_E * h)), Lambda)
 
 
-@formula("μ_IR", "derived: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
+@formula("μ_IR", "hydrodynamics, derived here: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
 def rigid_fluid_friction(eta_0: PascalSecond, V_s: MetrePerSecond, R: Metre, h_0: Metre, w_f: NewtonPerMetre) -> Number:
     return 2.849 * eta_0 * V_s * sqrt(R / h_0) / w_f
 
 
-@formula("a_IR", "rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm")
+@formula(
+    "a_IR", "hydrodynamics, rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm"
+)
 def sheared_half_width(R: Metre, h_0: Metre) -> Metre:
     return sqrt(2 * R * h_0)
 
 
-@formula("De", Text("{thesis}: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
+@formula("De", Text("{thesis}, eq. 35: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
 def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
     """a: half width of the zone that is sheared, b_H of an elastic contact."""
     return eta * u_e / (SHEAR_MODULUS * 2 * a)
 
 
 # --- temperatures ----------------------------------------------------------------------------------------------------------
-@formula("q", "friction power per length of the contact line")
+@formula("q", "definition: friction power per length of the contact line")
 def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
     return mu * w * V_s
 
@@ -148,7 +153,7 @@ def heat_partition(B_1: KelvinMetrePerWatt, B_2: KelvinMetrePerWatt, M_1: Kelvin
     return (1.06 * B_2 + M_2) / (1.06 * (B_1 + B_2) + M_1 + M_2)
 
 
-@formula("M", "resistance of a wheel's body, per length of contact line")
+@formula("M", "definition: resistance of a wheel's body, per length of contact line")
 def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetrePerWatt:
     return R_K * b / cos(beta_b)
 

@@ -42,7 +42,7 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
     if play.centre_tolerance_rss is not None and m.inputs.tolerance is not None:
         checks.append(check(
             f"{id}.stack", Text("Parts between the centres {name}, root of squares (±)", name=m.name), play.centre_tolerance_rss, "<=",
-            m.inputs.tolerance, "µm", Text("the tolerance of the centre distance must hold what its parts add up to"),
+            m.inputs.tolerance, "µm", Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
             Text("Smaller fields of the parts help as well."), index=m.index, remedies=partial(_wider, m, play.centre_tolerance_rss),
         ))  # fmt: skip
     if play.backlash_min_worst is not None:
