@@ -165,6 +165,7 @@ def resolved(source: str) -> Origin:
 
 
 def _begins(source: str, kind: str) -> bool:
+    source = source[:1].lower() + source[1:]
     return source == kind or (source.startswith(kind) and not source[len(kind)].isalnum())
 
 
@@ -199,8 +200,8 @@ PLACE = re.compile(r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<!
 # What looks like a publication: names and a year, or a standard with its number.
 LIKELY = re.compile(
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
-    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|SAE|UNI|NASA|NACA)(?:/(?:TR|TS))?[ -](?:ISO |EN |UR |TR |TN |TP|Report )?"
-    r"[A-Z]?-?\d+(?:-[A-Z]?\d+)*(?::\d{4})?"
+    r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI|NASA|NACA)(?:/(?:TR|TS))?[ -](?:ISO |EN |UR |TR |TN |TP|Report )?"
+    r"[A-Z]?-?\d+(?:-[A-Z]?\d+)*(?::\d{4})?|\bSAE J\d+"
 )
 
 

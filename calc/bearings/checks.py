@@ -7,6 +7,7 @@ from functools import partial
 
 from ..fits import clearance_limits, parse
 from ..journal_rules import (
+    DESIGN_FACTOR,
     FINOTTI,
     FULL_FILM_FRICTION,
     HEAT_INDEX,
@@ -29,7 +30,7 @@ from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
 from .routes.side_by_side import ROUTES, SPREAD, reason
 
-# Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (as generally published), in m.
+# Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
@@ -51,7 +52,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
         Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
     yield on("film_double_load", Text("Film at twice the load"), r.film_double_load, ">=", r.trumpler_film, "µm",
-        TRUMPLER + Text(": n_d ≥ 2 on the running load"),
+        DESIGN_FACTOR,
         Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."))  # fmt: skip
     yield on("film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", TRUMPLER,
         Text("Lengthen the bearing, lower the clearance, or take a thicker oil."))  # fmt: skip
@@ -64,7 +65,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
         Text("More oil (larger hole, more pressure, more clearance) or cooler oil."))  # fmt: skip
     yield on("temperature_trumpler", Text("Outlet temperature by Trumpler"), r.outlet_temperature, "<=", TRUMPLER_TEMPERATURE, "°C",
-        TRUMPLER, Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C."))  # fmt: skip
+        TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
+        Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."))  # fmt: skip
     for key, title, p_limit in (
         ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
     ):  # fmt: skip
@@ -178,7 +180,7 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
         ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", Text("Kreisle, after Finotti 2013, 5.5.3"),
          Text("A longer bearing, closer fits or a smoother surface.")),
         ("film_double_load", "film_double_load", Text("Film at twice the load"), c.film_double_load, ">=", r.trumpler_film, "µm",
-         TRUMPLER, Text("A longer bearing, or closer fits.")),
+         DESIGN_FACTOR, Text("A longer bearing, or closer fits.")),
         ("temperature", "outlet_temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", inputs.outlet_temperature_limit,
          "°C", Text("given in the design: its limit"), Text("More clearance at the tight end, or more oil.")),
         ("clearance_cold", "clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", Text("physics: seizure when cold"),

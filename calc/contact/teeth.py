@@ -23,7 +23,7 @@ RISE: Kelvin = 7400.0
 # Lubricant factor of the friction, ISO/TR 15144-1:2014, Table 3, the same in ISO/TR 13989-1, as in public code; it knows phosphate esters
 # only (1.3): other esters count as mineral oil by a rule of this program.
 LUBRICANT_FACTOR = {"mineral": 1.0, "PAO": 0.8, "PAG": 0.7}
-# Lubrication factor X_S, ISO/TR 13989-1:2000 (22) and ISO/TR 15144-1:2014 (84), as generally published.
+# Lubrication factor X_S, ISO/TR 13989-1:2000 (22) and ISO/TR 15144-1:2014 (84), from memory.
 LUBRICATION_FACTOR = {"spray": 1.2, "dip": 1.0, "submerged": 0.2}
 
 

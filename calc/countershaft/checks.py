@@ -127,7 +127,7 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             Text("rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"),
         Text("A stiffer or lighter shaft: larger core, shorter span."))  # fmt: skip
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, source = material.proof_stress, Text("proof stress of {name}", name=material.name)
+    proof, source = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
     advice = Text("A larger core where the moment is largest, or a shorter span.")
     if proof is not None:
         yield check("countershaft.bending_stress", Text("Largest bending stress, nominal"), bent.bending_stress, "<=", proof, "MPa",

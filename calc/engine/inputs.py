@@ -9,7 +9,7 @@ from ..sheet.text import EMPTY, Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
 
-CRANK_RATIO = (0.20, 0.33)  # λ of vehicle engines; Finotti 2013, 2.1
+CRANK_RATIO = (0.22, 0.30)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
 
 # Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that leaves least.
 FOUR_STROKE = {

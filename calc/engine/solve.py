@@ -227,8 +227,15 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
-    usual = Text("usual range of vehicle engines (Finotti 2013, 2.1)")
-    longer = Text("A longer rod lowers λ and with it every second-order force and couple.")
+    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30 (Finotti 2013, 2.2.4, has 0.2 to 0.3)")
+    longer = (
+        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
+        if e.lambda_ < CRANK_RATIO[0]
+        else Text(
+            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: the R753IE4 of "
+            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
+        )
+    )
     rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
     advice = Text("This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.")
     gas: list[Check] = []
@@ -253,7 +260,10 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
         gas.append(
             check(
                 "engine.speed_irregularity", Text("Speed irregularity"), turning.speed_irregularity, "<=", IRREGULAR, "",
-                Text("rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20"),
+                Text(
+                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept "
+                    "well below 1/20"
+                ),
                 Text("A larger inertia of the flywheel lowers it in proportion."),
             )
         )  # fmt: skip

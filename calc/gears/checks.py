@@ -55,7 +55,7 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
     name = Text("Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by", name=last.name, to=to, ratio=shown,
         wanted=Amount(wanted, form="+g"))  # fmt: skip
-    source = Text("counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
+    source = Text("kinematics, counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
         wanted=Amount(abs(wanted), form="g"), parity=parity)  # fmt: skip
     advice = Text("The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
         "from {name2} to {name}.", teeth=teeth, ratio=shown, count=len(way) - 1, name=last.name, enough=enough, parity=parity,

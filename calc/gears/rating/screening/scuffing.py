@@ -31,7 +31,7 @@ ONE_KELVIN: Kelvin = 1.0
 EIGHTY: Celsius = 80.0
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
 DEFLECTION: Metre = 50e-6
-STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, as generally published
+STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, from memory
 NAMES = {"T_oil": "Θ_oil", "T_flm": "Θ_flm", "T_M": "Θ_M", "T_fl": "Θ_fl,max", "T_S": "Θ_S", "T_B": "Θ_B,max"}
 LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
 
