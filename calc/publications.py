@@ -196,7 +196,7 @@ def _numbered(clause: str) -> list[str]:
 
 
 # A place: a section, a table, a figure, an equation or a chapter.  A number alone has a point in it.
-PLACE = re.compile(r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(\d+(?:[.-]\d+)*)(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))")
+PLACE = re.compile(r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(?!0)(\d+(?:[.-]\d+)*)(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))")
 # What looks like a publication: names and a year, or a standard with its number.
 LIKELY = re.compile(
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"

@@ -227,7 +227,7 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
-    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30 (Finotti 2013, 2.2.4, has 0.2 to 0.3)")
+    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3")
     longer = (
         Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
         if e.lambda_ < CRANK_RATIO[0]

@@ -50,8 +50,8 @@ def of_table(data: Any, path: str = "") -> Iterator[tuple[str, str]]:
     """Every `source` of a table, whatever it stands in."""
     if isinstance(data, dict):
         for key, value in data.items():
-            if key == "source" and isinstance(value, str):
-                yield path, value
+            if key == "source" and isinstance(value, str) and data.get("place") != "throughout":
+                yield path, f"{value}, {data['place']}" if "place" in data else value
             yield from of_table(value, f"{path}.{key}")
     elif isinstance(data, list):
         for n, value in enumerate(data):
