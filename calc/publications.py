@@ -7,13 +7,13 @@ first, a kind and what follows: "geometry: sector and core", "rule of this progr
 
 import re
 import tomllib
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
 
 from .sheet.record import record
-from .sheet.text import Name, Text
+from .sheet.text import SEMICOLON, Text
 
 TABLE = Path(__file__).parent / "tables" / "publications.toml"
 PLACES = TABLE.with_name("places.toml")
@@ -86,22 +86,24 @@ class Publication:
             return Text("edition not checked")
         return Text("superseded by {publication}", publication=self.status.removeprefix("superseded by "))
 
-    def described(self, known: Text | None = None) -> Text:
-        """Title, edition, status and how we know, on one line."""
+    def described(self, known: Sequence[Text] = ()) -> Text:
+        """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the whole."""
         line = Text(
-            "{title}. {edition}; {status}; {known}", title=self.title, edition=self.edition, status=self.status_text,
-            known=known or KNOWN[self.known],
+            "{title} ({edition}); {status}; {known}", title=self.title, edition=self.edition, status=self.status_text,
+            known=SEMICOLON.join(known or [KNOWN[self.known]]),
         )  # fmt: skip
         return Text("{described}; its title from memory", described=line) if self.title_from_memory else line
 
 
 @record
 class Citation:
-    """A publication that a source names.  `clause`: what the source says behind the name, up to the next publication.
+    """A publication that a source names.  `name`: as it stands there, a standard perhaps with its year; `clause`: what follows it, up to
+    the next publication.
 
     `places`: those of them that the publication has, by their numbers; `lost`: places that it has not.
     """
 
+    name: str
     publication: Publication
     clause: str
     places: tuple[str, ...]
@@ -173,10 +175,10 @@ def _citation(name: str, clause: str) -> Citation:
     found = publication(name)
     assert found is not None, name
     if not found.places:
-        return Citation(publication=found, clause=clause, places=(), lost=())
+        return Citation(name=name, publication=found, clause=clause, places=(), lost=())
     numbers = _numbered(re.split(r"[:;]", clause, maxsplit=1)[0])
     return Citation(
-        publication=found, clause=clause, places=tuple(n for n in numbers if n in found.places),
+        name=name, publication=found, clause=clause, places=tuple(n for n in numbers if n in found.places),
         lost=tuple(n for n in numbers if n not in found.places),
     )  # fmt: skip
 
@@ -196,7 +198,9 @@ def _numbered(clause: str) -> list[str]:
 
 
 # A place: a section, a table, a figure, an equation or a chapter.  A number alone has a point in it.
-PLACE = re.compile(r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(?!0)(\d+(?:[.-]\d+)*)(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))")
+PLACE = re.compile(
+    r"(?:\b(Tables?|Figs?\.|Figures?|eqs?\.|ch\.|chapter) ?)?(?<![\w.·])(?!0)(\d+(?:[.-]\d+)*)(?![\w·]|\.\d| ?(?:mm|N|MPa|kg|%|°|µm|m\b))"
+)
 # What looks like a publication: names and a year, or a standard with its number.
 LIKELY = re.compile(
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
@@ -212,7 +216,12 @@ def _names() -> re.Pattern[str]:
     return re.compile(rf"(?<![\w-])(?:{names})(?::\d{{4}})?(?![\w-])")
 
 
-def described(name: str, known: Text | None = None) -> Text:
-    """What the register says of a publication; empty where it has no such name."""
-    found = publication(name)
-    return found.described(known) if found is not None else Name("")
+def references(sources: Iterable[str]) -> dict[str, tuple[Publication, list[str], list[Text]]]:
+    """The publications that sources name, in the order in which they first do: the row, its places that are cited, how we know them."""
+    found: dict[str, tuple[Publication, list[str], list[Text]]] = {}
+    for source in sources:
+        for citation in resolved(source).citations:
+            _, places, known = found.setdefault(citation.name, (citation.publication, [], []))
+            places += [place for place in citation.places if place not in places]
+            known += [citation.known] if citation.known not in known else []
+    return found

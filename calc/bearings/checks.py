@@ -177,8 +177,8 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs = r.corners, r.seat.inputs
     for key, column, title, value, sense, limit, unit, source, advice in (
-        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", Text("Kreisle, after Finotti 2013, 5.5.3"),
-         Text("A longer bearing, closer fits or a smoother surface.")),
+        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm",
+         Text("Kreisle, after Finotti 2013, 5.5.3"), Text("A longer bearing, closer fits or a smoother surface.")),
         ("film_double_load", "film_double_load", Text("Film at twice the load"), c.film_double_load, ">=", r.trumpler_film, "µm",
          DESIGN_FACTOR, Text("A longer bearing, or closer fits.")),
         ("temperature", "outlet_temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", inputs.outlet_temperature_limit,

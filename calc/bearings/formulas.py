@@ -224,7 +224,8 @@ def sliding_ratio(n_J: RevPerSecond, n_B: RevPerSecond, n_h: RevPerSecond) -> Nu
 
 @formula(
     "f*",
-    "hydrodynamics: the same, the shear by the sliding speed and the pressure by the hydrodynamic one (balance of power in the load's frame)",
+    "hydrodynamics: the same, the shear by the sliding speed and the pressure by the hydrodynamic one "
+    "(balance of power in the load's frame)",
 )
 def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number) -> Number:
     return k_s**2 * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)

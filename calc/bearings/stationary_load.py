@@ -63,8 +63,10 @@ def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> 
 
 def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield check(
-        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=", TRUMPLER_START_LOAD,
-        "MPa", TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"), Text("A larger or longer journal."),
+        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=",
+        TRUMPLER_START_LOAD, "MPa",
+        TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
+        Text("A larger or longer journal."),
     )  # fmt: skip
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:

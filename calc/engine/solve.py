@@ -242,7 +242,8 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
     if turning.indicated_work is not None:
         gas.append(
             check(
-                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J", Text("energy: an engine gives work"),
+                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J",
+                Text("energy: an engine gives work"),
                 Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
             )
         )  # fmt: skip

@@ -98,7 +98,9 @@ def test_places_are_read_as_they_are_written():
         return resolved(source).citations[0].places
 
     assert places("Finotti 2013, Tables 4.5 and 4.6, Fig. 4.20, 4.5.1") == ("Table 4.5", "Table 4.6", "Fig. 4.20", "4.5.1")
-    assert places("Finotti 2013, 4.7 (in chapter 6): 20 MPa") == ("4.7", "ch. 6") and places("Finotti 2013, eq. 2.7, corrected") == ("eq. 2.7",)
+    assert places("Finotti 2013, 4.7 (in chapter 6): 20 MPa") == ("4.7", "ch. 6") and places("Finotti 2013, eq. 2.7, corrected") == (
+        "eq. 2.7",
+    )
     assert places("gear friction thesis, eqs. 32 (misprinted) and 48: Eyring") == ("eq. 32", "eq. 48")
 
 
@@ -185,7 +187,9 @@ def test_no_text_names_a_place_that_is_not_there(folder):
 
 
 def test_nothing_is_generally_published():
-    files = [p for top in ("calc", "reports", "assistant", "designs") for p in (ROOT / top).rglob("*") if p.suffix in (".py", ".toml", ".md")]
+    files = [
+        p for top in ("calc", "reports", "assistant", "designs") for p in (ROOT / top).rglob("*") if p.suffix in (".py", ".toml", ".md")
+    ]
     assert [p.name for p in files if "generally published" in p.read_text(encoding="utf-8")] == []
 
 

@@ -49,7 +49,8 @@ def opposite(eps: Number) -> Number:
 
 @formula(
     "E",
-    "hydrodynamics, hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone (Finotti 2013, Table 5.1)",
+    "hydrodynamics, hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone "
+    "(Finotti 2013, Table 5.1)",
 )
 def at_angle(eps: Number, delta: Radian) -> Number:
     return (1 - eps * cos(delta)) ** 3

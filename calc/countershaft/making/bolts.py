@@ -55,7 +55,8 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 4
 
 
-@formula("F_V", "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
+@formula("F_V",
+    "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
     names={"rho": "ρ′"})  # fmt: skip
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
     """`rho` is the angle of friction on the flanks.

@@ -101,7 +101,8 @@ class Support:
     bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", default=None, low=0, high=10000,
         source="Finotti 2013, 4.7 (in chapter 6)", help="From finite elements; the limit is the proof stress of the material.")  # fmt: skip
     load_stress: float | None = quantity("Stress from the bearing loads alone, von Mises", "MPa", default=None, low=0, high=10000,
-        source="Finotti 2013, 4.7 (in chapter 6)", help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
+        source="Finotti 2013, 4.7 (in chapter 6)",
+        help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
     load_stress_limit: float | None = quantity("Limit of the stress from the loads", "MPa", default=None, above=0, high=10000,
         source="given in the design, by the fatigue strength of the casting",
         help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.")  # fmt: skip

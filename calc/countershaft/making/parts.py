@@ -108,7 +108,8 @@ def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
         over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C))
         to.checks.append(check("countershaft.holes.range", Text("Couple beyond the required one, for drilling to take away"),
             round(over, 9), "in", (0.0, drilled.hole_range), "N·m",
-            Text("mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than the holes take"),
+            Text("mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than "
+                "the holes take"),
             Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=Amount(drilled.hole_range / 2, form=".1f"))))  # fmt: skip
 
 
@@ -158,7 +159,7 @@ def _support(support: Support, material: Material) -> Iterator[Check]:
 
 
 def _load_stress(support: Support, material: Material) -> Iterator[Check]:
-    """Against what the casting endures under a turning load.  Where that is not given, its strength says only that it does not break at once."""
+    """Against what the casting endures under a turning load; where that is not given its strength, which does not judge fatigue."""
     if support.load_stress is None:
         return
     limit, source = support.load_stress_limit, Text("given in the design: what the casting endures without end under the turning load")

@@ -38,8 +38,8 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
     ]  # fmt: skip
     if wheel.over_balls is not None:
         checks.append(check(f"{id}.ball_proud", Text("Balls of {name} above its tip", name=name),
-            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("geometry: the balls must stand proud of the tip circle"), kind=kind,
-            remedies=other_ball))  # fmt: skip
+            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("geometry: the balls must stand proud of the tip circle"),
+            kind=kind, remedies=other_ball))  # fmt: skip
     if sizes.over_one_ball is not None:
         above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
         checks.append(check(f"{id}.ball_root", Text("Ball of {name} above the root", name=name), above_root, ">=", 0.0, "mm",

@@ -102,7 +102,8 @@ def ball_contact_diameter(d_b: Metre, alpha_K: Radian, D_M: Metre, beta_b: Radia
     return sqrt(d_b**2 + (d_b * tan(alpha_K) - D_M * cos(beta_b)) ** 2)
 
 
-@formula("D_y", "geometry: contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)", unit="mm",
+@formula("D_y", "geometry: contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)",
+    unit="mm",
     shows="ball that touches the flanks at α_yt: tan α_K·sin²β_b + (α_K + c)·cos²β_b = tan α_yt, c = s_t/d + inv α_t − π/z")  # fmt: skip
 def ball_for_contact(s_t: Metre, d: Metre, alpha_t: Radian, z: Number, d_b: Metre, beta_b: Radian, alpha_yt: Radian) -> Metre:
     """Newton's method in α_K; the left side rises and is convex, and the spur solution starts above the root."""
