@@ -123,7 +123,8 @@ def amount(T: NewtonMetre) -> NewtonMetre:
 
 @formula(
     "t_n",
-    "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle (two terms: Den Hartog, ch. 5)",
+    "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle "
+    "(two terms: Den Hartog, ch. 5)",
     shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)", names={"fires": "f"},
 )  # fmt: skip
 def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:

@@ -32,7 +32,7 @@ READ = {"Finotti 2013", "mechanics textbook", "gear friction thesis"}  # whose t
 def formulas() -> dict[str, str]:
     for module in pkgutil.walk_packages(calc.__path__, "calc."):
         importlib.import_module(module.name)
-    return {name: str(formula.source) for name, formula in FORMULAS.items()}
+    return {name: str(formula.source) for name, formula in FORMULAS.items() if name.startswith("calc.")}
 
 
 def fields() -> dict[str, str]:
