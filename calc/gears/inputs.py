@@ -94,7 +94,7 @@ class GearsInputs:
     power: float | None = quantity("Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
         help="What the train takes in at the first driver. Left out: from the closed power balance.")  # fmt: skip
     speed_irregularity: float | None = quantity("Irregularity of the first driver's speed", default=None, low=0, high=1, symbol="delta_s",
-        step=0.005, usual=(0, 0.05), source="rule of thumb of machine handbooks, from memory",
+        step=0.005, usual=(0, 0.05), source="rule of thumb, by machine handbooks from memory",
         help="Swing over mean. Left out: the engine's.")  # fmt: skip
     irregularity_order: float | None = quantity("Order of the irregularity", default=None, above=0, high=50, symbol="i",
         help="How often a turn of the first driver it swings. Left out: the engine's firing order.")  # fmt: skip
