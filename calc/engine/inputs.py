@@ -107,7 +107,7 @@ class EngineInputs:
         help="Mass of one rod with bush and screws, without big-end shells.",
     )  # fmt: skip
     rod_cg_to_big_end: float | None = quantity(
-        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.2.2",
+        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.5.3.1",
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
     )  # fmt: skip
     crankpin_bearing_mass: float = quantity(

@@ -19,7 +19,7 @@ from ...sheet.trace import about
 from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, NewtonMetre, Number, Radian, RadPerSecond
 from ..inputs import Holes
 
-HOLES = Text("Finotti 2013, 4.1: calibration holes in the eccentric masses")
+HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
 
 @result

@@ -113,9 +113,9 @@ class Alternative:
     """What the shaft costs in one material."""
 
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.1", help="Cost of dies and fixtures, paid once.")
-    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.1", help="Cost of one shaft in this material.")
-    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.1",
+    tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once.")
+    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.2", help="Cost of one shaft in this material.")
+    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.2",
         help="Cost of research and development, paid once.")  # fmt: skip
 
 
@@ -123,7 +123,7 @@ class Alternative:
 class Cost:
     """Yearly volume, and the alternatives to compare."""
 
-    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.1",
+    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.2",
         help="Shafts made in the first year, for which the cost is compared.")  # fmt: skip
     alternatives: tuple[Alternative, ...] = tables("Alternatives", Alternative)
 
