@@ -71,6 +71,7 @@ class Publication:
     where: Mapping[str, str]
     places: Mapping[str, str]
     title_from_memory: bool
+    status_from_memory: bool
 
     def known_at(self, clause: str) -> Text:
         """How we know what it says there.  A source may say of itself that it is from memory."""
@@ -80,11 +81,14 @@ class Publication:
 
     @property
     def status_text(self) -> Text:
-        if self.status == "current":
-            return Text("current")
         if self.status == "not checked":
             return Text("edition not checked")
-        return Text("superseded by {publication}", publication=self.status.removeprefix("superseded by "))
+        status = Text("current")
+        if self.status == "superseded by later editions":
+            status = Text("superseded by later editions")
+        elif self.status != "current":
+            status = Text("superseded by {publication}", publication=self.status.removeprefix("superseded by "))
+        return Text("{status} as far as we remember", status=status) if self.status_from_memory else status
 
     def described(self, known: Sequence[Text] = ()) -> Text:
         """Title, edition, status and how we know, on one line.  `known`: of the places that are meant, where not of the whole."""
@@ -138,6 +142,7 @@ def register() -> Mapping[str, Publication]:
         row["name"]: Publication(
             name=row["name"], title=row["title"], edition=row["edition"], status=row["status"], known=row["known"],
             where=row.get("where", {}), places=places.get(row["name"], {}), title_from_memory=row.get("title_from_memory", False),
+            status_from_memory=row.get("status_from_memory", False),
         )
         for row in rows
     }  # fmt: skip

@@ -114,5 +114,6 @@ def _json(row: Publication) -> dict[str, Any]:
     return {
         "name": row.name, "title": row.title, "edition": row.edition, "status": row.status, "known": str(KNOWN[row.known]),
         "known_at": {place: str(KNOWN[known]) for place, known in row.where.items()}, "title_from_memory": row.title_from_memory,
+        "status_from_memory": row.status_from_memory,
         "formulas": [name for name, _ in _users(row)],
     }  # fmt: skip
