@@ -208,6 +208,7 @@ PLACE = re.compile(
 )
 # What looks like a publication: names and a year, or a standard with its number.
 LIKELY = re.compile(
+    r"\b(?!(?:Jan|Feb|Mar|Apr|May|Jun|Jul|Aug|Sep|Oct|Nov|Dec)\b)"
     r"[A-Z][\w.’'-]+(?:(?: |, | & |/| and )(?:[A-Z][\w.’'-]*|et al\.))*,? (?:18|19|20)\d\d\b"
     r"|\b(?:ISO|DIN|AGMA|VDI|FVA|ASTM|API|BS|EN|IACS|JIS|UNI|NASA|NACA)(?:/(?:TR|TS))?[ -](?:ISO |EN |UR |TR |TN |TP|Report )?"
     r"[A-Z]?-?\d+(?:-[A-Z]?\d+)*(?::\d{4})?|\bSAE J\d+"
