@@ -33,6 +33,7 @@ COMMANDS = {
     "validate": "values printed, worked out or measured by others beside ours; what is not met, and why",
     "errata": "what is wrong in the documents behind this program, with the right values",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
+    "sources": "the publications behind the program: title, edition, status, and how we know what each says",
 }
 KEY_VALUE = "KEY=VALUE"
 SELDOM = (200_000, 20, 100)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
@@ -157,6 +158,8 @@ def parser() -> argparse.ArgumentParser:
 
     add["oils"].add_argument("name", nargs="?", metavar="NAME", help="like '5W-30'; left out: all")
     add["oils"].add_argument("--json", action="store_true", help="print one JSON object")
+    add["sources"].add_argument("name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all")
+    add["sources"].add_argument("--json", action="store_true", help="print one JSON object")
 
     session = commands.add_parser(
         "session", help="the guided session (the same as no command)", description="The guided session.", formatter_class=Help

@@ -5,7 +5,8 @@ from .sheet.text import Amount, Text
 from .sheet.units import Celsius, NewtonPerMetreSecond, Number, Pascal, Radian
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
-TRUMPLER = Text("Trumpler, after Finotti 2013, 5.6")
+TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
+DESIGN_FACTOR = Text("Trumpler, after Shigley, 12-7 (not in Finotti 2013, 5.5.1): a design factor of 2 on the running load")
 
 SPECIFIC_LOAD: Pascal = 5e6  # the most that is accepted
 USUAL_SPECIFIC_LOAD: Pascal = 2e6
@@ -15,9 +16,10 @@ LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
 USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
 RELATIVE_CLEARANCE: Number = 1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
 SUPPLY_WIDTH: tuple[Number, Number] = (0.05, 0.7)  # of hole or pocket over the length; DIN 31652-2: range of the supply factors
-TRUMPLER_TEMPERATURE: Celsius = 121.0  # 250 °F
-FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.6
-SLOPE: Radian = 0.25e-3  # Finotti 2013, ch. 6: target of the engine's maker
+TRUMPLER_TEMPERATURE: Celsius = 120.0  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 250 °F, 121 °C
+TRUMPLER_START_LOAD: Pascal = 2e6  # as Finotti 2013, 5.5.1, prints it; Trumpler himself has 300 psi, 2.07 MPa
+FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.4.1
+SLOPE: Radian = 0.25e-3  # Finotti 2013, 4.6 (in chapter 6): target of the engine's maker
 STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
 
 # The same rules in words, for guide texts.

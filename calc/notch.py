@@ -11,17 +11,17 @@ from .sheet.functions import sqrt
 from .sheet.text import Text
 from .sheet.units import Metre, Number, Pascal
 
-PETERSON = Text("Pilkey, Peterson's Stress Concentration Factors, 2nd/3rd ed., chart 3.10: shouldered round shaft, bending")
+PETERSON = Text("Pilkey, chart 3.10: shouldered round shaft, bending")
 FIT = (0.1, 20.0)  # of t/r
 BRANCH = 2.0  # of t/r, where the second fit begins
 
 
-@formula("ξ", "t/r: height of the shoulder over the radius of its fillet")
+@formula("ξ", "definition, t/r: height of the shoulder over the radius of its fillet")
 def step_over_fillet(D: Metre, d: Metre, r: Metre) -> Number:
     return (D - d) / (2 * r)
 
 
-@formula("ζ", "2·t/D: height of the shoulder over the larger radius")
+@formula("ζ", "definition, 2·t/D: height of the shoulder over the larger radius")
 def relative_step(D: Metre, d: Metre) -> Number:
     return (D - d) / D
 
@@ -48,7 +48,7 @@ def high_shoulder(x: Number, y: Number) -> Number:
     )  # fmt: skip
 
 
-@formula("σ_k", "elastic stress at the fillet, notch factor times nominal stress", unit="MPa")
+@formula("σ_k", "elasticity: elastic stress at the fillet, notch factor times nominal stress", unit="MPa")
 def notch_stress(K_t: Number, sigma: Pascal) -> Pascal:
     """>>> notch_stress(K_t=2.353, sigma=9918000)
     2333705...

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from calc.publications import cited, full
+from calc.publications import Publication, resolved
+from calc.sheet.text import Text
 
 from .boxes import FAINT, Box, text
 from .context import Context
@@ -76,22 +76,23 @@ def _row(entry: Entry, columns: dict[str, tuple[float, Box]]) -> Block:
 def source_blocks(context: Context) -> list[Block]:
     """The publications behind all that was calculated, with the steps that use them; clauses and rules of what stands in the report."""
     w = context.words
-    published: dict[str, tuple[dict[str, None], dict[str, None]]] = {}
+    published: dict[str, _Reference] = {}
     own: dict[str, list[str]] = {}
     for source, steps in context.sources.items():
-        stands, text = source in context.cited, context.say(source)
-        if publication := cited(source):
-            clauses, users = published.setdefault(publication, ({}, {}))
-            clause = text.removeprefix(publication).lstrip(" ,:;") if text.startswith(publication) else text
-            clauses |= {clause: None} if clause and stands else {}
-            users |= dict.fromkeys(steps)
-        elif stands:
+        stands, text, citations = source in context.cited, context.say(source), resolved(source).citations
+        for n, citation in enumerate(citations):
+            of_it = published.setdefault(citation.name, _Reference(citation.publication))
+            clause = text.removeprefix(citation.name).lstrip(" ,:;") if text.startswith(citation.name) else text
+            of_it.clauses |= {clause: None} if clause and stands and n == 0 else {}
+            of_it.users |= dict.fromkeys(steps)
+            of_it.known |= {citation.known: None}
+        if stands and not citations:
             own.setdefault(", ".join(steps), []).append(text)
     made = paragraph(w["sources_note"] if context.audit else f"{w['sources_note']} {w['sources_rest']}", NOTE, gap=1.0)
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
     rows: list[Row] = [
-        (Cell(name, under=(_what(name, clauses), NOTE)), Cell(", ".join(users), NOTE))
-        for name, (clauses, users) in sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
+        (Cell(name, under=(_what(context, of_it), NOTE)), Cell(", ".join(of_it.users), NOTE))
+        for name, of_it in sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
     ]
     made += table(columns, rows, gap=3.0) if rows else []
     if own:
@@ -101,12 +102,22 @@ def source_blocks(context: Context) -> list[Block]:
     return made
 
 
-def _what(name: str, clauses: Iterable[str]) -> str:
-    """What a publication is, and its clauses; what several of them begin with stands once."""
+@dataclass(slots=True)
+class _Reference:
+    """A publication of the list: its clauses, the steps that use it, how we know what is used; each in the order in which it comes."""
+
+    publication: Publication
+    clauses: dict[str, None] = field(default_factory=dict)
+    users: dict[str, None] = field(default_factory=dict)
+    known: dict[Text, None] = field(default_factory=dict)
+
+
+def _what(context: Context, of_it: _Reference) -> str:
+    """What a publication is, its edition and status, how we know it, and its clauses; what several of them begin with stands once."""
     together: dict[str, list[str]] = {}
-    for clause in clauses:
+    for clause in of_it.clauses:
         head, mark, rest = clause.partition(": ")
         together.setdefault(head + mark, []).append(rest) if mark else together.setdefault(clause, [""])
-    title = full(name)
+    title = context.say(of_it.publication.described(list(of_it.known)))
     listed = "; ".join(head + "; ".join(rests) for head, rests in together.items())
-    return f"{title}. {listed}" if title and listed else title or listed
+    return f"{title}. {listed}" if listed else title

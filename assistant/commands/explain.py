@@ -4,13 +4,16 @@
 from argparse import Namespace
 from typing import Any
 
+from assistant.commands.sources import reference_lines
 from calc.design import Design
 from calc.design_file import Document, load, value_at
 from calc.design_file import design as design_of
 from calc.explain import Chains, chain, origin, shortened
+from calc.publications import resolved
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
 from calc.sheet.text import Amount, Text
+from calc.sheet.trace import Line
 from calc.solve import solve
 
 
@@ -77,7 +80,8 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     if asked.json:
         import json
 
-        print(json.dumps([line_json(link.line) | {"inputs": list(link.inputs)} for link in lines], ensure_ascii=False, indent=1))
+        print(json.dumps([line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],
+            ensure_ascii=False, indent=1))  # fmt: skip
         return 0
     value = values[asked.value]
     print(f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}\n")
@@ -86,10 +90,24 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
         for key in shortened(link.inputs, design):
             print(f"    ← {key}")
+    for n, line in enumerate(reference_lines(link.line.formula.source for link in lines)):
+        print(line if n else f"\nSources\n{line}")
     if not lines:
         taken = origin(results, asked.value)
         print(f"taken from the inputs: {taken}" if taken else "no recorded formula returns this number itself")
     return 0
+
+
+def _provenance(line: Line) -> dict[str, Any]:
+    """What stands behind the source of a line: its kind, or the publications that it names, and how we know them."""
+    origin = resolved(line.formula.source)
+    return {
+        "kind": origin.kind,
+        "publications": [
+            {"name": c.name, "title": c.publication.title, "edition": c.publication.edition, "status": c.publication.status,
+             "known": str(c.known), "places": list(c.places)} for c in origin.citations
+        ],
+    }  # fmt: skip
 
 
 def _given(data: dict[str, Any], key: str) -> Any:

@@ -5,8 +5,10 @@ from textual.content import Content
 
 from calc.design_file import quantity_of
 from calc.explain import Link
+from calc.publications import references
 from calc.sheet.errors import BadInput
 from calc.sheet.expression import line_text
+from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 from ..session import Session
@@ -46,7 +48,15 @@ class ChainList(ItemList):
             made = setter.entry(entry)
             items.append(Item(str(number), made.rows, made.value, made.line))
             items += [self._input(key, number, width) for key in dict.fromkeys(link.inputs)]
-        return items
+        return items + self._sources(width)
+
+    def _sources(self, width: int) -> list[Item]:
+        """What the publications behind the chain are, and how we know them."""
+        say, rows = self.app.say, []
+        for name, (publication, _, known) in references(link.line.formula.source for link in reversed(self.links)).items():
+            rows += wrap(f"  {name}: {say(publication.described(known))}", width, 6)
+        head = [Content(""), Content.styled(say(Text("Sources")), "bold")]
+        return [Item("", [*head, *(Content.styled(row, "dim") for row in rows)])] if rows else []
 
     def _input(self, key: str, number: int, width: int) -> Item:
         """An input that enters a formula: what it is, and what the design has there."""

@@ -7,6 +7,7 @@ from functools import partial
 
 from ..fits import clearance_limits, parse
 from ..journal_rules import (
+    DESIGN_FACTOR,
     FINOTTI,
     FULL_FILM_FRICTION,
     HEAT_INDEX,
@@ -29,7 +30,7 @@ from .inputs import IN_WORDS, BearingInputs, BearingsInputs
 from .result import BearingResult
 from .routes.side_by_side import ROUTES, SPREAD, film_reason
 
-# Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (as generally published), in m.
+# Least film by journal diameter and surface speed, in the manner of ISO 7902-3 (from memory), in m.
 SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
@@ -47,11 +48,11 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     """`slope`: of the journal in its seat, rad."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     on, longer = partial(_on, place), partial(_longer, place, bearing)
-    kreisle, table_3_1 = Text("Kreisle: Rt of both surfaces, Rt = k·Ra"), Text("Finotti 2013, Table 3.1")
+    kreisle, table_3_1 = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"), Text("Finotti 2013, Table 3.1")
     yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
         Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
     yield on("film_double_load", Text("Film at twice the load"), r.film_double_load, ">=", r.trumpler_film, "µm",
-        TRUMPLER + Text(": n_d ≥ 2 on the running load"),
+        DESIGN_FACTOR,
         Text("Lengthen the bearing (a few millimetres are enough), or lower the clearance."))  # fmt: skip
     yield on("film_trumpler", Text("Film by Trumpler"), r.film, ">=", r.trumpler_film, "µm", TRUMPLER,
         Text("Lengthen the bearing, lower the clearance, or take a thicker oil."))  # fmt: skip
@@ -61,10 +62,11 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         yield on("film_edge_speeds", title, r.thinnest_film - (r.film - r.film_edge), ">=", r.kreisle_film, "µm", kreisle,
             Text("As for the film at the edge; or keep away from this speed."))  # fmt: skip
     yield on("temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
-        Text("limit of the design (engine manual)"),
+        Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),
         Text("More oil (larger hole, more pressure, more clearance) or cooler oil."))  # fmt: skip
     yield on("temperature_trumpler", Text("Outlet temperature by Trumpler"), r.outlet_temperature, "<=", TRUMPLER_TEMPERATURE, "°C",
-        TRUMPLER, Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 121 °C."))  # fmt: skip
+        TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
+        Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."))  # fmt: skip
     for key, title, p_limit in (
         ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
     ):  # fmt: skip
@@ -77,7 +79,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         yield on(key, title, r.heat_index, "<=", W_limit, "N·rpm/mm", table_3_1, Text("A longer bearing carries off more heat."),
             remedies=longer(r.heat_index / W_limit))  # fmt: skip
     yield on("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm",
-        Text("seizure of a journal that shrinks less than its seat"),
+        Text("physics: seizure of a journal that shrinks less than its seat"),
         Text("The journal seizes when cold: more clearance, or a housing that expands like the journal."))  # fmt: skip
     for key, title, ratios, source in (
         ("length_ratio", Text("Length ratio l/d"), LENGTH_RATIO, FINOTTI),
@@ -90,23 +92,23 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
         Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load."))  # fmt: skip
     yield on("mckee", Text("McKee number, cP·rpm/psi"), r.mckee_number, ">=", STABLE_FILM, "",
-        Text("McKee & McKee 1932; 30 is the transition"),
+        Text("McKee & McKee 1932, after Finotti 2013, 5.4.1; 30 is the transition"),
         Text("A thicker or cooler oil, or a lower specific load, for a stable film."))  # fmt: skip
     if r.routes_spread is not None:
         yield on("routes_spread", Text("Spread of the routes"), r.routes_spread, "<=", SPREAD, "%",
-            Text("rule of this program, on the clearance as given and with the oil of the own solution"), _outside(r))  # fmt: skip
+            Text("rule of this program: 15 % on the clearance as given and with the oil of the own solution"), _outside(r))  # fmt: skip
     if (h_lim := least_film(bearing.diameter, r.surface_speed)) is not None:
         yield on("film_edge_usual", Text("Film at the edge against h_lim"), r.film_edge, ">=", h_lim, "µm",
-            Text("in the manner of ISO 7902-3, as generally published"), Text("Lengthen the bearing or lower the clearance."))  # fmt: skip
+            Text("ISO 7902-3, in its manner"), Text("Lengthen the bearing or lower the clearance."))  # fmt: skip
     yield on("misalignment", Text("Slope over the length"), slope * bearing.length, "<=", 0.3 * r.film, "µm",
         Text("rule of this program: 0.3·h₀"), Text("Stiffen the shaft between its bearings."))  # fmt: skip
     yield on("friction_regime", Text("Coefficient of friction"), r.friction_coefficient, "in", FULL_FILM_FRICTION, "",
-        Text("Finotti 2013, 5.6: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
+        Text("Finotti 2013, 5.4.1: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
     yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s",
-        Text("range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
+        Text("rule of this program: range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
     if r.seat.lubricant.C_1 > POLYMER_THICKENED:
         yield on("shear_rate", Text("Shear rate in the narrowest gap"), r.shear_rate, "<=", SHEAR_THINNING, "1/s",
-            Text("onset of the thinning of polymer-thickened oils, as generally published"),
+            Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
             Text("A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner "
                 "oil."))  # fmt: skip
     yield from _corner_checks(place, r)
@@ -118,7 +120,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         widths = {"pocket": inputs.pocket_width, "axial_groove": inputs.axial_groove_length}
         width = widths.get(inputs.supply, inputs.hole_diameter) or 0.0
         yield on("supply_range", Text("Width of the oil supply over the length"), width / bearing.length, "in", SUPPLY_WIDTH, "",
-            Text("range of the supply factors, DIN 31652-2"),
+            Text("Finotti 2013, Table 5.1 (DIN 31652-2): range of the supply factors"),
             Text("Outside, the flow through the hole or pocket is not to be trusted."))  # fmt: skip
 
 
@@ -175,13 +177,13 @@ def _corner_checks(place: str, r: BearingResult) -> Iterator[Check]:
     """The limits once more at the worst corner of the tolerances, given or assumed."""
     c, inputs = r.corners, r.seat.inputs
     for key, column, title, value, sense, limit, unit, source, advice in (
-        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm", Text("Kreisle"),
-         Text("A longer bearing, closer fits or a smoother surface.")),
+        ("film_edge", "film_edge", Text("Film at the edge"), c.film_edge, ">=", r.kreisle_film, "µm",
+         Text("Kreisle, after Finotti 2013, 5.5.3"), Text("A longer bearing, closer fits or a smoother surface.")),
         ("film_double_load", "film_double_load", Text("Film at twice the load"), c.film_double_load, ">=", r.trumpler_film, "µm",
-         TRUMPLER, Text("A longer bearing, or closer fits.")),
+         DESIGN_FACTOR, Text("A longer bearing, or closer fits.")),
         ("temperature", "outlet_temperature", Text("Outlet temperature"), c.outlet_temperature, "<=", inputs.outlet_temperature_limit,
-         "°C", Text("limit of the design"), Text("More clearance at the tight end, or more oil.")),
-        ("clearance_cold", "clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", Text("seizure when cold"),
+         "°C", Text("given in the design: its limit"), Text("More clearance at the tight end, or more oil.")),
+        ("clearance_cold", "clearance_cold", _when_cold(inputs), c.clearance_cold, ">", 0.0, "µm", Text("physics: seizure when cold"),
          Text("More clearance, or closer fits.")),
     ):  # fmt: skip
         corner = c.worst(column)

@@ -80,37 +80,37 @@ def clearance_of_fits(EI: Metre, ES: Metre, ei: Metre, es: Metre) -> Metre:
     return (EI + ES) / 2 - (ei + es) / 2
 
 
-@formula("g_min", "smallest seat on the largest journal; T: width of each tolerance", unit="µm")
+@formula("g_min", "geometry, smallest seat on the largest journal; T: width of each tolerance", unit="µm")
 def least_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
     return g - (T_S + T_J) / 2
 
 
-@formula("g_min", "smallest seat on the largest journal, by the deviations of ISO 286", unit="µm")
+@formula("g_min", "geometry: smallest seat on the largest journal, by the deviations of ISO 286", unit="µm")
 def least_clearance_of_fits(EI: Metre, es: Metre) -> Metre:
     return EI - es
 
 
-@formula("g_max", "largest seat on the smallest journal, by the deviations of ISO 286", unit="µm")
+@formula("g_max", "geometry: largest seat on the smallest journal, by the deviations of ISO 286", unit="µm")
 def most_clearance_of_fits(ES: Metre, ei: Metre) -> Metre:
     return ES - ei
 
 
-@formula("g_max", "largest seat on the smallest journal; T: width of each tolerance", unit="µm")
+@formula("g_max", "geometry, largest seat on the smallest journal; T: width of each tolerance", unit="µm")
 def most_clearance(g: Metre, T_S: Metre, T_J: Metre) -> Metre:
     return g + (T_S + T_J) / 2
 
 
-@formula("n_B", "speed of the bush by its ratio to the journal's", unit="rpm")
+@formula("n_B", "definition: speed of the bush by its ratio to the journal's", unit="rpm")
 def bush_speed(i_B: Number, n_J: RevPerSecond) -> RevPerSecond:
     return i_B * n_J
 
 
-@formula("n_F", "speed of the load vector by its ratio to the journal's", unit="rpm")
+@formula("n_F", "definition: speed of the load vector by its ratio to the journal's", unit="rpm")
 def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
     return i_F * n_J
 
 
-@formula("g_T", "linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
+@formula("g_T", "physics, linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
 def clearance_at(g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius) -> Metre:
     """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized.
 
@@ -128,7 +128,7 @@ def relative_clearance(g: Metre, d: Metre) -> Number:
     return g / d
 
 
-@formula("n_h", "hydrodynamically effective speed for journal, bush and load vector (as generally published; ISO 7902-1)", unit="rpm")
+@formula("n_h", "ISO 7902-1: hydrodynamically effective speed for journal, bush and load vector", unit="rpm")
 def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
     """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood.
 
@@ -160,19 +160,22 @@ def sommerfeld_din(p: Pascal, psi: Number, mu: PascalSecond, omega: RadPerSecond
 
 
 @formula(
-    "ΔT", "heat balance: all friction leaves with the oil", shows="ΔT at which the film's friction warms its oil by ΔT, bracketed", unit="K"
+    "ΔT",
+    "energy, heat balance: all friction leaves with the oil",
+    shows="ΔT at which the film's friction warms its oil by ΔT, bracketed",
+    unit="K",
 )
 def closing_rise(Delta_T: Kelvin) -> Kelvin:
     """The rise itself, found from all that the film depends on."""
     return Delta_T
 
 
-@formula("T_m", "mean temperature of the film")
+@formula("T_m", "Finotti 2013, 5.5.2: mean temperature of the film")
 def mean_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_in + Delta_T / 2
 
 
-@formula("T_out", "temperature of the oil that leaves")
+@formula("T_out", "definition: temperature of the oil that leaves")
 def outlet_temperature(T_in: Celsius, Delta_T: Kelvin) -> Celsius:
     """>>> outlet_temperature(T_in=120, Delta_T=1.856)
     121.856
@@ -203,28 +206,32 @@ def friction_variable_of(f: Number, psi: Number) -> Number:
     return f / psi
 
 
-@formula("f*", "Couette shear of the full film and pressure term (identity of Reynolds' solution)")
+@formula("f*", "hydrodynamics: Couette shear of the full film and pressure term (identity of Reynolds' solution)")
 def friction_variable(So: Number, eps: Number, phi: Radian) -> Number:
     return pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
 
-@formula("n_s", "speed of journal on bush: what is sheared", unit="rpm")
+@formula("n_s", "kinematics, speed of journal on bush: what is sheared", unit="rpm")
 def sliding_speed(n_J: RevPerSecond, n_B: RevPerSecond) -> RevPerSecond:
     return modulus(n_J - n_B)
 
 
-@formula("k_s", "sliding speed of journal on bush over the hydrodynamic speed")
+@formula("k_s", "kinematics: sliding speed of journal on bush over the hydrodynamic speed")
 def sliding_ratio(n_J: RevPerSecond, n_B: RevPerSecond, n_h: RevPerSecond) -> Number:
     """One where the load stands or turns with either surface: then the shear is that of Reynolds' standing load."""
     return modulus(n_J - n_B) / n_h
 
 
-@formula("f*", "the same, the shear by the sliding speed and the pressure by the hydrodynamic one (balance of power in the load's frame)")
+@formula(
+    "f*",
+    "hydrodynamics: the same, the shear by the sliding speed and the pressure by the hydrodynamic one "
+    "(balance of power in the load's frame)",
+)
 def friction_variable_sliding(So: Number, eps: Number, phi: Radian, k_s: Number) -> Number:
     return k_s**2 * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
 
-@formula("f*", "the same, sheared where there is land and not in the grooves", names={"land": "λ"})
+@formula("f*", "hydrodynamics: the same, sheared where there is land and not in the grooves", names={"land": "λ"})
 def friction_variable_grooved(So: Number, eps: Number, phi: Radian, k_s: Number, land: Number) -> Number:
     return k_s**2 * land * pi / (So * sqrt(1 - eps**2)) + eps / 2 * sin(phi)
 
@@ -237,7 +244,7 @@ def friction_coefficient(psi: Number, f_v: Number) -> Number:
     return psi * f_v
 
 
-@formula("P_f", "power of friction")
+@formula("P_f", "definition of power: of friction")
 def friction_power(f: Number, F: Newton, u: MetrePerSecond) -> Watt:
     """>>> friction_power(f=0.005485, F=1707, u=8.1)
     75.83944...
@@ -245,7 +252,7 @@ def friction_power(f: Number, F: Newton, u: MetrePerSecond) -> Watt:
     return f * F * u
 
 
-@formula("ΔT", "heat balance: all friction leaves with the oil", unit="K")
+@formula("ΔT", "energy, heat balance: all friction leaves with the oil", unit="K")
 def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKelvin, Q: CubicMetrePerSecond) -> Kelvin:
     """>>> temperature_rise(P_f=75.84, rho=800.8, c_p=2358, Q=2.165e-05)
     1.855122...
@@ -253,7 +260,7 @@ def temperature_rise(P_f: Watt, rho: KilogramPerMetre3, c_p: JoulePerKilogramKel
     return P_f / (rho * c_p * Q)
 
 
-@formula("p_max", "largest film pressure, from the table of Reynolds solutions", unit="MPa", names={"ratio": "(p/p_max)"})
+@formula("p_max", "computed here: largest film pressure, from the table of Reynolds solutions", unit="MPa", names={"ratio": "(p/p_max)"})
 def largest_pressure(p: Pascal, ratio: Number) -> Pascal:
     return p / ratio
 
@@ -263,49 +270,49 @@ def shear_rate(u: MetrePerSecond, h_0: Metre) -> RevPerSecond:
     return u / h_0
 
 
-@formula("n_0", "the turning load grows with the square of the speed; the standing one is as large at this", unit="rpm")
+@formula("n_0", "dynamics: the turning load grows with the square of the speed; the standing one is as large at this", unit="rpm")
 def speed_of_equal_loads(n: RevPerSecond, R_0: Newton, R: Newton) -> RevPerSecond:
     """Below it the load swings about the standing part instead of turning round."""
     return n * sqrt(R_0 / R)
 
 
-@formula("p_0", "load at the start: the standing part alone", unit="MPa")
+@formula("p_0", "dynamics, load at the start: the standing part alone", unit="MPa")
 def load_at_start(R_0: Newton, d: Metre, l: Metre) -> Pascal:
     return R_0 / (d * l)
 
 
-@formula("p_O", "short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_O/(μ·ω/ψ²))"})
+@formula("p_O", "hydrodynamics: short bearing, for the pressure's shape around the seat", unit="MPa", names={"largest": "(p_O/(μ·ω/ψ²))"})
 def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, largest: Number) -> Pascal:
     return largest * mu * omega / psi**2
 
 
-@formula("k", "corner of the oil's tolerance; o: −1 thinner, +1 thicker")
+@formula("k", "definition, corner of the oil's tolerance; o: −1 thinner, +1 thicker")
 def viscosity_factor(t_nu: Number, o: Number) -> Number:
     return 1 + o * t_nu
 
 
-@formula("μ", "the oil at a corner of its tolerance", unit="mPa·s", names={"mu": "μ_m"})
+@formula("μ", "definition: the oil at a corner of its tolerance", unit="mPa·s", names={"mu": "μ_m"})
 def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
 
 
-@formula("F", "load of eccentric masses, which grows with the square of the speed", names={"n_0": "n_rated"})
+@formula("F", "dynamics: load of eccentric masses, which grows with the square of the speed", names={"n_0": "n_rated"})
 def load_at_speed(F: Newton, n: RevPerSecond, n_0: RevPerSecond) -> Newton:
     return F * (n / n_0) ** 2
 
 
-@formula("R_max", "the standing part at the moment when it points with the turning one")
+@formula("R_max", "statics: the standing part at the moment when it points with the turning one")
 def load_peak(F: Newton, R_0: Newton) -> Newton:
     return F + R_0
 
 
-@formula("h_orb", "smallest film over a turn: less the excursion towards the narrowest film", unit="µm")
+@formula("h_orb", "geometry, smallest film over a turn: less the excursion towards the narrowest film", unit="µm")
 def film_over_turn(h_0: Metre, a_n: Metre) -> Metre:
     return h_0 - a_n
 
 
 # --- what is judged -----------------------------------------------------------------------------------------------------
-@formula("h_edge", "film at the edge of a journal that stands at a slope in its seat", unit="µm")
+@formula("h_edge", "geometry: film at the edge of a journal that stands at a slope in its seat", unit="µm")
 def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
     """>>> film_at_edge(h_0=9.559e-06, theta=0.0001563, l=0.0275)
     7.409875e-06
@@ -313,7 +320,7 @@ def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
     return h_0 - theta * l / 2
 
 
-@formula("h_K", "Kreisle, after Finotti 2013, 5.6: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
+@formula("h_K", "Kreisle, after Finotti 2013, 5.4.1 and 5.5.3: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
 def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
     """>>> kreisle_film(k_R=7.5, Ra_1=6e-07, Ra_2=6e-07)
     9e-06
@@ -321,7 +328,7 @@ def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
     return k_R * Ra_1 + k_R * Ra_2
 
 
-@formula("h_T", "Trumpler, after Finotti 2013, 5.6: 0.00508 mm + 4·10⁻⁵·d", unit="µm")
+@formula("h_T", "Trumpler, after Finotti 2013, 5.5.1: 0.00508 mm + 4·10⁻⁵·d", unit="µm")
 def trumpler_film(d: Metre) -> Metre:
     """>>> trumpler_film(d=0.0595)
     7.46e-06
@@ -329,7 +336,7 @@ def trumpler_film(d: Metre) -> Metre:
     return TRUMPLER_FILM + TRUMPLER_SLOPE * d
 
 
-@formula("n_T", "Vogelpohl's transition to mixed friction, after Finotti 2013, 5.6 (1.7·10⁻⁹ m)", unit="rpm")
+@formula("n_T", "Finotti 2013, 5.5.3: transition to mixed friction, an empirical relation (1.7·10⁻⁹ m); Vogelpohl's", unit="rpm")
 def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
     """>>> transition_speed(p=1043000, mu=0.007281, d=0.0595)
     4.092844...
@@ -339,23 +346,26 @@ def transition_speed(p: Pascal, mu: PascalSecond, d: Metre) -> RevPerSecond:
 
 @formula(
     "n_min",
-    "Finotti 2013, 5.6: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given",
+    "Finotti 2013, 5.5.3: n above 3·n_T below 3 m/s, above u·n_T from 3 to 10 m/s; held at 10 beyond, where no rule is given",
     unit="rpm",
 )
 def least_speed(k: Number, n_T: RevPerSecond) -> RevPerSecond:
     return k * n_T
 
 
-@formula("n_min", "the same rule without a limit above 10 m/s, where the source gives none", unit="rpm")
+@formula("n_min", "rule of this program: the same rule without a limit above 10 m/s, where the source gives none", unit="rpm")
 def least_speed_uncapped(u: MetrePerSecond, n_T: RevPerSecond) -> RevPerSecond:
     return largest(u / ONE_METRE_PER_SECOND, 3.0) * n_T
 
 
-@formula("Δh/h", "distance of a route's film from Reynolds' equation, the oil as warm", unit="%", names={"reference": "h_R"})
+@formula(
+    "Δh/h", "definition: distance of a route's film from that of Reynolds' equation, the oil as warm", unit="%",
+    names={"reference": "h_R"},
+)  # fmt: skip
 def film_deviation(h_0: Metre, reference: Metre) -> Number:
     return modulus(h_0 / reference - 1)
 
 
-@formula("ZN/P", "McKee & McKee 1932, in cP·rpm/psi", names={"n_h": "n"})
+@formula("ZN/P", "McKee & McKee 1932, after Finotti 2013, 5.4.1: in cP·rpm/psi", names={"n_h": "n"})
 def mckee_number(mu: PascalSecond, n_h: RevPerSecond, p: Pascal) -> Number:
     return mu * n_h / p / CENTIPOISE_RPM_PER_PSI

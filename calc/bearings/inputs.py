@@ -110,7 +110,7 @@ class BearingsInputs:
         help="Cold start: the clearance must still be there.")  # fmt: skip
     outlet_temperature_limit: float = quantity(
         "Outlet temperature limit", "°C", default=135.0, low=50, high=250, symbol="T_lim", usual=(TRUMPLER_TEMPERATURE, 135),
-        source="Finotti 2013, 5.6: Trumpler, engine manual",
+        source="Finotti 2013, 5.5.1: Trumpler, engine manual",
         help="Highest temperature of the oil that leaves.")  # fmt: skip
     journal_fit: str = text(
         "Journal fit", default=ASSUMED_FIT, help="ISO 286: f7 and the like, or a bare width, IT7. It opens the corners of the clearance."
@@ -122,22 +122,22 @@ class BearingsInputs:
     speed: float | None = quantity("Journal speed", "rpm", default=None, above=0, high=1e5, symbol="n", step=50,
         help="Speed of the journal. Left out: that of the counter-shaft.")  # fmt: skip
     load_speed_ratio: float = quantity("Speed of the load over the journal's", default=1.0, low=-10, high=10, symbol="i_F", step=0.5,
-        source="ISO 7902-1, as generally published",
+        source="ISO 7902-1",
         help="1: the load turns with the shaft, as that of eccentric masses. 0: it stands. At ½ no film is built up.")  # fmt: skip
     bush_speed_ratio: float = quantity("Speed of the bush over the journal's", default=0.0, low=-10, high=10, symbol="i_B", step=0.5,
-        source="ISO 7902-1, as generally published",
+        source="ISO 7902-1",
         help="How fast the bush turns with the journal; 0: the seat stands.")  # fmt: skip
     speed_range: tuple[float, ...] | None = series("Speed range", "rpm", default=None, count=(2, 2), above=0, high=1e5, symbol="n",
         help="From and to, at the design's oil supply. Left out: the engine's bench run, else 0.4 to 1 of the speed.")  # fmt: skip
     roughness_ratio: float = quantity(
-        "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", usual=(6, 7.5), source="Kreisle, after Finotti 2013, 5.6",
+        "Rt/Ra", default=7.5, low=1, high=30, symbol="k_R", usual=(6, 7.5), source="Kreisle, after Finotti 2013, 5.5.3",
         help="Peak-to-valley over mean roughness of both surfaces.")  # fmt: skip
     viscosity_law: str = choice(
         "Viscosity law", "walther", "d341", default="walther", help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341."
     )
     slope: tuple[float, ...] | None = series(
         "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
-        source="Finotti 2013, ch. 6",
+        source="Finotti 2013, 4.6 (in chapter 6)",
         help="One, or [front, rear]. Left out: by bending, else 0.")  # fmt: skip
 
     @property

@@ -133,7 +133,7 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
             "{clearance_cold} µm at the lowest temperature.",
             clearance=given, clearance_hot=hot, clearance_cold=cold)  # fmt: skip
         yield Erratum(f"bearings.{place}.film", Text("Smallest film, {place}", place=IN_WORDS[place]), r.raimondi_boyd.film * 1e6, "µm",
-            Text("method of Finotti 2013, 5.5.1, on the clearance as given"),
+            Text("method of Finotti 2013, 5.5.2, on the clearance as given"),
             expansion + (Text(" Nor does it know that a groove parts the film.") if supply.lands(r.seat.inputs) == 2 else ""))  # fmt: skip
     if r.falz is not None and 0.9 < r.falz.sommerfeld <= 1:
         with untraced():
@@ -141,6 +141,6 @@ def errata(place: str, r: BearingResult) -> Iterator[Erratum]:
         So = Amount(r.falz.sommerfeld, form=".3f")
         yield Erratum(
             f"bearings.{place}.falz.film", Text("Film by Falz, {place}", place=IN_WORDS[place]), wrong * 1e6, "µm",
-            Text("method of Finotti 2013, Table 5.4: the branch of the first pass"),
+            Text("method of Finotti 2013, 5.5.3: the branch of the first pass"),
             Text("So = {sommerfeld} is below 1, but the thesis keeps the formula for So > 1 of its first pass.", sommerfeld=So),
         )  # fmt: skip

@@ -21,18 +21,20 @@ APART = 0.05  # of the load: how far below and above
 SECOND_ORDER = 0.5  # of the load: up to here a standing load counts as small
 
 
-@formula("P_f'", "slope of the friction over the load, from the own solution beside it", shows="[P_f(1.05·F) − P_f(0.95·F)]/(0.1·F)")
+@formula(
+    "P_f'", "mathematics: slope of the friction over the load, from the own solution beside it", shows="[P_f(1.05·F) − P_f(0.95·F)]/(0.1·F)"
+)
 def slope(P_below: Watt, P_above: Watt, F: Newton) -> MetrePerSecond:
     return (P_above - P_below) / (2 * APART * F)
 
 
-@formula("F·P_f''", "curvature of the friction, the same way", shows="[P_f(1.05·F) − 2·P_f(F) + P_f(0.95·F)]/(0.05²·F)")
+@formula("F·P_f''", "mathematics: curvature of the friction, the same way", shows="[P_f(1.05·F) − 2·P_f(F) + P_f(0.95·F)]/(0.05²·F)")
 def curvature(P_below: Watt, P_f: Watt, P_above: Watt, F: Newton) -> MetrePerSecond:
     return (P_above - 2 * P_f + P_below) / (APART**2 * F)
 
 
 @formula(
-    "P_f", "mean over a turn under turning and standing load, each moment as if it stayed; second order in R_0/F",
+    "P_f", "mathematics: mean over a turn under turning and standing load, each moment as if it stayed; second order in R_0/F",
     names={"P": "P_f,F", "S": "P_f'", "K": "(F·P_f'')"},
 )  # fmt: skip
 def over_a_turn(P: Watt, R_0: Newton, F: Newton, S: MetrePerSecond, K: MetrePerSecond) -> Watt:

@@ -145,7 +145,7 @@ def _slopes_given(inputs: BearingsInputs, shaft: CountershaftResult | None) -> I
         yield check(
             f"bearings.{place}.slope_given", Text("Slope as given, {place}, against that of the shaft's bending", place=IN_WORDS[place]),
             inputs.slope[at], ">=",
-            bent, "mrad", Text("bending of the stepped shaft, with the stiffness share of its sectors"),
+            bent, "mrad", Text("elasticity: bending of the stepped shaft, with the stiffness share of its sectors"),
             remedies=by_key(BearingsInputs, "bearings.slope_mrad", None, effect=Text("the slope is then that of the bending")))  # fmt: skip
 
 

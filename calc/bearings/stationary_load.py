@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from ..countershaft.result import Standing
-from ..journal_rules import TRUMPLER
+from ..journal_rules import TRUMPLER, TRUMPLER_START_LOAD
 from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.step import Outcome
@@ -23,7 +23,6 @@ from .result import BearingResult, BearingsResult, StandingResult
 from .routes.balance import balanced
 from .routes.routes import own_warm
 
-START = 300 * f.PSI
 SMALL = 0.5  # of the turning load: an orbit of first order; rule of this program
 
 
@@ -64,13 +63,15 @@ def _standing(one: BearingResult, R_0: float, place: str, notes: list[Text]) -> 
 
 def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Check]:
     yield check(
-        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=", START,
-        "MPa", TRUMPLER + Text(": 300 psi on the load at the start, here the standing part alone"), Text("A larger or longer journal."),
+        f"bearings.{place}.start_load", Text("Specific load at the start, {place}", place=IN_WORDS[place]), part.load_at_start, "<=",
+        TRUMPLER_START_LOAD, "MPa",
+        TRUMPLER + Text(": on the load at the start, here the standing part alone (his own 300 psi are 2.07 MPa)"),
+        Text("A larger or longer journal."),
     )  # fmt: skip
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
         yield check(f"bearings.{place}.film_edge_standing",
             Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
             thinnest - (one.film - one.film_edge), ">=", one.kreisle_film, "µm",
-            Text("Kreisle, on the turning and the standing load together"),
+            Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
             Text("As for the film at the edge; the standing part is weight and gear force."))  # fmt: skip

@@ -6,7 +6,7 @@ from ..sheet.functions import pi, sqrt
 from ..sheet.text import Text
 from ..sheet.units import Metre, NewtonPerMetre, Number, Pascal
 
-HERTZ = Text("Hertz 1881, line contact, as generally published")
+HERTZ = Text("Hertz 1881, line contact")
 
 
 @formula(

@@ -11,7 +11,7 @@ from ..sheet.functions import cos, modulus, pi
 from ..sheet.text import Text
 from ..sheet.units import Metre, MetrePerSecond, Number, Radian, RevPerSecond
 
-GEOMETRY = Text("ISO 21771:2007, as generally published")
+GEOMETRY = Text("ISO 21771:2007")
 
 
 @formula("ρ_B", "geometry: one base pitch before the end of contact", unit="mm")

@@ -63,7 +63,7 @@ def _slopes(shaft_result: CountershaftResult) -> Iterator[Check]:
     for place, slope in (("front", shaft_result.slope_front), ("rear", shaft_result.slope_rear)):
         if slope is not None:
             yield check(f"countershaft.slope_{place}", Text("Slope of the {place} journal", place=Text(place)), slope, "<=", SLOPE, "mrad",
-                Text("Finotti 2013, ch. 6: target of the engine's maker"),
+                Text("Finotti 2013, 4.6 (in chapter 6): target of the engine's maker"),
                 Text("A stiffer shaft between its bearings: a larger core, or a shorter span."))  # fmt: skip
 
 
@@ -89,7 +89,7 @@ def _envelope(shaft: CountershaftInputs, shaft_result: CountershaftResult, journ
     if shaft.mode == "size" and shaft.half_length is not None:
         face = min(abs(z) - l / 2 for z, (_, l) in zip(seats, journals))
         yield check("countershaft.envelope_length", Text("Room between the sectors and the nearest journal"),
-            round(face - shaft.half_length, 9), ">=", 0.0, "mm", Text("the sectors end where the journals begin"),
+            round(face - shaft.half_length, 9), ">=", 0.0, "mm", Text("geometry: the sectors end where the journals begin"),
             Text("Or set the bearings further apart."),
             remedies=by_key(CountershaftInputs, "countershaft.half_length_mm", down(face), bound="<="))  # fmt: skip
 
@@ -127,7 +127,7 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             Text("rule of this program: up to two thirds of it the shaft counts as rigid, as its balance tolerance takes it"),
         Text("A stiffer or lighter shaft: larger core, shorter span."))  # fmt: skip
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
-    proof, source = material.proof_stress, Text("proof stress of {name}", name=material.name)
+    proof, source = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
     advice = Text("A larger core where the moment is largest, or a shorter span.")
     if proof is not None:
         yield check("countershaft.bending_stress", Text("Largest bending stress, nominal"), bent.bending_stress, "<=", proof, "MPa",
@@ -142,6 +142,6 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
             Text("Outside it the notch stress is an extrapolation."))  # fmt: skip
     if bent.fillet is not None and bent.fillet_room is not None:
         yield check("countershaft.fillet_room", Text("Fillet radius in the gap between two shoulders"), bent.fillet, "<=",
-            round(bent.fillet_room, 9), "mm", Text("a fillet takes its radius of the length of the thinner piece"),
+            round(bent.fillet_room, 9), "mm", Text("geometry: a fillet takes its radius of the length of the thinner piece"),
             Text("Or set the shoulders further apart."),
             remedies=by_key(CountershaftInputs, "countershaft.fillet_radius_mm", down(bent.fillet_room), bound="<="))  # fmt: skip

@@ -35,7 +35,7 @@ def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> Ph
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "centrifugal force of each eccentric mass; below zero for what is removed")
+@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed")
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 
@@ -45,7 +45,7 @@ def revolutions(omega: RadPerSecond) -> RevPerSecond:
     return omega / (2 * pi)
 
 
-@formula("R", "the largest seat, less the clearance for threading in", unit="mm")
+@formula("R", "geometry: the largest seat, less the clearance for threading in", unit="mm")
 def widest(d: Metre, c_R: Metre) -> Metre:
     return d / 2 - c_R
 
@@ -55,7 +55,7 @@ def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Ra
     return omega**2 * resultant(m * e * z * cis(gamma))
 
 
-@formula("ω_S", "speed of the shaft", names={"i": "i"})
+@formula("ω_S", "kinematics: speed of the shaft", names={"i": "i"})
 def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
     """>>> shaft_speed(i=-1, omega=272.3)
     272.3
@@ -63,17 +63,17 @@ def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
     return abs(i) * omega
 
 
-@formula("F_S", "main masses and further elements together", names={"F_m": "F_m", "F_x": "F_x"})
+@formula("F_S", "mathematics, main masses and further elements together", names={"F_m": "F_m", "F_x": "F_x"})
 def whole_force(F_m: PhasorNewton, F_x: PhasorNewton) -> PhasorNewton:
     return joined(F_m, F_x)
 
 
-@formula("C_S", "main masses and further elements together")
+@formula("C_S", "mathematics, main masses and further elements together")
 def whole_couple(C_m: PhasorNewtonMetre, C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_m, C_x)
 
 
-@formula("ΣU", "static unbalance: rotating force over ω²", unit="g·mm")
+@formula("ΣU", "dynamics, static unbalance: rotating force over ω²", unit="g·mm")
 def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
     """>>> static_unbalance(F_S=6.806, omega=272.3)
     9.179027...e-05
@@ -81,109 +81,109 @@ def static_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
     return F_S / omega**2
 
 
-@formula("Σm", "sum of the eccentric masses")
+@formula("Σm", "mathematics: sum of the eccentric masses")
 def eccentric_mass(m: Kilogram) -> Kilogram:
     return total(m)
 
 
-@formula("R_r", "equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
+@formula("R_r", "statics: equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
 def reaction_rear(C_S: PhasorNewtonMetre, z_f: Metre, F_S: PhasorNewton, z_r: Metre) -> PhasorNewton:
     """The force of the rear support on the shaft; it turns with the shaft."""
     return -(C_S - z_f * F_S) / (z_r - z_f)
 
 
-@formula("R_f", "equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
+@formula("R_f", "statics: equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
 def reaction_front(F_S: PhasorNewton, R_r: PhasorNewton) -> PhasorNewton:
     return -F_S - R_r
 
 
-@formula("|R|", "modulus of the vector")
+@formula("|R|", "mathematics, modulus of the vector")
 def reaction(R: PhasorNewton) -> Newton:
     return modulus(R)
 
 
-@formula("|C_S|", "modulus of the vector")
+@formula("|C_S|", "mathematics, modulus of the vector")
 def couple(C_S: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_S)
 
 
-@formula("∠C_S", "direction of the vector while cylinder 1 stands at TDC")
+@formula("∠C_S", "mathematics, direction of the vector while cylinder 1 stands at TDC")
 def couple_phase(C_S: PhasorNewtonMetre) -> Radian:
     return argument(C_S)
 
 
-@formula("|F_S|", "modulus of the vector")
+@formula("|F_S|", "mathematics, modulus of the vector")
 def force(F_S: PhasorNewton) -> Newton:
     return modulus(F_S)
 
 
-@formula("C_res", "sum of the shaft's couple and the engine's that turns like it", names={"C_like": "C"})
+@formula("C_res", "mathematics: sum of the shaft's couple and the engine's that turns like it", names={"C_like": "C"})
 def residual_vector(C_like: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return C_like + C_S
 
 
-@formula("C_left", "largest couple of that order over a turn: the vectors of both senses in line",
+@formula("C_left", "mathematics, largest couple of that order over a turn: the vectors of both senses in line",
     names={"C_res": "C_res", "C_against": "C_against"})  # fmt: skip
 def residual_couple(C_against: PhasorNewtonMetre, C_res: PhasorNewtonMetre) -> NewtonMetre:
     """`C_against`: the engine's couple of that order that turns the other way, with a twin shaft what that leaves of it."""
     return modulus(C_against) + modulus(C_res)
 
 
-@formula("F_res", "sum of the shaft's force and the engine's that turns like it", names={"F_like": "F"})
+@formula("F_res", "mathematics: sum of the shaft's force and the engine's that turns like it", names={"F_like": "F"})
 def residual_force_vector(F_like: PhasorNewton, F_S: PhasorNewton) -> PhasorNewton:
     return F_like + F_S
 
 
-@formula("F_left", "largest force of that order over a turn: the vectors of both senses in line")
+@formula("F_left", "mathematics, largest force of that order over a turn: the vectors of both senses in line")
 def residual_force(F_against: PhasorNewton, F_res: PhasorNewton) -> Newton:
     return modulus(F_against) + modulus(F_res)
 
 
-@formula("C̄_S", "a shaft mirrored in the vertical plane, turning the other way", names={"C_S": "C_S"})
+@formula("C̄_S", "geometry, a shaft mirrored in the vertical plane, turning the other way", names={"C_S": "C_S"})
 def mirrored_couple(C_S: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return conj(C_S)
 
 
-@formula("F̄_S", "a shaft mirrored in the vertical plane, turning the other way")
+@formula("F̄_S", "geometry, a shaft mirrored in the vertical plane, turning the other way")
 def mirrored_force(F_S: PhasorNewton) -> PhasorNewton:
     return conj(F_S)
 
 
-@formula("ΔF_O", "length of the difference of both forces", names={"F_O": "F_O", "F_S": "F_S"})
+@formula("ΔF_O", "mathematics: length of the difference of both forces", names={"F_O": "F_O", "F_S": "F_S"})
 def force_deviation(F_O: PhasorNewton, F_S: PhasorNewton) -> Newton:
     return modulus(F_O - F_S)
 
 
-@formula("ΔC_O", "length of the difference of both couples")
+@formula("ΔC_O", "mathematics: length of the difference of both couples")
 def couple_deviation(C_O: PhasorNewtonMetre, C_S: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_O - C_S)
 
 
-@formula("ΔC_S", "part of the shaft's couple along the required one, beyond it", names={"C_req": "C_req"})
+@formula("ΔC_S", "mathematics: part of the shaft's couple along the required one, beyond it", names={"C_req": "C_req"})
 def couple_beyond(C_S: PhasorNewtonMetre, C_req: PhasorNewtonMetre) -> NewtonMetre:
     """Above zero: the shaft is too heavy by so much, which drilling can take away."""
     return modulus(C_S) * cos(argument(C_S) - argument(C_req)) - modulus(C_req)
 
 
 # --- what is asked of a shaft to be sized ----------------------------------------------------------------------------------
-@formula("U_req", "opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm",
+@formula("U_req", "dynamics: opposite to the engine's force that turns like the shaft, which over-design exceeds", unit="kg·mm",
     names={"F_like": "F"})  # fmt: skip
 def asked_unbalance(x_o: Number, F_like: PhasorNewton, omega: RadPerSecond) -> PhasorKilogramMetre:
     return -(1 + x_o) * F_like / omega**2
 
 
-@formula("P_req", "opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²",
+@formula("P_req", "dynamics: opposite to the engine's couple that turns like the shaft, which over-design exceeds", unit="kg·mm²",
     names={"C_like": "C"})  # fmt: skip
 def asked_product(x_o: Number, C_like: PhasorNewtonMetre, omega: RadPerSecond) -> PhasorKilogramMetre2:
     return -(1 + x_o) * C_like / omega**2
 
 
 # --- what stands still --------------------------------------------------------------------------------------------------------
-GEAR = Text("components of the tooth force at the reference circle of a helical wheel")
+GEAR = Text("statics, components of the tooth force at the reference circle of a helical wheel")
 G: MetrePerSecond2 = 9.80665
 
 
-@formula("G_S", "weight, g = 9.80665 m/s²", names={"G": "g"})
+@formula("G_S", "definition: weight, g = 9.80665 m/s²", names={"G": "g"})
 def weight(m_S: Kilogram) -> Newton:
     """>>> weight(m_S=9.034)
     88.59327...
@@ -191,17 +191,17 @@ def weight(m_S: Kilogram) -> Newton:
     return m_S * G
 
 
-@formula("G_r", "lever about the front bearing", names={"z_S": "z_S"})
+@formula("G_r", "statics: lever about the front bearing", names={"z_S": "z_S"})
 def weight_rear(G_S: Newton, z_S: Metre, z_f: Metre, z_r: Metre) -> Newton:
     return G_S * (z_S - z_f) / (z_r - z_f)
 
 
-@formula("G_f", "equilibrium")
+@formula("G_f", "statics: equilibrium")
 def weight_front(G_S: Newton, G_r: Newton) -> Newton:
     return G_S - G_r
 
 
-@formula("T", "power over angular speed")
+@formula("T", "definition: power over angular speed")
 def gear_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
     """>>> gear_torque(P=220.2, n=43.33)
     0.8088141...
@@ -235,24 +235,27 @@ def gear_axial(F_t: Newton, beta: Radian) -> Newton:
 
 @formula(
     "R_G,r",
-    "levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial plane, taken for the worse",
+    "statics: levers of the tooth force about the front bearing; the thrust adds its tilting couple in the radial plane, "
+    "taken for the worse",
 )
 def gear_on_rear(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
     return sqrt((F_t * (z_G - z_f)) ** 2 + (F_r * abs(z_G - z_f) + F_a * d / 2) ** 2) / (z_r - z_f)
 
 
 @formula(
-    "R_G,f", "levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial plane, taken for the worse"
+    "R_G,f",
+    "statics: levers of the tooth force about the rear bearing; the thrust adds its tilting couple in the radial plane, "
+    "taken for the worse",
 )
 def gear_on_front(F_t: Newton, F_r: Newton, F_a: Newton, d: Metre, z_G: Metre, z_f: Metre, z_r: Metre) -> Newton:
     return sqrt((F_t * (z_r - z_G)) ** 2 + (F_r * abs(z_r - z_G) + F_a * d / 2) ** 2) / (z_r - z_f)
 
 
-@formula("R_0", "weight and tooth force in line: a bound, since the wheels' places are not known")
+@formula("R_0", "statics, weight and tooth force in line: a bound, since the wheels' places are not known")
 def stationary(G_B: Newton, R_G: Newton) -> Newton:
     return abs(G_B) + R_G
 
 
-@formula("R_max", "the turning and the standing part in line, once a turn")
+@formula("R_max", "statics: the turning and the standing part in line, once a turn")
 def reaction_peak(R: Newton, R_0: Newton) -> Newton:
     return R + R_0

@@ -78,9 +78,9 @@ class Journal:
 class Holes:
     """Radial holes drilled into the eccentric masses to calibrate the shaft."""
 
-    diameter: float = quantity("Diameter", "mm", above=0, high=200, symbol="d_c", source="Finotti 2013, 3.2",
+    diameter: float = quantity("Diameter", "mm", above=0, high=200, symbol="d_c", source="Finotti 2013, 4.1",
         help="Diameter of a radial hole by which the shaft is calibrated.")  # fmt: skip
-    depth: float = quantity("Greatest depth", "mm", above=0, high=500, symbol="h_c", source="Finotti 2013, 3.2",
+    depth: float = quantity("Greatest depth", "mm", above=0, high=500, symbol="h_c", source="Finotti 2013, 4.1",
         help="From the outer radius; the drill's cone is left out.")  # fmt: skip
     count: int = integer("Holes on the whole shaft", low=1, high=1000, symbol="N_c", help="Shared evenly by the eccentric masses.")
 
@@ -139,7 +139,7 @@ class CountershaftInputs:
     fillet_radius: float | None = quantity("Fillet at the shoulders", "mm", default=None, above=0, high=100, symbol="rho_f", usual=(0.5, 5),
         source=THUMB, help="Its radius. Left out: no notch stress.")  # fmt: skip
     sector_effectiveness: float = quantity("Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05,
-        usual=(0.2, 0.4), source="Finotti 2013, ch. 6, by fit to its slopes",
+        usual=(0.2, 0.4), source="Finotti 2013, 4.6 (in chapter 6), by fit to its slopes",
         help="Of their full section; 1 is optimistic, 0.2 honest.")  # fmt: skip
     gear_z: float | None = quantity("Middle of the gear", "mm", default=None, low=-5000, high=5000, symbol="z_G",
         help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.")  # fmt: skip

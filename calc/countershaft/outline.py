@@ -98,32 +98,32 @@ class NoOutline(Exception):
         self.reason, self.broken = reason, broken
 
 
-@formula("m_S", "sum over the pieces of the shaft", unit="kg")
+@formula("m_S", "mathematics: sum over the pieces of the shaft", unit="kg")
 def pieces_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre) -> Kilogram:
     return rho * resultant(A * l)
 
 
-@formula("z_S", "centre of gravity of the pieces", unit="mm")
+@formula("z_S", "geometry: centre of gravity of the pieces", unit="mm")
 def pieces_centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m_S: Kilogram) -> Metre:
     return rho * resultant(A * l * z) / m_S
 
 
-@formula("m_S", "sum over the pieces of the shaft and its further elements", unit="kg")
+@formula("m_S", "mathematics: sum over the pieces of the shaft and its further elements", unit="kg")
 def shaft_mass(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, m: Kilogram) -> Kilogram:
     return rho * resultant(A * l) + resultant(m)
 
 
-@formula("z_S", "centre of gravity of the pieces and the further elements", unit="mm")
+@formula("z_S", "geometry: centre of gravity of the pieces and the further elements", unit="mm")
 def centre(rho: KilogramPerMetre3, A: SquareMetre, l: Metre, z: Metre, m: Kilogram, z_m: Metre, m_S: Kilogram) -> Metre:
     return (rho * resultant(A * l * z) + resultant(m * z_m)) / m_S
 
 
-@formula("J_S", "moment of inertia about the axis, of the pieces", unit="kg·mm²")
+@formula("J_S", "geometry: moment of inertia about the axis, of the pieces", unit="kg·mm²")
 def pieces_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre) -> KilogramMetre2:
     return rho * resultant(I_p * l)
 
 
-@formula("J_S", "moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²")
+@formula("J_S", "geometry, moment of inertia about the axis: the pieces, and the further elements as points", unit="kg·mm²")
 def shaft_inertia(rho: KilogramPerMetre3, I_p: Metre4, l: Metre, m: Kilogram, e: Metre) -> KilogramMetre2:
     return rho * resultant(I_p * l) + resultant(m * e**2)
 
@@ -145,32 +145,32 @@ def half_angle(t: Number) -> Radian:
     return gamma
 
 
-@formula("b", "length of a sector of that mass", unit="mm")
+@formula("b", "geometry: length of a sector of that mass", unit="mm")
 def sector_length(m: Kilogram, rho: KilogramPerMetre3, A: SquareMetre) -> Metre:
     return m / (rho * A)
 
 
-@formula("R", "half of the diameter", unit="mm")
+@formula("R", "geometry: half of the diameter", unit="mm")
 def radius(d: Metre) -> Metre:
     return d / 2
 
 
-@formula("z_1", "front face of a stretch of length b around its middle", unit="mm")
+@formula("z_1", "geometry: front face of a stretch of length b around its middle", unit="mm")
 def front_face(z: Metre, b: Metre) -> Metre:
     return z - b / 2
 
 
-@formula("z_2", "rear face of a stretch of length b around its middle", unit="mm")
+@formula("z_2", "geometry: rear face of a stretch of length b around its middle", unit="mm")
 def rear_face(z: Metre, b: Metre) -> Metre:
     return z + b / 2
 
 
-@formula("l", "length of each piece of the shaft", unit="mm")
+@formula("l", "geometry: length of each piece of the shaft", unit="mm")
 def lengths(z_1: Metre, z_2: Metre) -> Metre:
     return z_2 - z_1
 
 
-@formula("z", "middle of each piece of the shaft", unit="mm")
+@formula("z", "geometry: middle of each piece of the shaft", unit="mm")
 def middles(z_1: Metre, z_2: Metre) -> Metre:
     return (z_1 + z_2) / 2
 
@@ -180,7 +180,7 @@ def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     return z_f - l / 2 - b / 2
 
 
-@formula("S_γ", "static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³")
+@formula("S_γ", "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³")
 def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
     return S * cis(gamma)
 
@@ -359,12 +359,12 @@ def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra 
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 
-@formula("F_O", "force of the pieces of the outline and the further elements")
+@formula("F_O", "dynamics: force of the pieces of the outline and the further elements")
 def outline_force(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, F_x: PhasorNewton) -> PhasorNewton:
     return omega**2 * rho * resultant(S * l) + F_x
 
 
-@formula("C_O", "couple of the pieces of the outline and the further elements, their unbalance times position")
+@formula("C_O", "dynamics: couple of the pieces of the outline and the further elements, their unbalance times position")
 def outline_couple(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre, l: Metre, z: Metre,
     C_x: PhasorNewtonMetre) -> PhasorNewtonMetre:  # fmt: skip
     return omega**2 * rho * resultant(S * l * z) + C_x

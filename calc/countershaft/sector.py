@@ -28,7 +28,7 @@ def sector_moment(gamma: Radian, R: Metre, r_0: Metre) -> CubicMetre:
     return 2 / 3 * sin(gamma) * (R**3 - r_0**3)
 
 
-@formula("e", "centre of gravity of the sector from the axis", unit="mm")
+@formula("e", "geometry: centre of gravity of the sector from the axis", unit="mm")
 def centre_of_gravity(S: CubicMetre, A: SquareMetre) -> Metre:
     """>>> centre_of_gravity(S=4.777e-05, A=0.002038)
     0.02343964...
@@ -36,7 +36,7 @@ def centre_of_gravity(S: CubicMetre, A: SquareMetre) -> Metre:
     return S / A
 
 
-@formula("m", "mass of a sector of length b", unit="kg")
+@formula("m", "geometry: mass of a sector of length b", unit="kg")
 def sector_mass(rho: KilogramPerMetre3, A: SquareMetre, b: Metre) -> Kilogram:
     """>>> sector_mass(rho=7860, A=0.002038, b=0.1195)
     1.914232...
@@ -44,7 +44,7 @@ def sector_mass(rho: KilogramPerMetre3, A: SquareMetre, b: Metre) -> Kilogram:
     return rho * A * b
 
 
-@formula("U", "unbalance of a sector of length b", unit="g·mm")
+@formula("U", "geometry: unbalance of a sector of length b", unit="g·mm")
 def sector_unbalance(rho: KilogramPerMetre3, S: CubicMetre, b: Metre) -> KilogramMetre:
     """>>> sector_unbalance(rho=7860, S=4.777e-05, b=0.1195)
     0.04486892...
@@ -52,32 +52,37 @@ def sector_unbalance(rho: KilogramPerMetre3, S: CubicMetre, b: Metre) -> Kilogra
     return rho * S * b
 
 
-@formula("A_tot", "sector and core", unit="mm²")
+@formula("A_tot", "geometry: sector and core", unit="mm²")
 def whole_area(A: SquareMetre, r_0: Metre) -> SquareMetre:
     return A + pi * r_0**2
 
 
-@formula("ȳ", "centre of gravity of sector and core from the axis", unit="mm")
+@formula("ȳ", "geometry: centre of gravity of sector and core from the axis", unit="mm")
 def whole_centre(S: CubicMetre, A_tot: SquareMetre) -> Metre:
     return S / A_tot
 
 
-@formula("I_sym", "second moment of sector and core about their own centre, bending in the plane of symmetry", unit="mm⁴", names={"y": "ȳ"})
+@formula(
+    "I_sym",
+    "geometry: second moment of sector and core about their own centre, bending in the plane of symmetry",
+    unit="mm⁴",
+    names={"y": "ȳ"},
+)
 def sector_inertia(R: Metre, r_0: Metre, gamma: Radian, A_tot: SquareMetre, y: Metre) -> Metre4:
     """The smaller of the two main second moments."""
     return (R**4 - r_0**4) / 4 * (gamma + sin(gamma) * cos(gamma)) + pi * r_0**4 / 4 - A_tot * y**2
 
 
-@formula("A", "full cylinder", unit="mm²")
+@formula("A", "geometry: full cylinder", unit="mm²")
 def cylinder_area(R: Metre) -> SquareMetre:
     return pi * R**2
 
 
-@formula("I", "second moment of a full cylinder", unit="mm⁴")
+@formula("I", "geometry: second moment of a full cylinder", unit="mm⁴")
 def cylinder_inertia(R: Metre) -> Metre4:
     return pi * R**4 / 4
 
 
-@formula("I_p", "polar moment of sector and core about the axis; a full cylinder: γ = π", unit="mm⁴")
+@formula("I_p", "geometry, polar moment of sector and core about the axis; a full cylinder: γ = π", unit="mm⁴")
 def polar_moment(gamma: Radian, R: Metre, r_0: Metre) -> Metre4:
     return gamma * (R**4 - r_0**4) / 2 + pi * r_0**4 / 2

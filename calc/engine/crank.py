@@ -33,7 +33,9 @@ def places_in_order(order: Number) -> Number:
     return cast(Number, place)
 
 
-@formula("z", "equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a")
+@formula(
+    "z", "definition: equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a"
+)
 def axial_positions(k: Number, a: Metre) -> Metre:
     row: Any = k
     return cast(Metre, (row - (row.min() + row.max()) / 2) * a)

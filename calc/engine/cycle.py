@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 TURN = 2 * math.pi
 DUST: Radian = 1e-9
-SEILIGER = Text("mixed (Sabathé, Seiliger) cycle as generally published")
+SEILIGER = Text("thermodynamics, mixed (Sabathé, Seiliger) cycle of an ideal gas")
 WIDE = math.radians(60.0)  # a gap between the points of a table that is worth a word
 PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 
@@ -37,7 +37,7 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
 # --- motion ---------------------------------------------------------------------------------------------------------------
 @formula(
     "ε_k",
-    "crank angle after the firing of the cylinder, within its cycle",
+    "kinematics: crank angle after the firing of the cylinder, within its cycle",
     shows="ε − f_k, f_k the crank angle at which the cylinder fires",
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
@@ -51,12 +51,12 @@ def crank_angle(phi_0: Radian, epsilon: Radian) -> Radian:
     return phi_0 + epsilon
 
 
-@formula("x", "Finotti 2013, (2.7), its bracket corrected: way of the piston from TDC, with offset", unit="mm", names={"lam": "λ"})
+@formula("x", "Finotti 2013, eq. 2.7, its bracket corrected: way of the piston from TDC, with offset", unit="mm", names={"lam": "λ"})
 def piston_way(r: Metre, lam: Number, phi_0: Radian, alpha: Radian, beta: Radian) -> Metre:
     return r * joined((1 + 1 / lam) * cos(phi_0) - cos(alpha), -(cos(beta) / lam))
 
 
-@formula("ε_BDC", "dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"})
+@formula("ε_BDC", "kinematics, dead centres of the offset slider-crank: crank angle from TDC to BDC", names={"lam": "λ"})
 def dead_centre_angle(delta: Number, lam: Number) -> Radian:
     return pi + asin(delta / (1 - lam)) - asin(delta / (1 + lam))
 
@@ -94,7 +94,9 @@ def mixed_cycle(
     return cast(Pascal, found if found.ndim else found.item())
 
 
-@formula("p", "indicated pressure as given", unit="bar", shows="linear between the points of the table, which closes over the cycle")
+@formula(
+    "p", "given in the design: indicated pressure", unit="bar", shows="linear between the points of the table, which closes over the cycle"
+)
 def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
     found: Any = np.interp(epsilon, angles, pressures, period=cycle)
     return cast(Pascal, found if found.ndim else found.item())
@@ -179,12 +181,12 @@ def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
 
 
 # --- forces on the piston, and what they do at the crank ------------------------------------------------------------------------
-@formula("F_G", "definition of the gas force, crankcase pressure under the piston")
+@formula("F_G", "Finotti 2013, 2.2: gas force, crankcase pressure under the piston")
 def gas_force(p: Pascal, p_case: Pascal, D: Metre) -> Newton:
     return (p - p_case) * pi / 4 * D**2
 
 
-@formula("F_I", "Finotti 2013, 2.2.1: inertia force of the reciprocating mass, here positive towards the crank")
+@formula("F_I", "Finotti 2013, 2.2.2: inertia force of the reciprocating mass, here positive towards the crank")
 def inertia_force(M_alt: Kilogram, omega: RadPerSecond, r: Metre, a_rel: Number) -> Newton:
     return -M_alt * omega**2 * r * a_rel
 

@@ -20,13 +20,15 @@ from ..sheet.units import (
 )  # fmt: skip
 
 
-@formula("M_ra", "Finotti 2013, 2.2.2: rod as two masses", unit="g")
+@formula("M_ra", "Finotti 2013, 2.5.3.1: rod as two masses", unit="g")
 def rod_reciprocating_mass(M_B: Kilogram, X_2: Metre, L: Metre) -> Kilogram:
     """The share of the rod that moves with the piston; X₂ is its CG to the big end."""
     return M_B * X_2 / L
 
 
-@formula("M_ra", "Finotti 2013, 2.2.2: one third of the rod where its CG is not known", unit="g")
+@formula(
+    "M_ra", "Finotti 2013, 2.2.2, its list (the text above it says two thirds): one third of the rod where its CG is not known", unit="g"
+)
 def rod_reciprocating_mass_by_thirds(M_B: Kilogram) -> Kilogram:
     return M_B / 3
 
@@ -73,7 +75,7 @@ def tdc_angle(delta: Number, lam: Number) -> Radian:
     return asin(delta / (1 + lam))
 
 
-@formula("s", "stroke of the offset slider-crank: distance of its dead centres", unit="mm")
+@formula("s", "kinematics, stroke of the offset slider-crank: distance of its dead centres", unit="mm")
 def stroke(L: Metre, r: Metre, d: Metre) -> Metre:
     """>>> stroke(L=0.163, r=0.0535, d=0.005)
     0.1070564...
@@ -102,12 +104,12 @@ def rod_angle(lam: Number, alpha: Radian, delta: Number) -> Radian:
     return asin(lam * sin(alpha) - delta)
 
 
-@formula("v/(ω·r)", "first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+@formula("v/(ω·r)", "kinematics: first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
 def relative_speed(alpha: Radian, beta: Radian) -> Number:
     return sin(alpha) + cos(alpha) * tan(beta)
 
 
-@formula("a/(ω²·r)", "second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
+@formula("a/(ω²·r)", "kinematics: second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
 def relative_acceleration(alpha: Radian, beta: Radian, lam: Number) -> Number:
     return cos(alpha) - sin(alpha) * tan(beta) + lam * cos(alpha) ** 2 / cos(beta) ** 3
 
@@ -117,16 +119,16 @@ def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) ->
     return cos(alpha) + delta * sin(alpha) + lam * cos(2 * alpha)
 
 
-@formula("α_min", "crank angle of the smallest acceleration", shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC")
+@formula("α_min", "mathematics: crank angle of the smallest acceleration", shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC")
 def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
     return alpha
 
 
-@formula("a", "acceleration of the piston, extreme value over the turn")
+@formula("a", "mathematics: acceleration of the piston, extreme value over the turn")
 def acceleration(a_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond2:
     return a_rel * omega**2 * r
 
 
-@formula("v_max", "largest speed of the piston")
+@formula("v_max", "mathematics: largest speed of the piston")
 def piston_speed(v_rel: Number, omega: RadPerSecond, r: Metre) -> MetrePerSecond:
     return v_rel * omega * r

@@ -9,7 +9,7 @@ from ..sheet.text import EMPTY, Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
 
-CRANK_RATIO = (0.20, 0.33)  # λ of vehicle engines; Finotti 2013, 2.1
+CRANK_RATIO = (0.22, 0.30)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
 
 # Firing orders of inline engines: usual ones, else of all (above nine cylinders: of symmetrical cranks) the one that leaves least.
 FOUR_STROKE = {
@@ -107,7 +107,7 @@ class EngineInputs:
         help="Mass of one rod with bush and screws, without big-end shells.",
     )  # fmt: skip
     rod_cg_to_big_end: float | None = quantity(
-        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.2.2",
+        "Rod CG to big end", "mm", default=None, low=0, high=4000, symbol="X_2", source="Finotti 2013, 2.5.3.1",
         help="Centre of gravity of the rod from its big end. Left out: one third of the rod reciprocates, two thirds rotate.",
     )  # fmt: skip
     crankpin_bearing_mass: float = quantity(

@@ -84,12 +84,18 @@ def firing_interval(strokes: Number, N: Number) -> Radian:
     return pi * strokes / N
 
 
-@formula("Δ_min", "crank angles between one firing and the next, over the working cycle", shows="the shortest of the firing intervals")
+@formula(
+    "Δ_min",
+    "kinematics, crank angles between one firing and the next, over the working cycle",
+    shows="the shortest of the firing intervals",
+)
 def shortest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.min(gaps))
 
 
-@formula("Δ_max", "crank angles between one firing and the next, over the working cycle", shows="the longest of the firing intervals")
+@formula(
+    "Δ_max", "kinematics, crank angles between one firing and the next, over the working cycle", shows="the longest of the firing intervals"
+)
 def longest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.max(gaps))
 
@@ -108,12 +114,12 @@ def _peak(y: Any) -> tuple[Any, Any]:
     return (highest, at % (2 * np.pi)) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
 
 
-@formula("max", "largest value over the turn", shows="the largest of the points, refined on their Fourier series")
+@formula("max", "mathematics: largest value over the turn", shows="the largest of the points, refined on their Fourier series")
 def turn_highest(y: Number) -> Number:
     return cast(Number, _peak(y)[0])
 
 
-@formula("min", "smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
+@formula("min", "mathematics: smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
 def turn_lowest(y: Number) -> Number:
     return cast(Number, -_peak(-y)[0])
 
@@ -188,7 +194,7 @@ def _throw(
     return throw.solve(engine, e, fires.angles, engine.gas, engine.throw, materials, turning.cycle)
 
 
-@formula("|c_n|", "amplitude of one order of a/(ω²·r)")
+@formula("|c_n|", "mathematics: amplitude of one order of a/(ω²·r)")
 def harmonic_amplitude(c_n: PhasorNumber) -> Number:
     return modulus(c_n)
 
@@ -221,15 +227,23 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
     assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
-    usual = Text("usual range of vehicle engines (Finotti 2013, 2.1)")
-    longer = Text("A longer rod lowers λ and with it every second-order force and couple.")
+    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3")
+    longer = (
+        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
+        if e.lambda_ < CRANK_RATIO[0]
+        else Text(
+            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: the R753IE4 of "
+            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
+        )
+    )
     rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
     advice = Text("This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.")
     gas: list[Check] = []
     if turning.indicated_work is not None:
         gas.append(
             check(
-                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J", Text("an engine gives work"),
+                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J",
+                Text("energy: an engine gives work"),
                 Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
             )
         )  # fmt: skip
@@ -247,7 +261,10 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
         gas.append(
             check(
                 "engine.speed_irregularity", Text("Speed irregularity"), turning.speed_irregularity, "<=", IRREGULAR, "",
-                Text("ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept well below 1/20 (machine handbooks)"),
+                Text(
+                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept "
+                    "well below 1/20"
+                ),
                 Text("A larger inertia of the flywheel lowers it in proportion."),
             )
         )  # fmt: skip

@@ -256,7 +256,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
             )
         )  # fmt: skip
     limit = material.proof_stress if material else None
-    proof = Text("proof stress of {material}", material=throw.material)
+    proof = Text("elasticity, proof stress of {material}", material=throw.material)
     for i, (place, part) in enumerate(PLACES.items()):
         nominal, notch = (based_on(float(largest[n]), *crank.load, throw) for n in (i, i + 2))
         if limit is not None:

@@ -10,9 +10,9 @@ from ..sheet.functions import cos, pi, power, sqrt, tan, total
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Pascal, Radian, RadPerSecond
 
-ROD = Text("statics of the slider-crank (mechanics textbook, ch. 48)")
-BEAM = Text("simply supported throw, pin loaded at its middle (mechanics textbook, ch. 48: sizing of the crank)")
-NOTCH = Text("Norton, Machine Design, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2")
+ROD = Text("statics of the slider-crank (Finotti 2013, 2.2.1)")
+BEAM = Text("statics, simply supported throw, pin loaded at its middle (mechanics textbook, 48.7)")
+NOTCH = Text("Norton, app. of stress-concentration factors, after Peterson: shouldered round shaft, D/d = 2")
 
 
 # --- forces -----------------------------------------------------------------------------------------------------------------
@@ -41,7 +41,7 @@ def radial_force(S: Newton, alpha: Radian, beta: Radian, M_rot: Kilogram, r: Met
     return S * cos(alpha + beta) - M_rot * r * omega**2
 
 
-@formula("ΣF", "sum of the two rods on one pin")
+@formula("ΣF", "mathematics: sum of the two rods on one pin")
 def both_rods(F: Newton, F_other: Newton) -> Newton:
     return F + F_other
 
@@ -51,7 +51,7 @@ def reaction(F_t: Newton, F_r: Newton) -> Newton:
     return sqrt(F_t**2 + F_r**2) / 2
 
 
-@formula("T_v", "torque through the front journal: sum over the cylinders on the throws in front")
+@formula("T_v", "statics, torque through the front journal: sum over the cylinders on the throws in front")
 def torque_in_front(F_t: Newton, r: Metre) -> NewtonMetre:
     return total(F_t) * r
 
@@ -82,28 +82,28 @@ def pin_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
     return F_t * r / 2 + T_v
 
 
-@formula("T_j", "torque behind the throw: its own and that of the throws in front")
+@formula("T_j", "statics, torque behind the throw: its own and that of the throws in front")
 def journal_torsion(F_t: Newton, r: Metre, T_v: NewtonMetre) -> NewtonMetre:
     return F_t * r + T_v
 
 
 # --- stresses ---------------------------------------------------------------------------------------------------------------
-@formula("σ", "elementary bending of a solid round section, nominal", unit="MPa")
+@formula("σ", "elasticity: elementary bending of a solid round section, nominal", unit="MPa")
 def bending_stress(M: NewtonMetre, d: Metre) -> Pascal:
     return 32 * M / (pi * d**3)
 
 
-@formula("τ", "elementary torsion of a solid round section, nominal", unit="MPa")
+@formula("τ", "elasticity: elementary torsion of a solid round section, nominal", unit="MPa")
 def torsion_stress(T: NewtonMetre, d: Metre) -> Pascal:
     return 16 * T / (pi * d**3)
 
 
-@formula("σ_v", "equivalent stress after von Mises, bending and torsion", unit="MPa")
+@formula("σ_v", "elasticity: equivalent stress after von Mises, bending and torsion", unit="MPa")
 def von_mises(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)
 
 
-@formula("ρ/d", "relative fillet radius")
+@formula("ρ/d", "definition: relative fillet radius")
 def relative_fillet(rho: Metre, d: Metre) -> Number:
     return rho / d
 
@@ -118,6 +118,6 @@ def notch_torsion(rho_d: Number) -> Number:
     return 0.86331 * power(rho_d, -0.23865)
 
 
-@formula("σ_vk", "equivalent stress after von Mises at the fillet, elastic", unit="MPa")
+@formula("σ_vk", "elasticity: equivalent stress after von Mises at the fillet, elastic", unit="MPa")
 def notch_stress(K_b: Number, sigma: Pascal, K_t: Number, tau: Pascal) -> Pascal:
     return sqrt((K_b * sigma) ** 2 + 3 * (K_t * tau) ** 2)

@@ -47,7 +47,7 @@ ORDERS = 8
 POINTS = 720  # over a turn, for the inertia torque
 SMALL = 1e-9  # of the largest: an order so small is dust
 DRAWN = math.radians(1.0)
-WORK = Text("indicated work of the cycle: virtual work of the gas force")
+WORK = Text("energy, indicated work of the cycle: virtual work of the gas force")
 
 
 @result
@@ -76,51 +76,55 @@ class TorqueResult:
 
 
 # --- formulas ---------------------------------------------------------------------------------------------------------------
-@formula("T_I", "sum over the cylinders: torque of the inertia forces")
+@formula("T_I", "mathematics, sum over the cylinders: torque of the inertia forces")
 def inertia_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
 
 
-@formula("ΣF_I", "sum over the cylinders: inertia forces along their axes")
+@formula("ΣF_I", "mathematics, sum over the cylinders: inertia forces along their axes")
 def inertia_sum(F_k: Newton) -> Newton:
     return resultant(F_k)
 
 
-@formula("T_G", "sum over the cylinders: torque of the gas forces")
+@formula("T_G", "mathematics, sum over the cylinders: torque of the gas forces")
 def gas_torque(T_k: NewtonMetre) -> NewtonMetre:
     return resultant(T_k)
 
 
-@formula("T", "sum of the gas and inertia torques")
+@formula("T", "mathematics: sum of the gas and inertia torques")
 def whole_torque(T_G: NewtonMetre, T_I: NewtonMetre) -> NewtonMetre:
     return T_G + T_I
 
 
-@formula("T_R", "moment of momentum of piston and crank: reaction on the block, with the inertia force on the offset cylinder's axis")
+@formula(
+    "T_R", "dynamics, moment of momentum of piston and crank: reaction on the block, with the inertia force on the offset cylinder's axis"
+)
 def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     """`T` on the crank, `F_I` towards the crank along the axis of the cylinder, which lies d further in the sense of rotation."""
     return -T + d * F_I
 
 
-@formula("T_hi", "largest of the points of the cycle, its corners among them", shows="largest T(ε)")
+@formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
 def highest(T: NewtonMetre) -> NewtonMetre:
     found: Any = T
     return float(found.max())
 
 
-@formula("T_lo", "smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
+@formula("T_lo", "mathematics: smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
 def lowest(T: NewtonMetre) -> NewtonMetre:
     found: Any = T
     return float(found.min())
 
 
-@formula("|T|", "amount of the torque at the crank angle where it is largest")
+@formula("|T|", "mathematics: amount of the torque at the crank angle where it is largest")
 def amount(T: NewtonMetre) -> NewtonMetre:
     return modulus(T)
 
 
 @formula(
-    "t_n", "Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle (two terms: Den Hartog, ch. 5)",
+    "t_n",
+    "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle "
+    "(two terms: Den Hartog, ch. 5)",
     shows="t_1 … t_8 of T_k over one turn, times Σ e^(−i·n·f_k)", names={"fires": "f"},
 )  # fmt: skip
 def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
@@ -133,7 +137,7 @@ def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     return cast(PhasorNewtonMetre, found)
 
 
-@formula("T_n", "amplitude of one order of the inertia torque")
+@formula("T_n", "mathematics: amplitude of one order of the inertia torque")
 def harmonic_amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(t_n)
 
@@ -160,7 +164,7 @@ def indicated_power(T_m: NewtonMetre, omega: RadPerSecond) -> Watt:
 
 
 @formula(
-    "ΔE", "flywheel as generally published: largest fluctuation of the energy about its mean course",
+    "ΔE", "dynamics, flywheel: largest fluctuation of the energy about its mean course",
     shows="max − min over the cycle of ∫(T − T_m)dε",
 )  # fmt: skip
 def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
@@ -168,7 +172,7 @@ def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> New
     return c.highest(epsilon, energy)[1] + c.highest(epsilon, -energy)[1]
 
 
-@formula("δ_s", "speed irregularity (ω_max − ω_min)/ω_m of a flywheel, ΔE = J·ω²·δ_s")
+@formula("δ_s", "dynamics: speed irregularity (ω_max − ω_min)/ω_m of a flywheel, ΔE = J·ω²·δ_s")
 def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSecond) -> Number:
     return Delta_E / (J * omega**2)
 

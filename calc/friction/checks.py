@@ -73,7 +73,7 @@ def _models(result: FrictionResult) -> Check:
         ">=",
         float(len(MODELS)),
         "",
-        Text("ranges of Schlenk, Niemann and Winter, Xu and Kahraman, Benedict and Kelley"),
+        Text("ranges of Schlenk 1994, Niemann & Winter, Xu and Kahraman 2005, Benedict and Kelley 1961"),
         Text(
             "Outside: {authors}. The tables of the models say by what. Their losses are extrapolations; nothing is judged by them.",
             authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
@@ -146,7 +146,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         ">=",
         1.0,
         "",
-        Text("mixed friction below about 1 (AGMA 925-A03, as generally published)"),
+        Text("AGMA 925-A03: mixed friction below about 1"),
         Text("The flanks touch: smoother flanks, thicker or cooler oil, more speed."),
     )
     inside = {name: one.loss for name, one in mesh.published_models.items() if one is not None and not one.outside and one.loss > 0}
@@ -160,7 +160,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
         "<=",
         1.0,
         "",
-        Text("{thesis}: range of Eyring's law", thesis=THESIS),
+        Text("{thesis}, 4.4: range of Eyring's law", thesis=THESIS),
         Text("The oil answers as a solid: its friction is overestimated."),
     )
     yield check(
@@ -194,7 +194,7 @@ def _of_mesh(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[Ch
             "<=",
             HOT_TEETH,
             "°C",
-            Text("case-hardened steel loses hardness from about 150 to 180 °C on, as generally published"),
+            Text("rule of this program: case-hardened steel loses hardness from about 150 to 180 °C on, from memory"),
             Text("The teeth run hot: less power or loss, a wider face, more oil on them."),
         )
 
@@ -225,7 +225,7 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             Text("Thinnest film"),
             mesh.source.film_min * 1e6,
             "µm",
-            Text("method of the {thesis}, section on film thickness", thesis=THESIS),
+            Text("method of the {thesis}, 4.3", thesis=THESIS),
             Text(
                 "The source takes the EHL formula everywhere. At this load the flanks stay round and the oil as thin as without pressure: "
                 "the rigid isoviscous film is thicker, and it costs rolling power that the source does not count."
@@ -268,6 +268,6 @@ def _of_source(id: str, friction: FrictionInputs, mesh: MeshResult) -> Iterator[
             Text("Loss factor"),
             short_of_load,
             "",
-            Text("method of the {thesis}, load sharing", thesis=THESIS),
+            Text("method of the {thesis}, 5.1, load sharing", thesis=THESIS),
             Text("Two pairs that carry 0.33 and 0.66 leave 1 % of the load to nobody."),
         )

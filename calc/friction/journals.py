@@ -40,7 +40,7 @@ class OnShaft(NamedTuple):
         return self.shaft is not None and self.inputs is not None and len(self.inputs.bearing_positions) == 2
 
 
-@formula("P_B", "sum of both journals' friction, as judged", names={"P_front": "P_f,front", "P_rear": "P_f,rear"})
+@formula("P_B", "mathematics: sum of both journals' friction, as judged", names={"P_front": "P_f,front", "P_rear": "P_f,rear"})
 def bearing_loss(P_front: Watt, P_rear: Watt) -> Watt:
     return P_front + P_rear
 

@@ -27,7 +27,7 @@ def fuel(b_e: KilogramPerJoule, P: Watt) -> KilogramPerSecond:
     return b_e * P
 
 
-@formula("m_CO2", "carbon of the fuel, burnt completely", unit="g/h", names={"e_CO2": "e_CO2"})
+@formula("m_CO2", "physics: carbon of the fuel, burnt completely", unit="g/h", names={"e_CO2": "e_CO2"})
 def carbon_dioxide(e_CO2: Number, m_B: KilogramPerSecond) -> KilogramPerSecond:
     return e_CO2 * m_B
 

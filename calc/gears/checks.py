@@ -55,7 +55,7 @@ def speed_ratio(train: TrainResult, wanted: Number, crank: float | None = None) 
     off, shown = abs(ratio - wanted), Amount(ratio, form="+.6g")
     name = Text("Speed ratio {name} to {to}, {ratio}: off the wanted {wanted} by", name=last.name, to=to, ratio=shown,
         wanted=Amount(wanted, form="+g"))  # fmt: skip
-    source = Text("counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
+    source = Text("kinematics, counter-rotating shaft: product of the tooth ratios {wanted} and {parity} number of meshes",
         wanted=Amount(abs(wanted), form="g"), parity=parity)  # fmt: skip
     advice = Text("The teeth {teeth} give {ratio} by {count} meshes: give {name} {enough} and {parity} number of meshes "
         "from {name2} to {name}.", teeth=teeth, ratio=shown, count=len(way) - 1, name=last.name, enough=enough, parity=parity,
@@ -69,7 +69,7 @@ def _backlash(system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, dr
     touching = (driver.base_diameter + driven.base_diameter) / 2
     slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
     return check(f"gears.{given.key}.backlash", Text("Smallest backlash {pair} by its tolerances", pair=mesh.title), mesh.backlash_min,
-        ">=", 0.0, "µm", Text("teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
+        ">=", 0.0, "µm", Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
         Text("More off the span of the teeth, or closer centres, give more."), index=index,
         remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope))  # fmt: skip
 

@@ -16,7 +16,7 @@ from ..sheet.functions import acos, asin, atan, cos, inv, largest, pi, sin, sqrt
 from ..sheet.text import Text
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 
-ISO = Text("ISO 21771:2007, as generally published")
+ISO = Text("ISO 21771:2007")
 
 
 # --- the tooth system, common to all wheels of a train ------------------------------------------------------------------
@@ -62,7 +62,11 @@ def residual_undercut(pr_P0: Metre, q: Metre) -> Metre:
     return pr_P0 - q
 
 
-@formula("u_c", "straight-sided tool with round corners: half distance of the corner centres, transverse; must not be negative", unit="mm")
+@formula(
+    "u_c",
+    "geometry, straight-sided tool with round corners: half distance of the corner centres, transverse; must not be negative",
+    unit="mm",
+)
 def tool_corner_position(
     m_t: Metre, h_fP: Number, rho_aP0: Number, m_n: Metre, alpha_t: Radian, alpha_n: Radian, beta: Radian, s_pr: Metre
 ) -> Metre:
@@ -140,7 +144,7 @@ def pointed_diameter(d_b: Metre, alpha_p: Radian) -> Metre:
     return d_b / cos(alpha_p)
 
 
-@formula("d", "a diameter with its tolerance", unit="mm")
+@formula("d", "geometry: a diameter with its tolerance", unit="mm")
 def with_tolerance(d: Metre, T: Metre) -> Metre:
     return d + T
 
@@ -170,12 +174,12 @@ def diameter_at(d_b: Metre, rho: Metre) -> Metre:
     return sqrt(d_b**2 + 4 * rho**2)
 
 
-@formula("n", "ratio of the teeth; wheels in mesh turn in opposite senses", unit="rpm")
+@formula("n", "kinematics: ratio of the teeth; wheels in mesh turn in opposite senses", unit="rpm")
 def driven_speed(n_1: RevPerSecond, z_1: Number, z_2: Number) -> RevPerSecond:
     return -n_1 * z_1 / z_2
 
 
-@formula("i", "ratio of the speeds, − where the last wheel turns against the first")
+@formula("i", "kinematics: ratio of the speeds, − where the last wheel turns against the first")
 def speed_ratio(n_last: RevPerSecond, n_1: RevPerSecond) -> Number:
     return n_last / n_1
 
@@ -237,7 +241,11 @@ def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number,
     return inv(alpha_t) + 2 * tan(alpha_n) * (x_1 + x_2) / (z_1 + z_2)
 
 
-@formula("α", "inverse of inv α = tan α − α by Newton's method, from above", shows="the angle whose involute is given: tan α − α = inv α")
+@formula(
+    "α",
+    "mathematics: inverse of inv α = tan α − α by Newton's method, from above",
+    shows="the angle whose involute is given: tan α − α = inv α",
+)
 def angle_of_involute(involute: Number) -> Radian:
     """The root of t − arctan t = inv α in t = tan α; from a start above it the iteration falls steadily.
 

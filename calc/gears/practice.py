@@ -12,7 +12,7 @@ from ..sheet.formula import formula
 from ..sheet.text import Text
 from ..sheet.units import Metre
 
-PRACTICE = Text("practice for cylindrical gears, as generally published")
+PRACTICE = Text("rule of this program after the practice of gear handbooks, from memory")
 
 TIP_THICKNESS = 0.25  # normal
 TIP_THICKNESS_HARDENED = 0.4  # of case-hardened teeth
@@ -21,7 +21,7 @@ ABOVE_FILLET, USUAL_ABOVE_FILLET = 0.0, 0.1
 TIP_CLEARANCE, USUAL_TIP_CLEARANCE = 0.15, 0.2  # the second: what the search for shifts keeps
 
 
-@formula("c_F", "ISO 21771:2007, as generally published: how far above the fillet contact begins", unit="mm",
+@formula("c_F", "ISO 21771:2007: how far above the fillet contact begins", unit="mm",
     shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives")  # fmt: skip
 def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     """Numbers or arrays; ρ_a: curvature at the mate's tip.

@@ -16,7 +16,7 @@ class Wheel:
         help="Number of teeth; few of them are undercut.")  # fmt: skip
     profile_shift: float | None = quantity("Profile shift coefficient", default=None, low=-3, high=3, symbol="x", step=0.01,
         usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip
-    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, ch. 4",
+    tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, 4.5.1",
         help="Off the tip radius; eases the mate's dedendum.")  # fmt: skip
     face_width: float | None = quantity("Face width", "mm", default=None, above=0, high=2000, symbol="b",
         help="Width of this wheel. Left out: that of the train.")  # fmt: skip
@@ -26,12 +26,12 @@ class Wheel:
     span_teeth: int | None = integer("Teeth spanned", default=None, low=1, high=200, symbol="K", source="ISO 21771",
         help="Teeth over which the span is measured. Left out: the best number.")  # fmt: skip
     span_allowance: tuple[float, ...] | None = series("Allowance of the span", "µm", default=None, count=(2, 2), low=-5000, high=5000,
-        symbol="E_W", usual=(-50, -20), source="Finotti 2013, ch. 4", help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed."
+        symbol="E_W", usual=(-50, -20), source="Finotti 2013, 4.5.1", help="[upper, lower] of W: −20, −30 shaved, −40, −50 hobbed."
     )  # fmt: skip
     tip_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the tip diameter", "µm", default=None, count=(2, 2), low=-5000,
-        high=5000, usual=(-100, 0), source="Finotti 2013, ch. 4", help="[upper, lower] of the tip diameter.")  # fmt: skip
+        high=5000, usual=(-100, 0), source="Finotti 2013, 4.5.2", help="[upper, lower] of the tip diameter.")  # fmt: skip
     root_diameter_tolerance: tuple[float, ...] | None = series("Tolerance of the root diameter", "µm", default=None, count=(2, 2),
-        low=-5000, high=5000, usual=(-300, 0), source="Finotti 2013, ch. 4", help="[upper, lower], beside the span's allowance."
+        low=-5000, high=5000, usual=(-300, 0), source="Finotti 2013, 4.5.2", help="[upper, lower], beside the span's allowance."
     )  # fmt: skip
     runout: float | None = quantity("Runout of the teeth", "µm", default=None, low=0, high=2000, symbol="F_r", usual=(5, 80), source=THUMB,
         help="Over a turn; half of it to each side of the centre.")  # fmt: skip

@@ -23,7 +23,7 @@ from ..sheet.units import (
     RadPerSecond,
 )  # fmt: skip
 
-FORWARD = Text("Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vectors, here for any order, throws and banks")
+FORWARD = Text("Finotti 2013, 2.2.3 and 2.3.3: reciprocating force as two turning vectors, here for any order, throws and banks")
 
 
 @formula("F_n⁺", FORWARD)
@@ -54,104 +54,104 @@ def couple_backward(
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("F_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+@formula("F_κ", "Finotti 2013, 2.3.2: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
 def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("C_κ", "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+@formula("C_κ", "Finotti 2013, 2.3.2: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
 def counterweight_couple(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("F_1⁺", "sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
+@formula("F_1⁺", "mathematics: sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_kappa)
 
 
-@formula("C_1⁺", "sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order")
+@formula("C_1⁺", "mathematics: sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order")
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_kappa)
 
 
-@formula("F_V", "ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula("F_V", "geometry, ellipse of two counter-turning vectors: largest vertical component", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_peak_vertical(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, conj(F_b)))
 
 
-@formula("F_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula("F_H", "geometry, ellipse of two counter-turning vectors: largest horizontal component", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_peak_horizontal(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, -conj(F_b)))
 
 
-@formula("C_V", "ellipse of two counter-turning vectors: largest vertical component", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula("C_V", "geometry, ellipse of two counter-turning vectors: largest vertical component", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak_vertical(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, conj(C_b)))
 
 
-@formula("C_H", "ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula("C_H", "geometry, ellipse of two counter-turning vectors: largest horizontal component", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak_horizontal(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, -conj(C_b)))
 
 
-@formula("F_max", "ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula("F_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_peak(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(F_f) + modulus(F_b)
 
 
-@formula("F_min", "ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula("F_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_least(F_f: PhasorNewton, F_b: PhasorNewton) -> Newton:
     return modulus(joined(modulus(F_f), -modulus(F_b)))
 
 
-@formula("∠F_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"F_f": "F⁺", "F_b": "F⁻"})
+@formula("∠F_max", "geometry, ellipse of two counter-turning vectors: direction of its long axis from up", names={"F_f": "F⁺", "F_b": "F⁻"})
 def force_axis(F_f: PhasorNewton, F_b: PhasorNewton) -> Radian:
     return argument(F_f * F_b) / 2
 
 
-@formula("C_max", "ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula("C_max", "geometry, ellipse of two counter-turning vectors: half its long axis", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_peak(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_f) + modulus(C_b)
 
 
-@formula("C_min", "ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula("C_min", "geometry, ellipse of two counter-turning vectors: half its short axis", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_least(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(modulus(C_f), -modulus(C_b)))
 
 
-@formula("∠C_max", "ellipse of two counter-turning vectors: direction of its long axis from up", names={"C_f": "C⁺", "C_b": "C⁻"})
+@formula("∠C_max", "geometry, ellipse of two counter-turning vectors: direction of its long axis from up", names={"C_f": "C⁺", "C_b": "C⁻"})
 def couple_axis(C_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre) -> Radian:
     return argument(C_f * C_b) / 2
 
 
-@formula("C_S", "Finotti 2013, 2.5.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"})
+@formula("C_S", "Finotti 2013, 2.5.3.3: the shaft opposes the backward couple of the first order", names={"C_b": "C_1⁻"})
 def required_couple(C_b: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return -C_b
 
 
-@formula("|F|", "length of the vector", unit="N")
+@formula("|F|", "mathematics, length of the vector", unit="N")
 def force_length(F: PhasorNewton) -> Newton:
     return modulus(F)
 
 
-@formula("∠F", "direction of the vector from up, while cylinder 1 stands at TDC")
+@formula("∠F", "mathematics, direction of the vector from up, while cylinder 1 stands at TDC")
 def force_direction(F: PhasorNewton) -> Radian:
     return argument(F)
 
 
-@formula("|C|", "length of the vector")
+@formula("|C|", "mathematics, length of the vector")
 def couple_length(C: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C)
 
 
-@formula("∠C", "direction of the vector from up, while cylinder 1 stands at TDC")
+@formula("∠C", "mathematics, direction of the vector from up, while cylinder 1 stands at TDC")
 def couple_direction(C: PhasorNewtonMetre) -> Radian:
     return argument(C)
 
 
-@formula("U·Δz", "couple over ω²: the product of unbalance and arm that the shaft needs", unit="kg·mm²")
+@formula("U·Δz", "dynamics, couple over ω²: the product of unbalance and arm that the shaft needs", unit="kg·mm²")
 def unbalance_product(C_S: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
     """>>> unbalance_product(C_S=572.9, omega=272.3)
     0.007726512...
@@ -165,7 +165,7 @@ def second_order_couple_of_finotti(kappa: Number, C_2: NewtonMetre) -> NewtonMet
     return (1 - kappa) * C_2
 
 
-@formula("ΔC/1°", "exact difference of two vectors one degree apart")
+@formula("ΔC/1°", "mathematics, exact difference of two vectors one degree apart")
 def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     """>>> couple_per_degree(C_S=572.9)
     9.998864...
@@ -173,7 +173,7 @@ def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     return 2 * C_S * sin(pi / 360)
 
 
-@formula("ΔC/tooth", "exact difference of two vectors one tooth of the shaft's wheel apart")
+@formula("ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart")
 def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
 
@@ -183,16 +183,16 @@ def required_force(F_b: PhasorNewton) -> PhasorNewton:
     return -F_b
 
 
-@formula("U", "force over ω²: the unbalance that the shaft needs", unit="kg·mm")
+@formula("U", "dynamics, force over ω²: the unbalance that the shaft needs", unit="kg·mm")
 def required_unbalance(F_S: Newton, omega: RadPerSecond) -> KilogramMetre:
     return F_S / omega**2
 
 
-@formula("ΔF/1°", "exact difference of two vectors one degree apart")
+@formula("ΔF/1°", "mathematics, exact difference of two vectors one degree apart")
 def force_per_degree(F_S: Newton) -> Newton:
     return 2 * F_S * sin(pi / 360)
 
 
-@formula("ΔF/tooth", "exact difference of two vectors one tooth of the shaft's wheel apart")
+@formula("ΔF/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart")
 def force_per_tooth(F_S: Newton, z: Number) -> Newton:
     return 2 * F_S * sin(pi / z)

@@ -43,7 +43,7 @@ class ImbalanceInputs:
     """What the crank takes of the reciprocating masses, and the kinematics that are judged."""
 
     crank_balance_fraction: float = quantity(
-        "Share balanced on the crank", default=0.5, low=-1, high=2, symbol="kappa", step=0.05, usual=(0, 1), source="Finotti 2013, 2.3.3",
+        "Share balanced on the crank", default=0.5, low=-1, high=2, symbol="kappa", step=0.05, usual=(0, 1), source="Finotti 2013, 2.3.2",
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
     )  # fmt: skip
     kinematics: str = choice(

@@ -33,7 +33,7 @@ from ..sheet.units import (
 )  # fmt: skip
 from ..sheet.value import based_on
 
-SHAFTS = Text("rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3; Lanchester)")
+SHAFTS = Text("dynamics, rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3)")
 SIGNIFICANT = 1e-6  # of one cylinder's m·r·ω²: below this there is nothing to balance
 
 
@@ -49,47 +49,51 @@ def shaft_product(C_n: PhasorNewtonMetre, i: Number, omega: RadPerSecond) -> Kil
     return modulus(C_n) / (i * omega) ** 2
 
 
-@formula("∠U", "opposite to the force that it takes, cylinder 1 at TDC", names={"F_n": "F"})
+@formula("∠U", "dynamics: opposite to the force that it takes, cylinder 1 at TDC", names={"F_n": "F"})
 def unbalance_direction(F_n: PhasorNewton) -> Radian:
     return argument(-F_n)
 
 
-@formula("∠U·Δz", "opposite to the couple that it takes, cylinder 1 at TDC", names={"C_n": "C"})
+@formula("∠U·Δz", "dynamics: opposite to the couple that it takes, cylinder 1 at TDC", names={"C_n": "C"})
 def product_direction(C_n: PhasorNewtonMetre) -> Radian:
     return argument(-C_n)
 
 
-@formula("F_S", "centrifugal force of an unbalance")
+@formula("F_S", "dynamics: centrifugal force of an unbalance")
 def supplied_force(i: Number, omega: RadPerSecond, U: KilogramMetre, gamma: Radian) -> PhasorNewton:
     return (i * omega) ** 2 * U * cis(gamma)
 
 
-@formula("C_S", "centrifugal couple of two opposed unbalances", names={"P": "U·Δz"})
+@formula("C_S", "dynamics: centrifugal couple of two opposed unbalances", names={"P": "U·Δz"})
 def supplied_couple(i: Number, omega: RadPerSecond, P: KilogramMetre2, gamma: Radian) -> PhasorNewtonMetre:
     return (i * omega) ** 2 * P * cis(gamma)
 
 
 @formula(
-    "F_left", "sum of engine and shafts: half the long axis of the ellipse", names={"F_f": "F⁺", "F_b": "F⁻", "S_f": "F_S⁺", "S_b": "F_S⁻"}
+    "F_left",
+    "geometry, sum of engine and shafts: half the long axis of the ellipse",
+    names={"F_f": "F⁺", "F_b": "F⁻", "S_f": "F_S⁺", "S_b": "F_S⁻"},
 )
 def force_left(F_f: PhasorNewton, S_f: PhasorNewton, F_b: PhasorNewton, S_b: PhasorNewton) -> Newton:
     return modulus(joined(F_f, S_f)) + modulus(joined(F_b, S_b))
 
 
 @formula(
-    "C_left", "sum of engine and shafts: half the long axis of the ellipse", names={"C_f": "C⁺", "C_b": "C⁻", "S_f": "C_S⁺", "S_b": "C_S⁻"}
+    "C_left",
+    "geometry, sum of engine and shafts: half the long axis of the ellipse",
+    names={"C_f": "C⁺", "C_b": "C⁻", "S_f": "C_S⁺", "S_b": "C_S⁻"},
 )
 def couple_left(C_f: PhasorNewtonMetre, S_f: PhasorNewtonMetre, C_b: PhasorNewtonMetre, S_b: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(joined(C_f, S_f)) + modulus(joined(C_b, S_b))
 
 
-@formula("T_roll", "amplitude of Im(p̄·F): a force that turns about an axis beside the crank's", names={"p": "p_S"})
+@formula("T_roll", "mathematics, amplitude of Im(p̄·F): a force that turns about an axis beside the crank's", names={"p": "p_S"})
 def roll_torque(p: PhasorMetre, F: PhasorNewton) -> NewtonMetre:
     """The torque about the crank's axis of a force that turns about the axis at p (real up, imaginary to the side)."""
     return modulus(p) * modulus(F)
 
 
-M_EQ = Text("Finotti 2013, 2.3.3: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one")
+M_EQ = Text("Finotti 2013, 2.5.3.1: bob mass of a crankpin, rotating mass and the share κ of the reciprocating one")
 
 
 @formula("M_eq", M_EQ, unit="g")
@@ -97,28 +101,28 @@ def equivalent_mass(M_rot: Kilogram, kappa: Number, M_alt: Kilogram) -> Kilogram
     return M_rot + kappa * M_alt
 
 
-@formula("U_cr", "sum of the crankpins' equivalent masses (Finotti 2013, 2.4)", unit="kg·mm")
+@formula("U_cr", "mathematics: sum of the crankpins' equivalent masses (Finotti 2013, 2.4)", unit="kg·mm")
 def crank_unbalance(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorKilogramMetre:
     return M_eq * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("U·z_cr", "sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)", unit="kg·mm²")
+@formula("U·z_cr", "mathematics: sum of the crankpins' equivalent masses, about mid-engine (Finotti 2013, 2.4)", unit="kg·mm²")
 def crank_product(M_eq: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian) -> PhasorKilogramMetre2:
     return M_eq * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("U_cw", "two counterweights a span l apart, against force and couple of the crankpins (Finotti 2013, 2.4)", unit="kg·mm")
+@formula("U_cw", "dynamics: two counterweights a span l apart, against force and couple of the crankpins (Finotti 2013, 2.4)", unit="kg·mm")
 def counterweight(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, l: Metre, side: Number) -> PhasorKilogramMetre:
     """The unbalance of the rear (side +1) or front (side −1) counterweight; U and P of all crankpins about the middle of the span."""
     return -(U / 2 + side * P / l)
 
 
-@formula("m_cw", "mass from unbalance and radius of its centre of gravity", unit="g")
+@formula("m_cw", "geometry: mass from unbalance and radius of its centre of gravity", unit="g")
 def counterweight_mass(U_cw: PhasorKilogramMetre, r_cw: Metre) -> Kilogram:
     return modulus(U_cw) / r_cw
 
 
-@formula("∠U_cw", "direction of the counterweight, cylinder 1 at TDC")
+@formula("∠U_cw", "mathematics: direction of the counterweight, cylinder 1 at TDC")
 def counterweight_direction(U_cw: PhasorKilogramMetre) -> Radian:
     return argument(U_cw)
 

@@ -62,7 +62,9 @@ def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     return -imag(C) / imag(G)
 
 
-@formula("m_j", "smallest change of the common bob that takes the whole couple", shows="least norm of m − m_b with C = 0", unit="g")
+@formula(
+    "m_j", "mathematics: smallest change of the common bob that takes the whole couple", shows="least norm of m − m_b with C = 0", unit="g"
+)
 def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each pin."""
     rows: Any = np.array([np.real(G), np.imag(G)])
@@ -71,7 +73,7 @@ def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -
     return cast(Kilogram, m_b + change)
 
 
-@formula("m_j", "least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
+@formula("m_j", "mathematics: least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
 def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre) -> Kilogram:
     """One bob per pin; `p` and `G` = p·z of each pin."""
     rows: Any = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
@@ -80,34 +82,43 @@ def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: Ph
     return cast(Kilogram, found)
 
 
-@formula("Δφ", "largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
+@formula("Δφ", "mathematics: largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
 def pin_deviation(p: PhasorMetre, phi: Radian) -> Radian:
     """`phi` of every pin from the throw that stands up; a pin without radius has no direction and is left out."""
     listed: Any = p
     return float(np.max(np.abs(np.angle(listed * np.exp(-1j * phi)))[np.abs(listed) > 0], initial=0.0))
 
 
-@formula("|S|", "length of the vector", unit="kg·mm")
+@formula("|S|", "mathematics, length of the vector", unit="kg·mm")
 def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
     return modulus(S)
 
 
-@formula("∠C", "direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there", names={"P": "C", "turned": "χ"})
+@formula(
+    "∠C",
+    "mathematics: direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there",
+    names={"P": "C", "turned": "χ"},
+)
 def state_direction(P: PhasorKilogramMetre2, turned: Radian) -> Radian:
     return argument(P * cis(turned))
 
 
-@formula("F_ω", "force of the crank's own unbalance at rated speed")
+@formula("F_ω", "dynamics: force of the crank's own unbalance at rated speed")
 def force_at(S: PhasorKilogramMetre, omega: RadPerSecond) -> Newton:
     return modulus(S) * omega**2
 
 
-@formula("C_ω", "couple of the crank's own unbalance at rated speed", names={"P": "C"})
+@formula("C_ω", "dynamics: couple of the crank's own unbalance at rated speed", names={"P": "C"})
 def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
 
-@formula("U·z", "what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm²", names={"z_p": "z_P", "phi_p": "φ_P"})
+@formula(
+    "U·z",
+    "mathematics, what the bobs lack of the equivalent masses (Finotti 2013, 2.6)",
+    unit="kg·mm²",
+    names={"z_p": "z_P", "phi_p": "φ_P"},
+)
 def lacking_product(
     r: Metre, theta_0: Radian, M_eq: Kilogram, z: Metre, phi: Radian, m_b: Kilogram, z_p: Metre, phi_p: Radian
 ) -> PhasorKilogramMetre2:
@@ -115,32 +126,32 @@ def lacking_product(
     return r * cis(theta_0) * (M_eq * resultant(z * cis(phi)) - resultant(m_b * z_p * cis(phi_p)))
 
 
-@formula("U", "what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm", names={"phi_p": "φ_P"})
+@formula("U", "mathematics, what the bobs lack of the equivalent masses (Finotti 2013, 2.6)", unit="kg·mm", names={"phi_p": "φ_P"})
 def lacking_unbalance(r: Metre, theta_0: Radian, M_eq: Kilogram, phi: Radian, m_b: Kilogram, phi_p: Radian) -> PhasorKilogramMetre:
     return r * cis(theta_0) * (M_eq * resultant(cis(phi)) - resultant(m_b * cis(phi_p)))
 
 
-@formula("C_pf", "couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"})
+@formula("C_pf", "dynamics: couple that pulley and flywheel must supply, opposite to what is lacking", names={"P": "U·z"})
 def wanted_couple(P: PhasorKilogramMetre2, omega: RadPerSecond) -> PhasorNewtonMetre:
     return -(omega**2) * P
 
 
-@formula("F_pf", "force that pulley and flywheel must supply, opposite to what is lacking")
+@formula("F_pf", "dynamics: force that pulley and flywheel must supply, opposite to what is lacking")
 def wanted_force(U: PhasorKilogramMetre, omega: RadPerSecond) -> PhasorNewton:
     return -(omega**2) * U
 
 
-@formula("C_U", "couple of unbalances that turn with the crank")
+@formula("C_U", "dynamics: couple of unbalances that turn with the crank")
 def couple_of_unbalances(omega: RadPerSecond, U: KilogramMetre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(U * z * cis(gamma))
 
 
-@formula("F_U", "force of unbalances that turn with the crank")
+@formula("F_U", "dynamics: force of unbalances that turn with the crank")
 def force_of_unbalances(omega: RadPerSecond, U: KilogramMetre, gamma: Radian) -> PhasorNewton:
     return omega**2 * resultant(U * cis(gamma))
 
 
-@formula("C_left", "what the unbalances leave of the couple that is wanted")
+@formula("C_left", "mathematics: what the unbalances leave of the couple that is wanted")
 def couple_not_supplied(C_pf: PhasorNewtonMetre, C_U: PhasorNewtonMetre) -> NewtonMetre:
     return modulus(C_pf - C_U)
 

@@ -256,7 +256,7 @@ async def test_copying(screen: Screen) -> None:
         await pilot.press("f6", "y")
         assert pilot.app.clipboard == "0.3282"
         await pilot.press("Y")
-        assert pilot.app.clipboard.startswith("pass: Crank ratio λ 0.3282")
+        assert pilot.app.clipboard.startswith("note: Crank ratio λ 0.3282, limit 0.22 to 0.3")
         await pilot.press("f6", "j", "Y")
         assert pilot.app.clipboard.startswith("M_alt = M_P + M_ra = 1.178")
         await strike(pilot, "y")

@@ -47,7 +47,7 @@ def test_a_sum_is_arithmetic_and_nothing_else():
         worked_out("open('x')")
 
 
-@pytest.mark.parametrize("word, name", [("finotti", "Finotti 2013"), ("TEXTBOOK", "engine textbook, chapter 48")])
+@pytest.mark.parametrize("word, name", [("finotti", "Finotti 2013"), ("TEXTBOOK", "mechanics textbook")])
 def test_one_document_by_a_word_of_its_name(capsys, known, word, name):
     assert main(["errata", word, "--json"]) == 0
     found = json.loads(capsys.readouterr().out)["errata"]

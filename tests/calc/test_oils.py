@@ -104,7 +104,7 @@ def test_the_thesis_oil_value_by_value():
     assert {k: v.confidence for k, v in found.items() if k in ("nu40_mm2_s", "nu100_mm2_s", "rho15_kgm3", "conductivity_W_mK")} == {
         "nu40_mm2_s": "high", "nu100_mm2_s": "medium", "rho15_kgm3": "high", "conductivity_W_mK": "high"
     }  # fmt: skip
-    assert found["nu40_mm2_s"].value == 93.27 and "printed" in found["nu40_mm2_s"].source and "chosen" in found["nu100_mm2_s"].source
+    assert found["nu40_mm2_s"].value == 93.27 and "printed" in found["nu40_mm2_s"].source and "assumed" in found["nu100_mm2_s"].source
     assert found["specific_heat_J_kgK"].value == 2000.0
     assert least_sure(oils()[THESIS + "10W40 synthetic"])[0] == "low" and "ν_40" in least_sure(oils()[THESIS + "10W40 synthetic"])[1]
 

@@ -28,11 +28,11 @@ from ...sheet.units import (
 from . import tabulated
 
 TABLE = Text("Reynolds 1886, full bearing with Swift–Stieber film end; this program's own solution, tabulated")
-TURNED = Text("displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)")
-WHIRL = Text("a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric")
+TURNED = Text("hydrodynamics, displaced journal: the film's force turns with the line of centres (rotational symmetry of the seat)")
+WHIRL = Text("hydrodynamics, a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric")
 SCALE = Text("definition of the dimensionless coefficient, k = K·c/F and c = C·c·ω/F")
 LUND = Text("Lund 1966, Self-excited stationary whirl orbits of a journal in a sleeve bearing: rigid shaft")
-MOTION = Text("(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; the shaft's acceleration seen from that frame")
+MOTION = Text("dynamics, (K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; the shaft's acceleration seen from that frame")
 
 
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
@@ -161,7 +161,7 @@ def critical_mass(k_eq: Number, square: Number, F: Newton, g: Metre, omega: RadP
 
 @formula(
     "m_c",
-    "Routh–Hurwitz on m·(s² − 2·Ω·J·s − Ω²) + C·s + K, the shaft's motion seen from the load, past which what stands turns at Ω",
+    "dynamics: Routh–Hurwitz on m·(s² − 2·Ω·J·s − Ω²) + C·s + K, the shaft's motion seen from the load, past which what stands turns at Ω",
     shows="smallest mass at which a root s of |m·(s² − 2·Ω·J·s − Ω²) + C·s + K| = 0 reaches the imaginary axis",
 )
 def critical_mass_turning(
@@ -185,14 +185,16 @@ def critical_mass_turning(
     return float(real.min(initial=np.inf)) * F / (g / 2 * omega**2)
 
 
-@formula("n_c", "rigid shaft at the present eccentricity: threshold speed over speed is √(m_c/m)", unit="rpm")
+@formula("n_c", "dynamics, rigid shaft at the present eccentricity: threshold speed over speed is √(m_c/m)", unit="rpm")
 def threshold_speed(n_h: RevPerSecond, m_c: Kilogram, m: Kilogram) -> RevPerSecond:
     """For a load that stands."""
     return n_h * sqrt(m_c / m)
 
 
 # --- orbit --------------------------------------------------------------------------------------------------------------------
-@formula("Ω", "speed of a force that stands still, seen from the turning load, positive in the sense in which the film is dragged")
+@formula(
+    "Ω", "kinematics: speed of a force that stands still, seen from the turning load, positive in the sense in which the film is dragged"
+)
 def relative_speed(sense: Number, n_F: RevPerSecond) -> RadPerSecond:
     return -sense * 2 * pi * n_F
 
@@ -231,17 +233,17 @@ def motion_y(
     return -R_0 * (1j * Z_xx + Z_yx) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
-@formula("a", "ellipse of the two motions: half its length", unit="µm")
+@formula("a", "geometry, ellipse of the two motions: half its length", unit="µm")
 def major_axis(x: PhasorMetre, y: PhasorMetre) -> Metre:
     return modulus(x + 1j * y) / 2 + modulus(x - 1j * y) / 2
 
 
-@formula("b", "ellipse of the two motions: half its width", unit="µm")
+@formula("b", "geometry, ellipse of the two motions: half its width", unit="µm")
 def minor_axis(x: PhasorMetre, y: PhasorMetre) -> Metre:
     return modulus(modulus(x + 1j * y) - modulus(x - 1j * y)) / 2
 
 
-@formula("a_n", "amplitude of the motion towards the narrowest film", unit="µm")
+@formula("a_n", "geometry: amplitude of the motion towards the narrowest film", unit="µm")
 def film_loss(x: PhasorMetre, y: PhasorMetre, phi: Radian) -> Metre:
     """By how much the smallest film shrinks over a turn, to first order."""
     return modulus(x * cos(phi) + y * sin(phi))

@@ -17,8 +17,8 @@ from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
 from ...sheet.text import Text
 from ...sheet.units import Number, Pascal, Radian
 
-OCVIRK = Text("Ocvirk 1952, NACA TN 2808: short bearing, half a film")
-DUBOIS = Text("DuBois & Ocvirk 1953, NACA Report 1157: short bearing, half a film")
+OCVIRK = Text("Ocvirk 1952: short bearing, half a film")
+DUBOIS = Text("DuBois & Ocvirk 1953: short bearing, half a film")
 STEP_LIMIT = 1e-12  # of Newton's method, relative
 ITERATION_LIMIT = 100  # a supply pressure next to the peak asks for most: there Newton only halves the distance
 

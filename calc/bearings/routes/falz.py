@@ -14,8 +14,8 @@ from ...sheet.units import Metre, Number
 from ...sheet.value import based_on
 
 POLYNOMIAL_UP_TO = 0.55
-FALZ = Text("Falz, after Finotti 2013, 5.5.2 (there called DIN 31652)")
-POLYNOMIAL = Text("DIN 31652-1 as printed in Finotti 2013, 5.5.2")
+FALZ = Text("Finotti 2013, 5.5.3, Falz's rule (there called DIN 31652)")
+POLYNOMIAL = Text("DIN 31652-1 as printed in Finotti 2013, 5.5.3")
 
 
 @formula("h_0", FALZ + ", So > 1", unit="µm", names={"b": "(l/d)"})

@@ -22,12 +22,12 @@ from ...sheet.units import (
 TABLE = Text("Finotti 2013, Table 5.1 (DIN 31652-2), factor in the denominator")
 
 
-@formula("Q_1", "side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"})
+@formula("Q_1", "computed here: side flow of Reynolds' solution", unit="L/min", names={"Q_rel": "Q*", "share": "(Q_s/Q)"})
 def side_flow(Q_rel: Number, share: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
     return Q_rel * share * d * g * n_h * l / 4
 
 
-@formula("Q_1", "side flow of Reynolds' solution with its grooves", unit="L/min", names={"Q_rel": "Q_s*"})
+@formula("Q_1", "hydrodynamics: side flow of Reynolds' solution with its grooves", unit="L/min", names={"Q_rel": "Q_s*"})
 def side_flow_grooved(Q_rel: Number, d: Metre, g: Metre, n_h: RevPerSecond, l: Metre) -> CubicMetrePerSecond:
     return Q_rel * d * g * n_h * l / 4
 
@@ -42,27 +42,31 @@ def side_flow_din(d: Metre, psi: Number, omega: RadPerSecond, q_1: Number) -> Cu
     return d**3 * psi * omega * q_1
 
 
-@formula("E", "hole or pocket in the seat, swept by a load that turns: mean of (h/c)³ over the turn")
+@formula("E", "hydrodynamics, hole or pocket in the seat, swept by a load that turns: mean of (h/c)³ over the turn")
 def swept(eps: Number) -> Number:
     return 1 + 1.5 * eps**2
 
 
-@formula("E", "hole opposite the load: (h/c)³ at the widest gap")
+@formula("E", "hydrodynamics, hole opposite the load: (h/c)³ at the widest gap")
 def opposite(eps: Number) -> Number:
     return (1 + eps) ** 3
 
 
-@formula("E", "hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone (Finotti 2013, Table 5.1)")
+@formula(
+    "E",
+    "hydrodynamics, hole or pocket at an angle to the load that stays: (h/c)³; 180° opposite, 0° in the load zone "
+    "(Finotti 2013, Table 5.1)",
+)
 def at_angle(eps: Number, delta: Radian) -> Number:
     return (1 - eps * cos(delta)) ** 3
 
 
-@formula("E", "several grooves: their sum", names={"one": "E_1", "more": "E_2"})
+@formula("E", "geometry: several grooves, their sum", names={"one": "E_1", "more": "E_2"})
 def together(one: Number, more: Number) -> Number:
     return one + more
 
 
-@formula("x", "width of hole or pocket over the length")
+@formula("x", "definition: width of hole or pocket over the length")
 def share_of_length(b: Metre, l: Metre) -> Number:
     return b / l
 
@@ -83,17 +87,17 @@ def supply_factor(E: Number, l: Metre, b: Metre, q: Number) -> Number:
     return pi / 48 * E / (ln(l / b) * q)
 
 
-@formula("q_2", "full circumferential groove: flow through two lands of length (l − b_G)/2")
+@formula("q_2", "hydrodynamics, full circumferential groove: flow through two lands of length (l − b_G)/2")
 def groove_factor(eps: Number, d: Metre, l: Metre, b_G: Metre) -> Number:
     return pi / 24 * (1 + 1.5 * eps**2) * d / (l - b_G)
 
 
-@formula("φ", "angle from the widest gap, taken opposite the load (DIN 31652-2)", unit="°")
+@formula("φ", "geometry: angle from the widest gap, taken opposite the load (DIN 31652-2)", unit="°")
 def from_widest(delta: Radian) -> Radian:
     return delta - pi
 
 
-@formula("q_2", "groove of part circumference at an angle to the load that stays: Finotti 2013, Table 5.1 (DIN 31652-2)")
+@formula("q_2", "Finotti 2013, Table 5.1 (DIN 31652-2): groove of part circumference at an angle to the load that stays")
 def part_groove_factor(eps: Number, phi_A: Radian, phi_E: Radian, d: Metre, l: Metre, b_G: Metre) -> Number:
     """The integral of (h/c)³ from the angle phi_A to phi_E, both from the widest gap."""
     return (
@@ -109,7 +113,7 @@ def part_groove_factor(eps: Number, phi_A: Radian, phi_E: Radian, d: Metre, l: M
     )
 
 
-@formula("q_2", "groove of part circumference, swept by the load: its share of the full groove's mean")
+@formula("q_2", "hydrodynamics, groove of part circumference, swept by the load: its share of the full groove's mean")
 def swept_part_groove_factor(eps: Number, delta_A: Radian, delta_E: Radian, d: Metre, l: Metre, b_G: Metre) -> Number:
     return (delta_E - delta_A) / 48 * (1 + 1.5 * eps**2) * d / (l - b_G)
 
@@ -119,7 +123,7 @@ def supply_flow(d: Metre, psi: Number, p_s: Pascal, mu: PascalSecond, q_2: Numbe
     return d**3 * psi**3 * p_s / mu * q_2
 
 
-@formula("Q", "sum of both flows", unit="L/min")
+@formula("Q", "mathematics: sum of both flows", unit="L/min")
 def total_flow(Q_1: CubicMetrePerSecond, Q_2: CubicMetrePerSecond) -> CubicMetrePerSecond:
     return Q_1 + Q_2
 
@@ -129,6 +133,6 @@ def groove_flow_of_finotti(p_s: Pascal, d: Metre, g: Metre, eps: Number, mu: Pas
     return pi * p_s * d / 2 * (g / 2) ** 3 * (1 + 1.5 * eps**2) / (3 * mu * l)
 
 
-@formula("p_eff", "feed through the shaft: the supply works against the centrifugal head", unit="bar")
+@formula("p_eff", "hydrodynamics, feed through the shaft: the supply works against the centrifugal head", unit="bar")
 def pressure_through_shaft(p_s: Pascal, rho: KilogramPerMetre3, omega: RadPerSecond, d: Metre) -> Pascal:
     return p_s - rho * omega**2 * (d / 2) ** 2 / 2

@@ -107,7 +107,7 @@ def chart_readings(S: float) -> dict[float, Reading]:
 
 
 @formula(
-    "y", "Raimondi & Boyd 1958, interpolation in l/d at constant S (Finotti 2013, 5.5.1)",
+    "y", "Raimondi & Boyd 1958, interpolation in l/d at constant S (Finotti 2013, 5.5.2)",
     names={"b": "(l/d)", "y_inf": "y_∞", "y_1": "y_1", "y_2": "y_½", "y_4": "y_¼"},
 )  # fmt: skip
 def by_length_ratio(b: Number, y_inf: Number, y_1: Number, y_2: Number, y_4: Number) -> Number:

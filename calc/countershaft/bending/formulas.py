@@ -35,12 +35,12 @@ from ...sheet.units import (
 from . import beam as b
 from .beam import Beam, Bent
 
-FINITE = Text("stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles")
+FINITE = Text("elasticity, stepped beam of Timoshenko elements, exact in statics; journals on pins at their middles")
 TURNING = Text("(K − ω²·M)·u = f, f from q and F, w = 0 at the journals")
 
 
 # --- the section --------------------------------------------------------------------------------------------------------------
-@formula("G", "isotropic elasticity", unit="GPa")
+@formula("G", "elasticity, isotropic", unit="GPa")
 def shear_modulus(E: Pascal, nu: Number) -> Pascal:
     return E / (2 * (1 + nu))
 
@@ -51,17 +51,17 @@ def shear_coefficient(nu: Number) -> Number:
     return 6 * (1 + nu) / (7 + 6 * nu)
 
 
-@formula("S_s", "Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
+@formula("S_s", "elasticity, Timoshenko's beam: shear stiffness of the whole section", names={"kappa": "κ_s"})
 def shear_stiffness(kappa: Number, G: Pascal, A: SquareMetre) -> Newton:
     return kappa * G * A
 
 
-@formula("B", "bending stiffness of the section")
+@formula("B", "elasticity: bending stiffness of the section")
 def bending_stiffness(E: Pascal, I: Metre4) -> NewtonMetre2:
     return E * I
 
 
-@formula("I_0", "second moment of the core alone, which a sector of no effect leaves; of a full section all of it", unit="mm⁴",
+@formula("I_0", "geometry: second moment of the core alone, which a sector of no effect leaves; of a full section all of it", unit="mm⁴",
     shows="π·r_0⁴/4 of a sector, I of a full section")  # fmt: skip
 def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
     found = np.where(sector, pi * r_0**4 / 4, I)
@@ -74,34 +74,41 @@ def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
     return I_0 + eta * (I - I_0)
 
 
-@formula("I_side", "second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
+@formula("I_side", "geometry: second moment of sector and core, bending across the plane of symmetry", unit="mm⁴")
 def sideways_inertia(R: Metre, r_0: Metre, gamma: Radian) -> Metre4:
     return (R**4 - r_0**4) / 4 * (gamma - sin(gamma) * cos(gamma)) + pi * r_0**4 / 4
 
 
-@formula("I_min", "the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry", unit="mm⁴")
+@formula(
+    "I_min", "geometry, the weaker plane of the section: below a half-angle of about 60° that across the plane of symmetry", unit="mm⁴"
+)
 def weaker_inertia(I: Metre4, I_side: Metre4) -> Metre4:
     return smallest(I, I_side)
 
 
-@formula("c", "distance of the farthest fibre from the centre of sector and core, in the plane of symmetry", unit="mm", names={"y": "ȳ"})
+@formula(
+    "c",
+    "geometry: distance of the farthest fibre from the centre of sector and core, in the plane of symmetry",
+    unit="mm",
+    names={"y": "ȳ"},
+)
 def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
     """Outer edge, the core's back, or the edge of a sector of more than half a turn."""
     return largest(R - y, y + largest(r_0, -R * cos(gamma)))
 
 
 # --- mass and load --------------------------------------------------------------------------------------------------------------
-@formula("μ", "mass per length of the whole section")
+@formula("μ", "geometry: mass per length of the whole section")
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
 
-@formula("j", "rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
+@formula("j", "dynamics: rotary inertia per length of a section that tilts as it bends (Rayleigh; Timoshenko's beam)")
 def rotary_inertia(rho: KilogramPerMetre3, I: Metre4) -> KilogramMetre:
     return rho * I
 
 
-@formula("q", "centrifugal load per length of what is eccentric")
+@formula("q", "dynamics: centrifugal load per length of what is eccentric")
 def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) -> PhasorNewtonPerMetre:
     return omega**2 * rho * S
 
@@ -157,18 +164,20 @@ def shoulder_moment(z: Metre, u: Bent) -> NewtonMetre:
     return float(abs(u.moment_at(z)))
 
 
-@formula("σ", "elementary bending, nominal: farthest fibre of the whole section", unit="MPa")
+@formula("σ", "elasticity, elementary bending, nominal: farthest fibre of the whole section", unit="MPa")
 def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
     return M * c / I
 
 
-@formula("η_lim", "where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ")
+@formula(
+    "η_lim", "mathematics: where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ"
+)
 def limiting_share(theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre,
     F: PhasorNewton, m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number) -> Number:  # fmt: skip
     """`eta` is the root itself, found from the other arguments."""
     return eta
 
 
-@formula("a", "way of the journal's edge by its slope", unit="µm")
+@formula("a", "geometry: way of the journal's edge by its slope", unit="µm")
 def edge_displacement(theta: Radian, l: Metre) -> Metre:
     return theta * l / 2

@@ -55,7 +55,8 @@ def friction_radius(d_w: Metre, d_h: Metre) -> Metre:
     return (d_w + d_h) / 4
 
 
-@formula("F_V", "torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
+@formula("F_V",
+    "statics: torque of a screw with friction in thread and under head, solved for the force (VDI 2230-1; Finotti 2013, Table 6.1)",
     names={"rho": "ρ′"})  # fmt: skip
 def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number, r_h: Metre) -> Newton:
     """`rho` is the angle of friction on the flanks.
@@ -104,7 +105,7 @@ def head_pressure(F_V: Newton, d_w: Metre, d_h: Metre) -> Pascal:
     return F_V / (pi / 4 * (d_w**2 - d_h**2))
 
 
-@formula("σ_z", "preload over the stress area of the thread (ISO 898-1); torsion of tightening left out", unit="MPa")
+@formula("σ_z", "elasticity: preload over the stress area of the thread (ISO 898-1); torsion of tightening left out", unit="MPa")
 def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
     """>>> tensile_stress(F_V=27270, A_s=5.799e-05)
     4702534...
@@ -113,37 +114,39 @@ def tensile_stress(F_V: Newton, A_s: SquareMetre) -> Pascal:
 
 
 # --- the joint under the turning load -----------------------------------------------------------------------------------------
-@formula("z_m", "middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm")
+@formula("z_m", "rule of this program: middle of the outer bearings, where the middle of the bolts is taken to be", unit="mm")
 def middle(z_f: Metre, z_r: Metre) -> Metre:
     return (z_f + z_r) / 2
 
 
-@formula("l_b", "distance of the outer bearings", unit="mm")
+@formula("l_b", "geometry: distance of the outer bearings", unit="mm")
 def bearing_span(z_f: Metre, z_r: Metre) -> Metre:
     return z_r - z_f
 
 
-@formula("C_m", "couple moved to the middle of the bolts (statics)")
+@formula("C_m", "statics: couple moved to the middle of the bolts")
 def couple_about_middle(C_S: PhasorNewtonMetre, z_m: Metre, F_S: PhasorNewton) -> PhasorNewtonMetre:
     return C_S - z_m * F_S
 
 
-@formula("Q_f", "force and couple of the shaft shared by the front and rear bolts (statics of a rigid support)")
+@formula("Q_f", "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts")
 def force_front(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
     return modulus(F_S / 2 - C_m / l_b)
 
 
-@formula("Q_r", "force and couple of the shaft shared by the front and rear bolts (statics of a rigid support)")
+@formula("Q_r", "statics of a rigid support: force and couple of the shaft shared by the front and rear bolts")
 def force_rear(F_S: PhasorNewton, C_m: PhasorNewtonMetre, l_b: Metre) -> Newton:
     return modulus(F_S / 2 + C_m / l_b)
 
 
-@formula("Q", "the end that carries more")
+@formula("Q", "mathematics: the end that carries more")
 def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
     return largest(Q_f, Q_r)
 
 
-@formula("n", "half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2")
+@formula(
+    "n", "rule of this program: half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2"
+)
 def bolts_at_an_end(N_b: Number) -> Number:
     return float(N_b // 2)
 

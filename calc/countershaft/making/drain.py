@@ -60,7 +60,9 @@ def margin(D_o: Metre, D_max: Metre) -> Metre:
     return D_o - D_max
 
 
-@formula("d_u", "Finotti 2013, 4.4: the union with the widest bore among those whose thread fits the block", shows="largest bore",
+@formula("d_u",
+    "rule of this program: the union with the widest bore among those whose thread fits the block (Finotti 2013, 4.4)",
+    shows="largest bore",
     unit="mm")  # fmt: skip
 def widest_bore(bores: Metre, designation: str) -> Metre:
     """`bores`: of the unions at hand with the thread `designation`."""

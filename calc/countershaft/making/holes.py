@@ -19,7 +19,7 @@ from ...sheet.trace import about
 from ...sheet.units import Kilogram, KilogramMetre, KilogramPerMetre3, Metre, NewtonMetre, Number, Radian, RadPerSecond
 from ..inputs import Holes
 
-HOLES = Text("Finotti 2013, 3.2: calibration holes in the eccentric masses")
+HOLES = Text("geometry, calibration holes in the eccentric masses (Finotti 2013, 4.1)")
 
 
 @result
@@ -54,27 +54,27 @@ def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
     return m_c * e_c
 
 
-@formula("z_m", "mean distance of the eccentric masses from mid-shaft", unit="mm")
+@formula("z_m", "mathematics: mean distance of the eccentric masses from mid-shaft", unit="mm")
 def mean_arm(z: Metre, n: Number) -> Metre:
     return total(modulus(z)) / n
 
 
-@formula("ΔC", "couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU"})
+@formula("ΔC", "dynamics: couple of a hole's unbalance at the mean arm of the masses", names={"U": "ΔU"})
 def hole_couple(U: KilogramMetre, z_m: Metre, omega: RadPerSecond) -> NewtonMetre:
     return U * z_m * omega**2
 
 
-@formula("ΔU_m", "the holes are shared evenly by the n eccentric masses", unit="g·mm", names={"U": "ΔU"})
+@formula("ΔU_m", "rule of this program: the holes are shared evenly by the n eccentric masses", unit="g·mm", names={"U": "ΔU"})
 def unbalance_of_mass(N_c: Number, U: KilogramMetre, n: Number) -> KilogramMetre:
     return N_c / n * U
 
 
-@formula("ΔC_c", "all holes at full depth", names={"C": "ΔC"})
+@formula("ΔC_c", "mathematics: all holes at full depth", names={"C": "ΔC"})
 def hole_range(N_c: Number, C: NewtonMetre) -> NewtonMetre:
     return N_c * C
 
 
-@formula("q_c", "range of the holes over the required couple", unit="%", names={"C_c": "ΔC_c"})
+@formula("q_c", "definition: range of the holes over the required couple", unit="%", names={"C_c": "ΔC_c"})
 def range_share(C_c: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_c / C_S
 
@@ -106,7 +106,7 @@ def calibration(holes: Holes, rho: KilogramPerMetre3, R_outer: Metre, z: Array, 
 def depth_check(holes: Holes, R_outer: Metre, core_radius: Metre) -> Check:
     """The holes must end in the sectors: one that is deeper weakens the core, which alone carries the shaft between them."""
     return check("countershaft.holes.depth", Text("Depth of the calibration holes"), holes.depth, "<=", R_outer - core_radius, "mm",
-        Text("height of the sectors over the core"), Text("More or wider holes take the rest."),
+        Text("geometry: height of the sectors over the core"), Text("More or wider holes take the rest."),
         remedies=by_key(Holes, "countershaft.holes.depth_mm", down(R_outer - core_radius), bound="<="))  # fmt: skip
 
 
@@ -121,5 +121,5 @@ def width_check(holes: Holes, R_outer: Metre, half_angle: Radian) -> Check:
     """A hole must not break out of the sides of its sector; `half_angle` of the narrowest one."""
     chord = 2 * max(R_outer - holes.depth, 0.0) * math.sin(min(half_angle, math.pi / 2))
     return check("countershaft.holes.width", Text("Diameter of a hole in the width of its sector"), holes.diameter, "<=", chord, "mm",
-        Text("width of the sector at the bottom of the hole"), Text("Shorter holes have more room as well."),
+        Text("geometry: width of the sector at the bottom of the hole"), Text("Shorter holes have more room as well."),
         remedies=by_key(Holes, "countershaft.holes.diameter_mm", down(chord), bound="<="))  # fmt: skip

@@ -19,7 +19,7 @@ class Bolts:
     torque: float = quantity("Tightening torque", "N·m", above=0, high=5000, symbol="T", step=1, source="VDI 2230-1",
         help="Torque with which each bolt is tightened; thread and head rub most of it away.")  # fmt: skip
     friction: float = quantity("Coefficient of friction, thread and head", low=0.02, high=0.5, symbol="mu", step=0.01, usual=(0.08, 0.16),
-        source="VDI 2230-1, class B, from memory", help="Give the smallest expected.")  # fmt: skip
+        source="VDI 2230-1, class B", help="Give the smallest expected.")  # fmt: skip
     head_diameter: float = quantity("Bearing diameter of the head", "mm", above=0, high=200, symbol="d_w", source="VDI 2230-1",
         help="Outer diameter of the face under the head: across flats, or of the flange.")  # fmt: skip
     hole_diameter: float = quantity("Clearance hole", "mm", above=0, high=200, symbol="d_h", source="VDI 2230-1",
@@ -99,11 +99,13 @@ class Support:
     least_wall: float = quantity("Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", source="Finotti 2013, 4.2",
         help="What the casting needs; 5 mm in sand-cast aluminium.")  # fmt: skip
     bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", default=None, low=0, high=10000,
-        source="Finotti 2013, ch. 6", help="From finite elements; the limit is the proof stress of the material.")  # fmt: skip
+        source="Finotti 2013, 4.7 (in chapter 6)", help="From finite elements; the limit is the proof stress of the material.")  # fmt: skip
     load_stress: float | None = quantity("Stress from the bearing loads alone, von Mises", "MPa", default=None, low=0, high=10000,
-        source="Finotti 2013, ch. 6", help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
-    load_stress_limit: float = quantity("Limit of the stress from the loads", "MPa", default=20e6, above=0, high=10000,
-        source="Finotti 2013, ch. 6", help="What the support endures without end under the turning load.")  # fmt: skip
+        source="Finotti 2013, 4.7 (in chapter 6)",
+        help="From finite elements, without the bolts' preload; it turns with the shaft.")  # fmt: skip
+    load_stress_limit: float | None = quantity("Limit of the stress from the loads", "MPa", default=None, above=0, high=10000,
+        source="given in the design, by the fatigue strength of the casting",
+        help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.")  # fmt: skip
 
 
 @inputs
@@ -111,9 +113,9 @@ class Alternative:
     """What the shaft costs in one material."""
 
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
-    tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.1", help="Cost of dies and fixtures, paid once.")
-    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.1", help="Cost of one shaft in this material.")
-    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.1",
+    tooling: float = quantity("Tooling", "€", low=0, high=1e9, source="Finotti 2013, 4.2", help="Cost of dies and fixtures, paid once.")
+    piece: float = quantity("Cost of a piece", "€", low=0, high=1e6, source="Finotti 2013, 4.2", help="Cost of one shaft in this material.")
+    development: float = quantity("Research and development", "€", default=0.0, low=0, high=1e9, source="Finotti 2013, 4.2",
         help="Cost of research and development, paid once.")  # fmt: skip
 
 
@@ -121,7 +123,7 @@ class Alternative:
 class Cost:
     """Yearly volume, and the alternatives to compare."""
 
-    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.1",
+    pieces_per_year: int = integer("Pieces per year", low=1, high=10**9, symbol="N", source="Finotti 2013, 4.2",
         help="Shafts made in the first year, for which the cost is compared.")  # fmt: skip
     alternatives: tuple[Alternative, ...] = tables("Alternatives", Alternative)
 

@@ -31,7 +31,7 @@ from .holes import HolesResult
 
 BLOCK = 5_000  # shafts at once: what stays in the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights
-PROPAGATION = Text("first-order propagation of independent errors")
+PROPAGATION = Text("mathematics, first-order propagation of independent errors")
 NAMES = ("mass", "radius", "angle", "z")
 PARTS = {
     "mass": Text("mass"), "radius": Text("radius"), "angle": Text("angle"), "position": Text("position"), "timing": Text("timing"),
@@ -73,7 +73,9 @@ def couple_error(m: NewtonMetre, e: NewtonMetre, gamma: NewtonMetre, z: NewtonMe
     return sqrt(m**2 + e**2 + gamma**2 + z**2 + t**2)
 
 
-@formula("C_1,p", "order statistics of the shafts tried", shows="the smallest couple that the share p of the shafts does not exceed")
+@formula(
+    "C_1,p", "mathematics: order statistics of the shafts tried", shows="the smallest couple that the share p of the shafts does not exceed"
+)
 def percentile(C: NewtonMetre, p: Number) -> NewtonMetre:
     """`C` in rising order."""
     ordered = many(C)

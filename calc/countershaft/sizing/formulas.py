@@ -25,35 +25,35 @@ from ...sheet.units import (
 )  # fmt: skip
 from .lengths import one
 
-LEAST = Text("least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
-MOMENTS = Text("equilibrium of unbalances and of their moments about mid-shaft")
-SCALE = Text("the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii")
-FACES = Text("sector with its outer face at the end of the envelope")
+LEAST = Text("mathematics, least mass of two equal opposed sectors, by Lagrange's multiplier on γ·b")
+MOMENTS = Text("dynamics, equilibrium of unbalances and of their moments about mid-shaft")
+SCALE = Text("geometry: the couple of sectors of given length and half-angle goes with density and the difference of the cubed radii")
+FACES = Text("geometry, sector with its outer face at the end of the envelope")
 
 
 # --- what is asked of the sectors --------------------------------------------------------------------------------------------
-@formula("ΣU_x", "unbalance of the further elements", unit="kg·mm")
+@formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm")
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
 
 
-@formula("P_x", "unbalance times position of the further elements", unit="kg·mm²")
+@formula("P_x", "mathematics: unbalance times position of the further elements", unit="kg·mm²")
 def extra_product(m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorKilogramMetre2:
     return resultant(m * e * z * cis(gamma))
 
 
-@formula("U_s", "what is left for the sectors", unit="kg·mm", names={"U_x": "ΣU_x"})
+@formula("U_s", "mathematics, what is left for the sectors", unit="kg·mm", names={"U_x": "ΣU_x"})
 def unbalance_left(U: PhasorKilogramMetre, U_x: PhasorKilogramMetre) -> PhasorKilogramMetre:
     return joined(U, -U_x)
 
 
-@formula("P_s", "what is left for the sectors", unit="kg·mm²")
+@formula("P_s", "mathematics, what is left for the sectors", unit="kg·mm²")
 def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKilogramMetre2:
     return joined(P, -P_x)
 
 
 # --- two equal sectors: a pure couple ------------------------------------------------------------------------------------------
-@formula("C", "couple of an unbalance times distance")
+@formula("C", "dynamics: couple of an unbalance times distance")
 def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
@@ -108,38 +108,38 @@ def pair_arm(z_max: Metre, b: Metre) -> Metre:
     return z_max - b / 2
 
 
-@formula("C", "couple of two equal unbalances opposite each other")
+@formula("C", "dynamics: couple of two equal unbalances opposite each other")
 def pair_couple(U: KilogramMetre, z_c: Metre, omega: RadPerSecond) -> NewtonMetre:
     return 2 * U * z_c * omega**2
 
 
-@formula("∠", "direction of the vector while cylinder 1 stands at TDC: that of the rear sector")
+@formula("∠", "geometry, direction of the vector while cylinder 1 stands at TDC: that of the rear sector")
 def couple_direction(P: PhasorKilogramMetre2) -> Radian:
     return argument(P)
 
 
-@formula("∠", "the other side of the shaft: the front sector")
+@formula("∠", "geometry, the other side of the shaft: the front sector")
 def opposite(angle: Radian) -> Radian:
     return angle + pi
 
 
 # --- any two sectors --------------------------------------------------------------------------------------------------------------
-@formula("k", "largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
+@formula("k", "geometry, largest unbalance of a sector per length, at a half-angle of 90°: g·mm per mm")
 def unbalance_per_length(rho: KilogramPerMetre3, R: Metre, r_0: Metre) -> Kilogram:
     return 2 / 3 * rho * (R**3 - r_0**3)
 
 
-@formula("α", "unbalance asked of the sectors over that of one of full length at 90°", names={"U": "U_s"})
+@formula("α", "definition: unbalance asked of the sectors over that of one of full length at 90°", names={"U": "U_s"})
 def force_number(U: PhasorKilogramMetre, k: Kilogram, z_max: Metre) -> PhasorNumber:
     return U / (k * z_max)
 
 
-@formula("Π", "unbalance times position asked of the sectors, by the same measure", names={"P": "P_s"})
+@formula("Π", "definition: unbalance times position asked of the sectors, by the same measure", names={"P": "P_s"})
 def product_number(P: PhasorKilogramMetre2, k: Kilogram, z_max: Metre) -> PhasorNumber:
     return P / (k * z_max**2)
 
 
-SEARCH = Text("least mass of two sectors together, by search over both their lengths")
+SEARCH = Text("mathematics, least mass of two sectors together, by search over both their lengths")
 
 
 @formula("u", "rule of this program: the least sin γ that the more loaded sector needs",
@@ -178,17 +178,17 @@ def front_unbalance(U: PhasorKilogramMetre, U_r: PhasorKilogramMetre) -> PhasorK
     return joined(U, -U_r)
 
 
-@formula("γ", "half-angle of a sector of given unbalance and length")
+@formula("γ", "geometry: half-angle of a sector of given unbalance and length")
 def sector_half_angle(U: PhasorKilogramMetre, k: Kilogram, b: Metre) -> Radian:
     return asin(smallest(1.0, modulus(U) / (k * b)))
 
 
-@formula("∠", "direction of the vector while cylinder 1 stands at TDC")
+@formula("∠", "mathematics, direction of the vector while cylinder 1 stands at TDC")
 def direction(U: PhasorKilogramMetre) -> Radian:
     return argument(U)
 
 
-@formula("Σm", "sum of both sectors")
+@formula("Σm", "mathematics: sum of both sectors")
 def both_masses(m_f: Kilogram, m_r: Kilogram) -> Kilogram:
     return m_f + m_r
 
@@ -205,11 +205,11 @@ def radius_needed(R: Metre, r_0: Metre, u: Number) -> Metre:
     return power(r_0**3 + u * (R**3 - r_0**3), 1 / 3)
 
 
-@formula("z_min", "the largest couple goes with the square of the half-length", unit="mm")
+@formula("z_min", "geometry: the largest couple goes with the square of the half-length", unit="mm")
 def half_length_needed(z_max: Metre, u: Number) -> Metre:
     return z_max * sqrt(u)
 
 
-@formula("ΔP", "what the couple of the sectors leaves to further elements", unit="kg·mm²")
+@formula("ΔP", "mathematics: what the couple of the sectors leaves to further elements", unit="kg·mm²")
 def product_missing(C: NewtonMetre, C_max: NewtonMetre, omega: RadPerSecond) -> KilogramMetre2:
     return (C - C_max) / omega**2

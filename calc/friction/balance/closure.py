@@ -243,7 +243,9 @@ def balance(d: Drive, power: Watt | None = None) -> FrictionResult:
 
 
 @formula(
-    "P", "power balance: what comes in is what is lost and what goes out", shows="P that is passed on together with the loss which it makes"
+    "P",
+    "energy, power balance: what comes in is what is lost and what goes out",
+    shows="P that is passed on together with the loss which it makes",
 )
 def closing_power(P: Watt) -> Watt:
     """The power itself, found from all that the losses depend on."""

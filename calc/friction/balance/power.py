@@ -53,17 +53,17 @@ def delivered(P_out: Watt, P: Watt) -> Watt:
 
 
 # --- what a wheel needs ------------------------------------------------------------------------------------------------------
-@formula("P_Σ", "sum over what the wheel needs, one after the other", names={"P": "P_Σ,0"})
+@formula("P_Σ", "mathematics: sum over what the wheel needs, one after the other", names={"P": "P_Σ,0"})
 def and_need(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_Σ", "the last wheel also carries the bearings of the counter-shaft", names={"P": "P_Σ,0"})
+@formula("P_Σ", "energy: the last wheel also carries the bearings of the counter-shaft", names={"P": "P_Σ,0"})
 def with_bearings(P: Watt, P_B: Watt) -> Watt:
     return P + P_B
 
 
-@formula("P_Σ", "the wheel also drives a mesh", names={"P": "P_Σ,0"})
+@formula("P_Σ", "energy: the wheel also drives a mesh", names={"P": "P_Σ,0"})
 def with_mesh(P: Watt, P_in: Watt) -> Watt:
     return P + P_in
 

@@ -23,14 +23,14 @@ from ...sheet.units import (
     Watt,
 )  # fmt: skip
 
-CHANGENET = Text("Changenet, Leprince, Ville and Velex 2011, J. Mech. Des. 133 121009, as generally published")
+CHANGENET = Text("Changenet, Leprince, Ville and Velex 2011")
 GRAVITY: MetrePerSecond2 = 9.81
 NO_DEPTH: Metre = 0.0
 CALM: MetrePerSecond2 = 750.0
 WILD: MetrePerSecond2 = 1250.0
 
 
-@formula("h", "depth of the reference circle in the oil at rest", unit="mm")
+@formula("h", "geometry: depth of the reference circle in the oil at rest", unit="mm")
 def depth_of_reference_circle(h_t: Metre, r_a: Metre, r: Metre) -> Metre:
     return smallest(largest(h_t - (r_a - r), NO_DEPTH), 2 * r)
 
@@ -84,6 +84,6 @@ def churning_torque(rho: KilogramPerMetre3, omega: RadPerSecond, r: Metre, S_m: 
     return rho / 2 * omega**2 * r**3 * S_m * C_m
 
 
-@formula("P_C", "power of churning")
+@formula("P_C", "definition: power of churning")
 def churning(T_C: NewtonMetre, omega: RadPerSecond) -> Watt:
     return T_C * omega

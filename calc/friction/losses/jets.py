@@ -11,6 +11,6 @@ def pitch_line_speed(r: Metre, n: RevPerSecond) -> MetrePerSecond:
     return 2 * pi * r * n
 
 
-@formula("P_J", "momentum of the oil that leaves with the speed of the teeth; Butsch 1989, ISO/TR 14179-2, as generally published")
+@formula("P_J", "dynamics: momentum of the oil that leaves with the speed of the teeth (Butsch 1989, ISO/TR 14179-2)")
 def thrown_oil(rho: KilogramPerMetre3, Q: CubicMetrePerSecond, v_t: MetrePerSecond, v_j: MetrePerSecond) -> Watt:
     return rho * Q * v_t * (v_t - v_j)

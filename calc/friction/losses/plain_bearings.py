@@ -34,7 +34,7 @@ def attitude(eps: Number, b: Number) -> Radian:
     return array(found) if found.ndim else float(found)
 
 
-@formula("P_L", "shear of the full film and its pressure (identity of Reynolds' solution); at ε = 0 Petroff's law of 1883")
+@formula("P_L", "hydrodynamics: shear of the full film and its pressure (identity of Reynolds' solution); at ε = 0 Petroff's law of 1883")
 def friction_power(u: MetrePerSecond, eta: PascalSecond, d: Metre, l: Metre, psi: Number, eps: Number, F: Newton, phi: Radian) -> Watt:
     return u * (2 * pi * eta * u * l / (psi * sqrt(1 - eps**2)) + psi * F * eps / 2 * sin(phi))
 

@@ -14,8 +14,8 @@ from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, RevPerSecond, SquareMetrePerSecond, Watt
 from ..inputs import RollingBearing
 
-PALMGREN = Text("Palmgren 1957, as generally published (SKF catalogues to 1989, ISO/TR 14179-2)")
-SKF = Text("SKF, Rolling bearings, catalogue 10000 EN 2013, as in public code")
+PALMGREN = Text("Palmgren 1957 (SKF catalogues to 1989, ISO/TR 14179-2)")
+SKF = Text("SKF 2013")
 MILLIMETRE: Metre = 1e-3
 CENTISTOKE: SquareMetrePerSecond = 1e-6
 ONE_RPM: RevPerSecond = 1 / 60
@@ -42,7 +42,7 @@ SYNTHETIC: Number = 0.04
 STARVED = {"bath": 3e-8, "mist": 6e-8, "jet": 3e-8}  # K_rs
 
 
-@formula("d_m", "mean diameter of a bearing", unit="mm")
+@formula("d_m", "geometry: mean diameter of a bearing", unit="mm")
 def mean_diameter(d: Metre, D: Metre) -> Metre:
     return (d + D) / 2
 
@@ -106,7 +106,7 @@ def torque_by_skf(
     return (phi_ish * phi_rs * G_rr * (nu / CENTISTOKE * n / ONE_RPM) ** 0.6 + G_sl * mu_sl) * NEWTON_MILLIMETRE
 
 
-@formula("P_L", "power of the torque, of several bearings", names={"N": "N_L"})
+@formula("P_L", "definition: power of the torque, of several bearings", names={"N": "N_L"})
 def bearing_power(N: Number, M: NewtonMetre, n: RevPerSecond) -> Watt:
     return N * M * 2 * pi * n
 
@@ -116,7 +116,7 @@ def torque_by_palmgren(M_0: NewtonMetre, M_1: NewtonMetre) -> NewtonMetre:
     return M_0 + M_1
 
 
-@formula("F_L", "the load shared evenly", unit="N")
+@formula("F_L", "rule of this program: the load shared evenly", unit="N")
 def load_of_one(F: Newton, N: Number) -> Newton:
     return F / N
 

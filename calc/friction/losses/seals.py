@@ -13,14 +13,14 @@ ONE_KELVIN: Kelvin = 1.0
 CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
-@formula("P_D", "Freudenberg Simrit, as in ISO/TR 14179-2:2001 and generally published: one radial shaft seal")
+@formula("P_D", "Freudenberg Simrit, as in ISO/TR 14179-2:2001: one radial shaft seal")
 def simrit(d_sh: Metre, n: RevPerSecond) -> Watt:
     return 7.69e-6 * (d_sh / MILLIMETRE) ** 2 * (n / ONE_RPM) * ONE_WATT
 
 
 @formula(
     "P_D",
-    "Linke, Stirnradverzahnung, as generally published: one radial shaft seal in oil; no less than nothing where thin oil is hot",
+    "Linke 2010: one radial shaft seal in oil; no less than nothing where thin oil is hot",
     names={"nu_40": "ν_40"},
 )
 def linke(T_oil: Celsius, nu_40: SquareMetrePerSecond, d_sh: Metre, n: RevPerSecond) -> Watt:
@@ -30,6 +30,6 @@ def linke(T_oil: Celsius, nu_40: SquareMetrePerSecond, d_sh: Metre, n: RevPerSec
     )  # fmt: skip
 
 
-@formula("P_D", "several seals of one size", names={"P": "P_D"})
+@formula("P_D", "mathematics: several seals of one size", names={"P": "P_D"})
 def several(N: Number, P: Watt) -> Watt:
     return N * P

@@ -5,8 +5,8 @@ from ...sheet.formula import formula
 from ...sheet.text import Text
 from ...sheet.units import Watt
 
-ON = Text("sum over what a wheel carries of it, one after the other")
-OVER = Text("sum over the wheels, one after the other")
+ON = Text("mathematics, sum over what a wheel carries of it, one after the other")
+OVER = Text("mathematics, sum over the wheels, one after the other")
 
 
 @formula("P_C", ON, names={"P": "P_C,0"})
@@ -29,7 +29,7 @@ def bearings_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P_X", "no other loss is carried by the wheel", shows="0")
+@formula("P_X", "given in the design: no other loss is carried by the wheel", shows="0")
 def no_other_loss() -> Watt:
     return 0.0
 
@@ -39,7 +39,7 @@ def other_losses_on_wheel(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("ΣP_VZ", "sum over the meshes, one after the other", names={"P": "ΣP_VZ,0", "P_i": "P_VZ"})
+@formula("ΣP_VZ", "mathematics: sum over the meshes, one after the other", names={"P": "ΣP_VZ,0", "P_i": "P_VZ"})
 def meshes(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
@@ -74,6 +74,6 @@ def other_losses(P: Watt, P_i: Watt) -> Watt:
     return P + P_i
 
 
-@formula("P", "sum of all losses of the train; what it does not have counts 0")
+@formula("P", "mathematics: sum of all losses of the train; what it does not have counts 0")
 def total_loss(P_B: Watt, P_VZ: Watt, P_W: Watt, P_C: Watt, P_J: Watt, P_D: Watt, P_L: Watt, P_X: Watt) -> Watt:
     return P_B + P_VZ + P_W + P_C + P_J + P_D + P_L + P_X

@@ -55,12 +55,12 @@ class WheelResult:
         return tuple(part for part in found if part is not None)
 
 
-@formula("α_t", "transverse pressure angle, by reference and base circle")
+@formula("α_t", "geometry: transverse pressure angle, by reference and base circle")
 def transverse_angle(r_b: Metre, r: Metre) -> Radian:
     return acos(r_b / r)
 
 
-@formula("β", "helix angle at the reference circle")
+@formula("β", "geometry: helix angle at the reference circle")
 def helix_angle(beta_b: Radian, alpha_t: Radian) -> Radian:
     return atan(tan(beta_b) / cos(alpha_t))
 

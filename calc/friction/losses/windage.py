@@ -11,7 +11,7 @@ from ...sheet.functions import largest, smallest
 from ...sheet.text import Text
 from ...sheet.units import KilogramPerMetre3, Metre, Number, PascalSecond, RevPerSecond, Watt
 
-ANDERSON = Text("Anderson and Loewenthal 1980, NASA TP-1622, as generally published")
+ANDERSON = Text("Anderson and Loewenthal 1980")
 
 C_3: Watt = 2.82e-4  # at 1 m, 1 rpm and a viscosity of 1 mPa·s
 ONE_RPM: RevPerSecond = 1 / 60
@@ -27,7 +27,7 @@ def mist_of_the_tests(rho_oil: KilogramPerMetre3) -> KilogramPerMetre3:
     return (rho_oil + PARTS_AIR * AIR_DENSITY) / (1 + PARTS_AIR)
 
 
-@formula("s_oil", "share of oil by volume in a mist of the given density", names={"rho_m": "ρ_m"})
+@formula("s_oil", "physics: share of oil by volume in a mist of the given density", names={"rho_m": "ρ_m"})
 def oil_share(rho_m: KilogramPerMetre3, rho_oil: KilogramPerMetre3) -> Number:
     return smallest(largest((rho_m - AIR_DENSITY) / (rho_oil - AIR_DENSITY), 0.0), 1.0)
 

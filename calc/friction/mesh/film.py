@@ -40,9 +40,9 @@ EXPONENT: Number = 0.56  # of the materials' parameter, line contact
 ELLIPTICAL: Number = 0.53  # that of elliptical contacts, which the friction source prints
 LEAST_FACTOR: Number = 0.05  # of the thermal reduction: below, its formula has left its range
 
-JOHNSON = Text("Johnson 1970, regimes of fluid-film lubrication of line contacts, as generally published")
+JOHNSON = Text("Johnson 1970, regimes of fluid-film lubrication of line contacts")
 TOYODA = Text("Dowson and Toyoda 1978, central film of line contacts")
-GUPTA = Text("Gupta et al. 1992, as generally published")
+GUPTA = Text("Gupta et al. 1992")
 
 
 @formula("U", Text("{toyoda}: speed parameter", toyoda=TOYODA))
@@ -105,17 +105,17 @@ def bounded_reduction(Phi_T: Number) -> Number:
     return largest(Phi_T, LEAST_FACTOR)
 
 
-@formula("H", "the thickest of the four regimes governs (Johnson 1970)", governs="min")
+@formula("H", "Johnson 1970: the thickest of the four regimes governs", governs="min")
 def governing_film(H_IR: Number, H_VR: Number, H_IE: Number, H_VE: Number) -> Number:
     return largest(largest(H_IR, H_VR), largest(H_IE, H_VE))
 
 
-@formula("h", "film of the governing regime, times the thermal reduction", unit="µm", governs="min")
+@formula("h", "rule of this program: film of the governing regime, times the thermal reduction", unit="µm", governs="min")
 def film_thickness(Phi: Number, H: Number, R: Metre) -> Metre:
     return Phi * H * R
 
 
-@formula("h_0", "rigid isoviscous film (Martin 1916), without thermal reduction", unit="µm", governs="min")
+@formula("h_0", "Martin 1916: rigid isoviscous film, without thermal reduction", unit="µm", governs="min")
 def rigid_film(H_IR: Number, R: Metre) -> Metre:
     return H_IR * R
 

@@ -41,7 +41,9 @@ HOTTER_TEETH = Text("give friction.bulk_temperature_C, less power or speed, or a
 LOADED = 0.05  # of the full load, from which film and friction of a place are drawn
 
 
-@formula("P_s", Text("{thesis}: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS), names={"s": "Δs"})
+@formula(
+    "P_s", Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS), names={"s": "Δs"}
+)
 def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
     """s is the length of line for which a position stands; w is the load without its floor."""
     return along(s * mu * w * V_s)
@@ -49,24 +51,28 @@ def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -
 
 @formula(
     "P_R",
-    "mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
+    "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
     names={"s": "Δs", "r": "[IR]"},
 )
 def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     return along(s * q_R * r)
 
 
-@formula("P_RE", "mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added", names={"s": "Δs", "r": "[IR]"})
+@formula(
+    "P_RE",
+    "mathematics: mean over a mesh cycle of the estimated rolling power of an EHL film; shown, not added",
+    names={"s": "Δs", "r": "[IR]"},
+)
 def rolling_estimate(s: Metre, q_E: WattPerMetre, r: Number) -> Watt:
     return along(s * q_E * (1 - r))
 
 
-@formula("P_VZ", "sum of sliding and rolling")
+@formula("P_VZ", "mathematics: sum of sliding and rolling")
 def mesh_loss(P_s: Watt, P_R: Watt) -> Watt:
     return P_s + P_R
 
 
-@formula("H_VL", Text("{thesis}: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
+@formula("H_VL", Text("{thesis}, eq. 6: loss factor, the load shared along the path", thesis=THESIS), names={"s": "Δs"})
 def loss_factor(s: Metre, w: NewtonPerMetre, V_s: MetrePerSecond, P: Watt) -> Number:
     return along(s * w * V_s) / P
 
@@ -85,7 +91,9 @@ def efficiency(P_VZ: Watt, P: Watt) -> Number:
 
 
 # --- single numbers of a whole path ------------------------------------------------------------------------------------------
-@formula("P_R", "without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film")
+@formula(
+    "P_R", "rule of this program: without a rigid isoviscous film no rolling is counted", shows="no position has a rigid isoviscous film"
+)
 def no_rolling_loss() -> Watt:
     return 0.0
 
@@ -105,7 +113,7 @@ def largest_pressure(p_H: Pascal) -> Pascal:
     return _extreme(np.max, p_H)
 
 
-@formula("p_C", "the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
+@formula("p_C", "definition: the pressure of a spur pair where it rolls without sliding", unit="MPa", shows="p_H at the pitch point C")
 def pressure_at_pitch_point(p_H: Pascal) -> Pascal:
     return p_H
 
@@ -120,7 +128,7 @@ def largest_deborah(De: Number) -> Number:
     return _extreme(np.max, De)
 
 
-@formula("s_IR", "share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
+@formula("s_IR", "definition: share of the length of line whose film is rigid and isoviscous", unit="%", names={"s": "Δs", "r": "[IR]"})
 def rigid_share(s: Metre, r: Number) -> Number:
     return along(s * r) / along(s)
 
@@ -225,7 +233,9 @@ class MeshLoss:
 
 
 @formula(
-    "Θ_M", "heat of the mesh: the loss warms the teeth, whose oil rubs less", shows="Θ_M at which the mesh's loss warms its teeth to Θ_M"
+    "Θ_M",
+    "energy, heat of the mesh: the loss warms the teeth, whose oil rubs less",
+    shows="Θ_M at which the mesh's loss warms its teeth to Θ_M",
 )
 def closing_tooth_temperature(T: Celsius) -> Celsius:
     """The temperature itself, found from all that the loss depends on."""

@@ -19,7 +19,7 @@ Each law with where it comes from and where it holds; the ends are held, so that
 
     zhu-hu          Zhu and Hu 2001, from memory                                   λ 0.05 to 2, all film above
     castro-seabra   Castro and Seabra 2007, from memory                            λ 0.1 to 2, all film above
-    olver-spikes    Smeeth and Spikes 1996, Olver and Spikes 1998, from memory     any λ; 4 % still ride at λ = 4
+    olver-spikes    Smeeth and Spikes 1996; Olver and Spikes 1998     any λ; 4 % still ride at λ = 4
     doleschel       Doleschel 2003, read in the thesis and in Arana et al.         λ over the mean Ra, 0 to 2
     thesis          after Diab 2006, changed; read in both                         λ 0 to 2
 
@@ -36,9 +36,9 @@ from ...sheet.units import Metre, Number, Pascal
 from .erf import erf
 
 THESIS = Text("gear friction thesis")
-ZHU_HU = Text("Zhu and Hu 2001, from memory")
-CASTRO = Text("Castro and Seabra 2007, from memory")
-SHARING = Text("load-sharing concept of Johnson, Greenwood and Poon 1972, as generally published")
+ZHU_HU = Text("Zhu and Hu 2001")
+CASTRO = Text("Castro and Seabra 2007")
+SHARING = Text("Johnson, Greenwood and Poon 1972, load-sharing concept")
 
 BOUNDARY: Number = 0.08  # friction of lubricated peaks
 PUBLISHED = (0.065, 0.10)  # its published values
@@ -46,7 +46,7 @@ DRY: Number = 0.135  # the gear friction thesis', after Masjedi and Khonsari's r
 FULL: Number = 2.3  # λ above which the law of Zhu and Hu would fall again: the film carries all from 2.02 on
 
 
-@formula("σ", Text("{thesis}: both roughnesses together", thesis=THESIS), unit="µm")
+@formula("σ", Text("{thesis}, eq. 30: both roughnesses together", thesis=THESIS), unit="µm")
 def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     """>>> combined_roughness(Ra_1=8e-07, Ra_2=8e-07)
     1.131370...e-06
@@ -54,13 +54,15 @@ def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
     return sqrt(Ra_1**2 + Ra_2**2)
 
 
-@formula("λ", Text("{thesis}: film over roughness", thesis=THESIS), governs="min")
+@formula("λ", Text("{thesis}, eq. 30: film over roughness", thesis=THESIS), governs="min")
 def film_ratio(h: Metre, sigma: Metre) -> Number:
     return h / sigma
 
 
 # --- how the load is shared ------------------------------------------------------------------------------------------------
-@formula("ξ", Text("{thesis}, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"})
+@formula(
+    "ξ", Text("{thesis}, eq. 23, after Diab: share of the load on the roughness; it fades at λ = 2", thesis=THESIS), names={"lam": "λ"}
+)
 def solid_share(lam: Number) -> Number:
     return 1 - erf(lam)
 
@@ -81,12 +83,12 @@ def film_share_by_power(lam: Number) -> Number:
     return smallest(0.82 * lam**0.28, 1.0)
 
 
-@formula("ξ", "what the film does not carry", names={"f": "f_λ"})
+@formula("ξ", "statics: what the film does not carry", names={"f": "f_λ"})
 def solid_rest(f: Number) -> Number:
     return 1 - f
 
 
-@formula("ξ", "Smeeth and Spikes 1996, Olver and Spikes 1998, from memory", names={"lam": "λ"})
+@formula("ξ", "Smeeth and Spikes 1996; Olver and Spikes 1998", names={"lam": "λ"})
 def solid_share_by_square(lam: Number) -> Number:
     """>>> solid_share_by_square(lam=1.0)
     0.25
@@ -94,7 +96,7 @@ def solid_share_by_square(lam: Number) -> Number:
     return 1 / (1 + lam) ** 2
 
 
-@formula("ξ", Text("Doleschel 2003, in the {thesis}, fig. 14: λ over the mean roughness, up to 2", thesis=THESIS), names={"lam": "λ"})
+@formula("ξ", Text("Doleschel 2003; {thesis}, 3.4: λ over the mean roughness, up to 2", thesis=THESIS), names={"lam": "λ"})
 def solid_share_by_parabola(lam: Number, sigma: Metre, Ra: Metre) -> Number:
     """>>> solid_share_by_parabola(lam=1.0, sigma=1e-06, Ra=1e-06)
     0.25
@@ -111,7 +113,7 @@ def film_pressure(xi: Number, p_m: Pascal) -> Pascal:
 
 
 # --- what both rub together ------------------------------------------------------------------------------------------------
-@formula("μ", Text("{thesis}: mixed friction", thesis=THESIS))
+@formula("μ", Text("{thesis}, eq. 25: mixed friction", thesis=THESIS))
 def friction(xi: Number, mu_s: Number, mu_f: Number) -> Number:
     return xi * mu_s + (1 - xi) * mu_f
 

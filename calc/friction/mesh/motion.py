@@ -16,7 +16,7 @@ from .geometry import MeshGeometry, column, require
 from .path import AGMA, Path
 
 
-@formula("n_2", "ratio of the teeth", unit="rpm")
+@formula("n_2", "kinematics, ratio of the teeth", unit="rpm")
 def wheel_speed(n: RevPerSecond, z_1: Number, z_2: Number) -> RevPerSecond:
     return n * z_1 / z_2
 
@@ -26,12 +26,12 @@ def driver_speed(n_1: RevPerSecond) -> RadPerSecond:
     return 2 * pi * n_1
 
 
-@formula("ω_2", "ratio of the teeth")
+@formula("ω_2", "kinematics, ratio of the teeth")
 def driven_speed(omega_1: RadPerSecond, z_1: Number, z_2: Number) -> RadPerSecond:
     return omega_1 * z_1 / z_2
 
 
-@formula("V_s", "|u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"})
+@formula("V_s", "kinematics: |u_1 − u_2|, written by the distance from the pitch point, where it is 0", names={"x": "ρ_1"})
 def sliding_speed(omega_1: RadPerSecond, omega_2: RadPerSecond, x: Metre, rho_C: Metre) -> MetrePerSecond:
     return (omega_1 + omega_2) * abs(x - rho_C)
 

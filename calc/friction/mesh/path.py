@@ -37,7 +37,7 @@ HELICAL_POINTS = 3  # and of a helical one, whose pieces are shorter
 STRIPS = 21  # slices across a helical face, themselves at Gauss-Legendre points; odd: one is in the middle
 FLOOR: Number = 0.01  # share of the full load below which film and pressure see no less
 
-AGMA = Text("AGMA 925-A03, as generally published")
+AGMA = Text("AGMA 925-A03")
 
 
 def array(x: Any) -> float:
@@ -71,24 +71,24 @@ def end_of_contact(r_a1: Metre, r_b1: Metre) -> Metre:
     return sqrt(r_a1**2 - r_b1**2)
 
 
-@formula("ε_α", "transverse contact ratio")
+@formula("ε_α", "geometry: transverse contact ratio")
 def transverse_contact_ratio(epsilon_1: Number, epsilon_2: Number) -> Number:
     return epsilon_1 + epsilon_2
 
 
-@formula("ε_β", "overlap ratio on the common face width")
+@formula("ε_β", "geometry: overlap ratio on the common face width")
 def overlap_ratio(b: Metre, beta_b: Radian, p_bt: Metre) -> Number:
     return b * tan(beta_b) / p_bt
 
 
 # --- the load --------------------------------------------------------------------------------------------------------------
-@formula("F_bt", "power over the speed of the base circle")
+@formula("F_bt", "definition: power over the speed of the base circle")
 def transverse_force(P: Watt, omega_1: RadPerSecond, r_b1: Metre) -> Newton:
     return P / (omega_1 * r_b1)
 
 
 @formula(
-    "X_Γ", "ISO/TR 15144-1, unmodified profile, as generally published: two pairs always carry the whole load together",
+    "X_Γ", "ISO/TR 15144-1, unmodified profile: two pairs always carry the whole load together",
     shows="1/3 → 2/3 from A to B, 1 from B to D, 2/3 → 1/3 from D to E",
 )  # fmt: skip
 def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
@@ -97,7 +97,7 @@ def linear_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre
 
 
 @formula(
-    "X_Γ", "ISO/TR 15144-1, adequate tip relief of both wheels, as generally published: two pairs always carry the whole load together",
+    "X_Γ", "ISO/TR 15144-1, adequate tip relief of both wheels: two pairs always carry the whole load together",
     shows="0 → 1 from A to B, 1 from B to D, 1 → 0 from D to E",
 )  # fmt: skip
 def smooth_load_sharing(x: Metre, C_A: Metre, C_B: Metre, C_D: Metre, C_E: Metre) -> Number:
@@ -117,12 +117,12 @@ def contact_length(s: Metre, g_alpha: Metre, g_beta: Metre, p_bt: Metre, beta_b:
     return array(np.maximum(on_face, 0.0).sum(axis=-1) / math.sin(beta_b))
 
 
-@formula("w", "load per length of the contact line", unit="N/mm", names={"X_Gamma": "X_Γ"})
+@formula("w", "statics: load per length of the contact line", unit="N/mm", names={"X_Gamma": "X_Γ"})
 def spur_line_load(X_Gamma: Number, F_bt: Newton, b: Metre) -> NewtonPerMetre:
     return X_Gamma * F_bt / b
 
 
-@formula("w", "load per length of the contact lines, uniform along all of them", unit="N/mm")
+@formula("w", "statics: load per length of the contact lines, uniform along all of them", unit="N/mm")
 def helical_line_load(F_bt: Newton, beta_b: Radian, L: Metre) -> NewtonPerMetre:
     return F_bt / (cos(beta_b) * L)
 

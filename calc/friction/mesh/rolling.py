@@ -11,11 +11,11 @@ from ...sheet.functions import sqrt
 from ...sheet.units import Metre, MetrePerSecond, Number, PascalSecond, PerPascal, WattPerMetre
 
 
-@formula("q_R", "derived: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896")
+@formula("q_R", "hydrodynamics, derived here: rolling of a rigid isoviscous film, fully flooded; its load gives Martin's 4.896")
 def rigid_rolling_power(eta_0: PascalSecond, u_e: MetrePerSecond, R: Metre, h_0: Metre) -> WattPerMetre:
     return 9.202 * eta_0 * u_e**2 * sqrt(R / h_0)
 
 
-@formula("q_E", "Goksem and Hargreaves 1978, rolling of a fully flooded EHL film, as generally published")
+@formula("q_E", "Goksem and Hargreaves 1978, rolling of a fully flooded EHL film")
 def ehl_rolling_power(alpha: PerPascal, G: Number, U: Number, W: Number, R: Metre, Phi: Number, u_e: MetrePerSecond) -> WattPerMetre:
     return 4.318 / alpha * (G * U) ** 0.658 * W**0.0126 * R * Phi * u_e

@@ -21,7 +21,7 @@ KelvinMetrePerWatt = Annotated[float, "K·m/W"]
 MICROMETRE: Metre = 1e-6
 
 
-@formula("M", "resistance of a wheel's body, per length of contact line")
+@formula("M", "definition: resistance of a wheel's body, per length of contact line")
 def body_resistance(R_K: KelvinPerWatt, b: Metre, beta_b: Radian) -> KelvinMetrePerWatt:
     return R_K * b / cos(beta_b)
 

@@ -58,26 +58,26 @@ SLACK = 1e-7  # K, above the highest temperature that can come out
 HOTTEST: Celsius = 1500.0  # above, the law of the oil's density ends: it comes to 0 at 1553 °C
 PASSES = 60
 
-OLVER = Text("Olver 1991, Olver and Spikes 1998, as generally published")
+OLVER = Text("Olver 1991, Olver and Spikes 1998")
 
 
 # --- the fluid's part ------------------------------------------------------------------------------------------------------
-@formula("η", "Barus, viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+@formula("η", "Barus 1893: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_under_pressure(eta_f: PascalSecond, alpha_f: PerPascal, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest(alpha_f * p_m, STEEPEST))
 
 
-@formula("Z", "Roelands 1966, as generally published: pressure-viscosity index from the coefficient α at no pressure")
+@formula("Z", "Roelands 1966: pressure-viscosity index from the coefficient α at no pressure")
 def roelands_index(alpha_f: PerPascal, eta_f: PascalSecond) -> Number:
     return alpha_f / (ROELANDS_COMPLIANCE * (ln(eta_f / PASCAL_SECOND) + 9.67))
 
 
-@formula("η", "Roelands 1966, as generally published: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
+@formula("η", "Roelands 1966: viscosity under the mean pressure; exponent no more than 60", unit="mPa·s")
 def viscosity_by_roelands(eta_f: PascalSecond, Z: Number, p_m: Pascal) -> PascalSecond:
     return eta_f * exp(smallest((ln(eta_f / PASCAL_SECOND) + 9.67) * ((1 + ROELANDS_COMPLIANCE * p_m) ** Z - 1), STEEPEST))
 
 
-@formula("α_p", "Roelands 1966, as generally published: slope of ln η over the pressure, at the mean pressure", unit="1/GPa")
+@formula("α_p", "Roelands 1966: slope of ln η over the pressure, at the mean pressure", unit="1/GPa")
 def slope_under_pressure(alpha_f: PerPascal, Z: Number, p_m: Pascal) -> PerPascal:
     """>>> slope_under_pressure(alpha_f=1.5e-08, Z=0.55, p_m=800000000.0)
     7.2185...e-09
@@ -85,36 +85,39 @@ def slope_under_pressure(alpha_f: PerPascal, Z: Number, p_m: Pascal) -> PerPasca
     return alpha_f * power(1 + ROELANDS_COMPLIANCE * p_m, Z - 1)
 
 
-@formula("τ_E", Text("{thesis}: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
+@formula("τ_E", Text("{thesis}, eq. 47: Eyring stress, 2·Λ/α", thesis=THESIS), unit="MPa")
 def eyring_stress(Lambda: Number, alpha_f: PerPascal) -> Pascal:
     return 2 * Lambda / alpha_f
 
 
 @formula(
-    "μ_EHL", Text("{thesis}, eq. 32 (misprinted there): Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS)
+    "μ_EHL",
+    Text("{thesis}, eqs. 32 (misprinted there) and 48: Eyring's law, no more than the limiting shear Λ of Bair and Winer", thesis=THESIS),
 )
 def fluid_friction(tau_E: Pascal, p_m: Pascal, eta: PascalSecond, V_s: MetrePerSecond, h: Metre, Lambda: Number) -> Number:
     return smallest(tau_E / p_m * asinh(eta * V_s / (tau_E * h)), Lambda)
 
 
-@formula("μ_IR", "derived: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
+@formula("μ_IR", "hydrodynamics, derived here: shear of a rigid isoviscous film over its whole gap, 2.849·η·V_s·√(R/h₀) per length")
 def rigid_fluid_friction(eta_0: PascalSecond, V_s: MetrePerSecond, R: Metre, h_0: Metre, w_f: NewtonPerMetre) -> Number:
     return 2.849 * eta_0 * V_s * sqrt(R / h_0) / w_f
 
 
-@formula("a_IR", "rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm")
+@formula(
+    "a_IR", "hydrodynamics, rigid isoviscous film: half width over which it is sheared, about √(2·R·h₀) (order of magnitude)", unit="µm"
+)
 def sheared_half_width(R: Metre, h_0: Metre) -> Metre:
     return sqrt(2 * R * h_0)
 
 
-@formula("De", Text("{thesis}: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
+@formula("De", Text("{thesis}, eq. 35: Deborah number, relaxation time over time in the contact; G = 1 GPa", thesis=THESIS))
 def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
     """a: half width of the zone that is sheared, b_H of an elastic contact."""
     return eta * u_e / (SHEAR_MODULUS * 2 * a)
 
 
 # --- temperatures ----------------------------------------------------------------------------------------------------------
-@formula("q", "friction power per length of the contact line")
+@formula("q", "definition: friction power per length of the contact line")
 def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
     return mu * w * V_s
 

@@ -44,12 +44,12 @@ SMOOTH: Metre = 1e-6  # roughness up to which they hold, from memory
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, ISO/TR 13989-2, as in public code
 HELD = 0.5  # share of the path on which Benedict and Kelley's bounds may hold
 
-XU = Text("Xu and Kahraman 2005, as generally published")
+XU = Text("Xu and Kahraman 2005")
 
 
 @formula(
     "μ_m",
-    "Schlenk 1994, ISO/TR 14179-2, as generally published",
+    "Schlenk 1994, ISO/TR 14179-2",
     names={"v_SumC": "v_Σ,C", "rho_C": "ρ_n,C"},
 )
 def schlenk(w_t: NewtonPerMetre, v_SumC: MetrePerSecond, rho_C: Metre, eta_0: PascalSecond, Ra: Metre, X_L: Number) -> Number:
@@ -78,7 +78,7 @@ def xu_kahraman(f: Number, p_H: Pascal, S: Number, u_e: MetrePerSecond, eta_0: P
     )  # fmt: skip
 
 
-@formula("μ_BK", "Benedict and Kelley 1961, as generally published; kept within 0.01 and 0.2", names={"V_T": "V_Σ"})
+@formula("μ_BK", "Benedict and Kelley 1961; kept within 0.01 and 0.2", names={"V_T": "V_Σ"})
 def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond, V_T: MetrePerSecond) -> Number:
     return smallest(
         largest(
@@ -92,7 +92,7 @@ def benedict_kelley(w: NewtonPerMetre, eta_0: PascalSecond, V_s: MetrePerSecond,
     )  # fmt: skip
 
 
-@formula("w_t", "ISO/TR 13989-2:2000 (1), as generally published: line load of the friction, no less than 150 N/mm", unit="N/mm")
+@formula("w_t", "ISO/TR 13989-2:2000 (1): line load of the friction, no less than 150 N/mm", unit="N/mm")
 def counted_line_load(w_bt: NewtonPerMetre) -> NewtonPerMetre:
     return largest(w_bt, LOWEST_LINE_LOAD)
 

@@ -24,7 +24,7 @@ from .case import EVEN, BacklashCase
 from .formulas import DUST
 
 TRAINS = 4096
-BY_CHANCE = Text("{trains} trains by chance", trains=TRAINS)
+BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 
 
 @formula("j_bn,p", Text("{by_chance}, order statistics", by_chance=BY_CHANCE), unit="µm",

@@ -42,14 +42,14 @@ def checks(gears: GearsInputs, m: BacklashCase, play: PlayResult, smallest: Sequ
     if play.centre_tolerance_rss is not None and m.inputs.tolerance is not None:
         checks.append(check(
             f"{id}.stack", Text("Parts between the centres {name}, root of squares (±)", name=m.name), play.centre_tolerance_rss, "<=",
-            m.inputs.tolerance, "µm", Text("the tolerance of the centre distance must hold what its parts add up to"),
+            m.inputs.tolerance, "µm", Text("mathematics: the tolerance of the centre distance must hold what its parts add up to"),
             Text("Smaller fields of the parts help as well."), index=m.index, remedies=partial(_wider, m, play.centre_tolerance_rss),
         ))  # fmt: skip
     if play.backlash_min_worst is not None:
         reach = play.centre_tolerance_worst or 0.0
         checks.append(check(f"{id}.backlash_worst", Text("Smallest backlash {name}, all parts at their worst", name=m.name),
             play.backlash_min_worst, ">=", 0.0, "µm",
-            Text("worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")), index=m.index,
+            Text("geometry, worst case: the centres ±{reach} µm", reach=Amount(reach * 1000000.0, form=".4g")), index=m.index,
             remedies=partial(free, -play.backlash_min_worst, None)))  # fmt: skip
     return checks
 
@@ -71,7 +71,7 @@ def _over_temperature(gears: GearsInputs, m: BacklashCase, smallest: Sequence[At
     return [
         check(
             f"gears.{m.key}.backlash_{word}", title, at.backlash, ">=", 0.0, "µm",
-            Text("teeth must not jam at any temperature: {where}{also}", where=place, also=also), taken if missing else EMPTY,
+            Text("geometry, teeth must not jam at any temperature: {where}{also}", where=place, also=also), taken if missing else EMPTY,
             index=m.index, missing=missing, remedies=partial(free, -at.backlash, _slope(m, at), at.wheel_growth),
         )
         for word, title, at, place in rows

@@ -12,28 +12,30 @@ from ...sheet.units import Celsius, Kelvin, Metre, NewtonMetre, Number, PerKelvi
 from ..formulas import ISO
 
 DUST: Metre = 1e-12  # a backlash below this is none
-GUIDE = Text("ISO/TR 10064-2, from memory")
+GUIDE = Text("ISO/TR 10064-2")
 LEAST_BACKLASH: Metre = 0.06e-3  # the constant term of the guide value
 REFERENCE: Celsius = 20.0  # of all measures, ISO 1
 
 
 # --- tolerances, thicknesses and the backlash of a pair ---------------------------------------------------------------------
-@formula("T_a", "root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm")
+@formula(
+    "T_a", "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm"
+)
 def tolerance_of_contributors(T: Metre) -> Metre:
     return rss(T) / 2
 
 
-@formula("a_max", "centre distance at the upper end of its tolerance", unit="mm")
+@formula("a_max", "geometry: centre distance at the upper end of its tolerance", unit="mm")
 def widest(a_w: Metre, T_a: Metre) -> Metre:
     return a_w + T_a
 
 
-@formula("a_min", "centre distance at the lower end of its tolerance", unit="mm")
+@formula("a_min", "geometry: centre distance at the lower end of its tolerance", unit="mm")
 def narrowest(a_w: Metre, T_a: Metre) -> Metre:
     return a_w - T_a
 
 
-@formula("E_W", "middle of the allowance", unit="µm")
+@formula("E_W", "mathematics: middle of the allowance", unit="µm")
 def middle_allowance(E_Ws: Metre, E_Wi: Metre) -> Metre:
     return (E_Ws + E_Wi) / 2
 
@@ -76,7 +78,7 @@ def radial_backlash(j_wt: Metre, alpha_wt: Radian) -> Metre:
     return j_wt / (2 * tan(alpha_wt))
 
 
-@formula("a_min", "eccentricity of both wheels, half of each runout, towards each other", unit="mm")
+@formula("a_min", "geometry: eccentricity of both wheels, half of each runout, towards each other", unit="mm")
 def narrowest_with_runout(a_min: Metre, F_r1: Metre, F_r2: Metre) -> Metre:
     return a_min - (F_r1 + F_r2) / 2
 
@@ -87,7 +89,7 @@ def recommended_backlash(a_w: Metre, m_n: Metre) -> Metre:
     return 2 * (LEAST_BACKLASH + 0.0005 * a_w + 0.03 * m_n) / 3
 
 
-@formula("φ_j", "free turn of the driven wheel")
+@formula("φ_j", "geometry: free turn of the driven wheel")
 def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
     """>>> play_angle(j_wt=5.74e-05, d_w2=0.07768)
     0.001477857...
@@ -95,71 +97,73 @@ def play_angle(j_wt: Metre, d_w2: Metre) -> Radian:
     return j_wt / (d_w2 / 2)
 
 
-@formula("Δφ", "free turns along the train, each reduced to the last wheel by the ratio of the teeth")
+@formula("Δφ", "kinematics: free turns along the train, each reduced to the last wheel by the ratio of the teeth")
 def reduced_play(phi_before: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
     return phi_before + phi_j * z / z_last
 
 
-@formula("φ_j", "free turn of the driven wheel by the backlash along its base circle")
+@formula("φ_j", "geometry: free turn of the driven wheel by the backlash along its base circle")
 def play_angle_at_base(j_bn: Metre, beta_b: Radian, d_b: Metre) -> Radian:
     """The same as j_wt/(d_w/2); growth of the base circle by temperature, 1 ‰, is left out."""
     return j_bn / cos(beta_b) / (d_b / 2)
 
 
-@formula("Δφ", "where the sum over the train begins: the first driver stands", shows="0")
+@formula("Δφ", "definition, where the sum over the train begins: the first driver stands", shows="0")
 def no_play() -> Radian:
     return 0.0
 
 
-@formula("C_Δφ", "exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
+@formula("C_Δφ", "mathematics: exact difference of two couples of equal length, Δφ apart", names={"Delta_phi": "Δφ"})
 def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
     return 2 * C * sin(Delta_phi / 2)
 
 
 # --- the parts between two centres ------------------------------------------------------------------------------------------
-@formula("T_wc", "worst case: every part at the end of its field, on the line of centres", unit="µm")
+@formula("T_wc", "mathematics, worst case: every part at the end of its field, on the line of centres", unit="µm")
 def worst_case(T: Metre) -> Metre:
     return total(T) / 2
 
 
-@formula("3σ_a", "root of squares of the standard deviations; k: that of each part over half its field, by its kind", unit="µm")
+@formula(
+    "3σ_a", "mathematics, root of squares of the standard deviations; k: that of each part over half its field, by its kind", unit="µm"
+)
 def three_deviations(k: Number, T: Metre) -> Metre:
     """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their distributions."""
     return 3 * rss(k * T) / 2
 
 
 # --- temperature ------------------------------------------------------------------------------------------------------------
-@formula("T_W", "wheels warmer than the housing")
+@formula("T_W", "given in the design: wheels warmer than the housing")
 def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
 
 
-@formula("α_a", "expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
+@formula("α_a", "physics, expansion of the centre distance; λ_S: share of it that the support spans", unit="10⁻⁶/K")
 def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: Number) -> PerKelvin:
     return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
 
 
-@formula("ε_T", "linear expansion from 20 °C (ISO 1)")
+@formula("ε_T", "physics: linear expansion from 20 °C (ISO 1)")
 def expansion(alpha: PerKelvin, T: Celsius) -> Number:
     return alpha * (T - REFERENCE)
 
 
-@formula("ε_g", "expansion of both base circles together, which fixes the working pressure angle")
+@formula("ε_g", "physics: expansion of both base circles together, which fixes the working pressure angle")
 def expansion_of_wheels(eps_1: Number, eps_2: Number, d_b1: Metre, d_b2: Metre) -> Number:
     return (eps_1 * d_b1 + eps_2 * d_b2) / (d_b1 + d_b2)
 
 
-@formula("Δa_eff", "change of the centre distance against the wheels", unit="µm")
+@formula("Δa_eff", "geometry: change of the centre distance against the wheels", unit="µm")
 def change_against_wheels(a_w: Metre, eps_a: Number, eps_g: Number) -> Metre:
     return a_w * joined(eps_a, -eps_g) / (1 + eps_g)
 
 
-@formula("a_eff", "centre distance referred to the wheels as they are at 20 °C", unit="mm")
+@formula("a_eff", "geometry: centre distance referred to the wheels as they are at 20 °C", unit="mm")
 def effective_centre(a: Metre, eps_a: Number, eps_g: Number) -> Metre:
     return a * (1 + eps_a) / (1 + eps_g)
 
 
-@formula("j_bn,T", "normal backlash of wheels that have grown by ε; of a tooth in a space with the smaller base pitch", unit="µm")
+@formula("j_bn,T", "geometry: normal backlash of wheels that have grown by ε; of a tooth in a space with the smaller base pitch", unit="µm")
 def warm_backlash(
     p_bt: Metre, eps_1: Number, eps_2: Number, s_b1: Metre, s_b2: Metre, d_b1: Metre, d_b2: Metre, alpha_wt: Radian, beta_b: Radian
 ) -> Metre:
@@ -170,11 +174,19 @@ def warm_backlash(
 
 
 # --- root of squares over the train -----------------------------------------------------------------------------------------
-@formula("δφ", "what the tolerances of one mesh add to its play at mid-tolerance, reduced to the last wheel", names={"phi_max": "φ_j,max"})
+@formula(
+    "δφ",
+    "mathematics: what the tolerances of one mesh add to its play at mid-tolerance, reduced to the last wheel",
+    names={"phi_max": "φ_j,max"},
+)
 def deviation_at_shaft(phi_max: Radian, phi_j: Radian, z: Number, z_last: Number) -> Radian:
     return (phi_max - phi_j) * z / z_last
 
 
-@formula("Δφ_rss", "play at mid-tolerance and the root of squares of the meshes' deviations", names={"Delta_phi": "Δφ", "delta": "δφ"})
+@formula(
+    "Δφ_rss",
+    "mathematics: play at mid-tolerance and the root of squares of the meshes' deviations",
+    names={"Delta_phi": "Δφ", "delta": "δφ"},
+)
 def phase_error_rss(Delta_phi: Radian, delta: Radian) -> Radian:
     return Delta_phi + rss(delta)

@@ -79,13 +79,13 @@ def hunting_check(key: str, mesh: MeshResult, z_1: int, z_2: int, factor: Number
             driver=mesh.driver, z_2=Amount(z_2 / factor, form="g"), z_22=z_2, driven=mesh.driven, turns=Amount(turns, form="g"),
         )  # fmt: skip
     name = Text("Common factor of the teeth {driver} {z_1}, {driven} {z_2}", driver=mesh.driver, z_1=z_1, driven=mesh.driven, z_2=z_2)
-    source = Text("hunting tooth: every tooth meets every tooth where the numbers have no common factor")
+    source = Text("mathematics, hunting tooth: every tooth meets every tooth where the numbers have no common factor")
     return check(f"gears.{key}.hunting", name, factor, "<=", 1.0, "", source, advice)
 
 
 def insertion_check(wheel: str, seat: Text, gap: Metre) -> Check:
     more = Text(", give that journal {gap} mm more", gap=mm(-gap, ".4g")) if gap < 0 else ""
     return check("gears.train.assembly", Text("Gap between {wheel} and the seat of the {seat} journal", wheel=wheel, seat=seat), gap, ">=",
-        0.0, "mm", Text("the wheel passes through the seat of the journal where the shaft is inserted along its axis; diametral"),
+        0.0, "mm", Text("geometry: the wheel passes through the seat of the journal where the shaft is inserted along its axis; diametral"),
         Text("Where {wheel} does not pass through the seat of the {seat} journal{more}, cut its tip, fix it after the shaft is inserted, "
             "or split the support.", wheel=wheel, seat=seat, more=more))  # fmt: skip

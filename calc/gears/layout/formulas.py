@@ -22,11 +22,11 @@ from ...sheet.units import (
 )
 from ..formulas import ISO
 
-PLANE = Text("plane geometry")
-TEETH = Text("meshing of involute teeth")
-NUMBERS = Text("arithmetic of whole tooth numbers")
-STATICS = Text("equilibrium of a wheel")
-ROOM = Text("room around a turning wheel, worst case")
+PLANE = Text("geometry in the plane")
+TEETH = Text("geometry of meshing involute teeth")
+NUMBERS = Text("mathematics of whole tooth numbers")
+STATICS = Text("statics, equilibrium of a wheel")
+ROOM = Text("geometry, room around a turning wheel, worst case")
 
 
 # --- positions -------------------------------------------------------------------------------------------------------------
@@ -113,7 +113,7 @@ def round_clearance(c: Metre, r_s: Metre, r: Metre) -> Metre:
     return c - r_s - r
 
 
-@formula("g_J", "shaft inserted axially: seat of the journal over the largest tip circle of the wheel, diametral", unit="mm")
+@formula("g_J", "geometry, shaft inserted axially: seat of the journal over the largest tip circle of the wheel, diametral", unit="mm")
 def insertion_gap(d_J: Metre, d_a: Metre, E_da: Metre) -> Metre:
     return d_J - d_a - E_da
 
@@ -140,7 +140,7 @@ def marks_period(z_1: Number, z: tuple[int, ...]) -> Number:
 
 
 # --- assembly phase --------------------------------------------------------------------------------------------------------
-@formula("τ", "angular pitch: the step in which a wheel can be meshed anew")
+@formula("τ", "geometry, angular pitch: the step in which a wheel can be meshed anew")
 def angular_pitch(z: Number) -> Radian:
     return 2 * pi / z
 
@@ -165,12 +165,12 @@ def tooth_one(psi: Radian, delta: Radian) -> Radian:
     return psi + delta
 
 
-@formula("ε_z", "error of phase, where a tooth is set on the axis of the eccentric instead")
+@formula("ε_z", "geometry: error of phase, where a tooth is set on the axis of the eccentric instead")
 def error_of_tooth(delta: Radian) -> Radian:
     return modulus(delta)
 
 
-@formula("ε_s", "error of phase, where the middle of a space is set on the axis of the eccentric instead")
+@formula("ε_s", "geometry: error of phase, where the middle of a space is set on the axis of the eccentric instead")
 def error_of_space(tau: Radian, delta: Radian) -> Radian:
     return tau / 2 - modulus(delta)
 

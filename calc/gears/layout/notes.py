@@ -48,7 +48,7 @@ def errata(tip: Metre, journals: tuple[Metre, Metre] | None, gap: Metre | None) 
         "The drawing gives a tip diameter of {drawn_tip} mm, the sheet {tip} mm: with the sheet's the gap is about twice the eight tenths "
         "of the text.", drawn_tip=mm(DRAWN_TIP, "g"), tip=mm(tip, ".3f"),
     )  # fmt: skip
-    name, source = Text("Gap at insertion by the text of Finotti 2013"), Text("Finotti 2013, text and drawing")
+    name, source = Text("Gap at insertion by the text of Finotti 2013"), Text("Finotti 2013, 4.1")
     return (Erratum("gears.insertion_gap", name, DRAWN_GAP * 1e3, "mm", source, why),)
 
 

@@ -13,7 +13,7 @@ from ..result import ToothSystem
 from . import formulas as m
 from .result import Seat
 
-SOURCE = Text("DIN 3977, measuring pieces for cylindrical gears, as generally published, from memory")
+SOURCE = Text("DIN 3977, measuring pieces for cylindrical gears")
 MILLIMETRES = (
     1, 1.1, 1.25, 1.4, 1.5, 1.75, 2, 2.25, 2.5, 2.75, 3, 3.25, 3.5, 3.75, 4, 4.25, 4.5, 5, 5.25, 5.5, 6, 6.5, 7, 7.5, 8, 9, 10, 10.5, 11,
     12, 14, 16, 18, 20, 22, 25, 28, 30, 35, 40, 45, 50,

@@ -34,16 +34,16 @@ def contact_checks(system: ToothSystem, wheel: WheelResult, sizes: MeasuresResul
             (wheel.form_diameter, wheel.tip_diameter), "mm", Text("{iso}: the anvils must touch the involute", iso=ISO),
             Text("Span another number of teeth.")),
         check(f"{id}.ball", Text("Measuring ball of {name}", name=name), D_M, "in", balls, "mm",
-            Text("the ball must touch between form and tip circle"), kind=kind, remedies=other_ball),
+            Text("geometry: the ball must touch between form and tip circle"), kind=kind, remedies=other_ball),
     ]  # fmt: skip
     if wheel.over_balls is not None:
         checks.append(check(f"{id}.ball_proud", Text("Balls of {name} above its tip", name=name),
-            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("the balls must stand proud of the tip circle"), kind=kind,
-            remedies=other_ball))  # fmt: skip
+            (wheel.over_balls - wheel.tip_diameter) / 2, ">", 0.0, "mm", Text("geometry: the balls must stand proud of the tip circle"),
+            kind=kind, remedies=other_ball))  # fmt: skip
     if sizes.over_one_ball is not None:
         above_root = sizes.over_one_ball - D_M - wheel.root_diameter / 2
         checks.append(check(f"{id}.ball_root", Text("Ball of {name} above the root", name=name), above_root, ">=", 0.0, "mm",
-            Text("the ball must not lie on the root"), kind=kind, remedies=other_ball))  # fmt: skip
+            Text("geometry: the ball must not lie on the root"), kind=kind, remedies=other_ball))  # fmt: skip
     if system.beta:
         checks.append(check(
             f"{id}.span_width", Text("Face width of {name} for its span", name=name), wheel.face_width, ">=", sizes.span_width, "mm",

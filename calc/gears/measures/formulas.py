@@ -19,7 +19,7 @@ from ...sheet.text import Text
 from ...sheet.units import Metre, Number, Radian
 from ..formulas import ISO
 
-OPPOSITE = Text("{iso}, from memory; agrees with centre lines of pins that lie flat between faces parallel to the axis", iso=ISO)
+OPPOSITE = Text("{iso}; agrees with centre lines of pins that lie flat between faces parallel to the axis", iso=ISO)
 SKEW = Text("geometry of two skew lines, tangents of the helix of the ball centres in opposite tooth spaces")
 
 STEEPEST: Radian = 1.5  # no ball touches a flank further out than this pressure angle of its centre
@@ -36,7 +36,7 @@ def span_teeth(z: Number, alpha_yt: Radian, beta_b: Radian, alpha_t: Radian, x: 
     return z / pi * (tan(alpha_yt) / cos(beta_b) ** 2 - inv(alpha_t) - 2 * x * tan(alpha_n) / z) + 0.5
 
 
-@formula("K", "the nearest whole number of teeth, of two that are equally near the smaller", shows="K rounded, at least 1")
+@formula("K", "mathematics: the nearest whole number of teeth, of two that are equally near the smaller", shows="K rounded, at least 1")
 def whole_span_teeth(K: Number) -> Number:
     return float(max(1, math.ceil(K - 0.5 - 1e-9)))  # whatever the last digits say
 
@@ -58,7 +58,7 @@ def span(m_n: Metre, alpha_n: Radian, K: Number, z: Number, alpha_t: Radian, x: 
     return m_n * cos(alpha_n) * (pi * (K - 0.5) + z * inv(alpha_t)) + 2 * x * m_n * sin(alpha_n)
 
 
-@formula("W_K,E", "an allowance is a change of the span", unit="mm")
+@formula("W_K,E", "definition: an allowance is a change of the span", unit="mm")
 def span_with_allowance(W_K: Metre, E_W: Metre) -> Metre:
     return W_K + E_W
 
@@ -102,7 +102,8 @@ def ball_contact_diameter(d_b: Metre, alpha_K: Radian, D_M: Metre, beta_b: Radia
     return sqrt(d_b**2 + (d_b * tan(alpha_K) - D_M * cos(beta_b)) ** 2)
 
 
-@formula("D_y", "contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)", unit="mm",
+@formula("D_y", "geometry: contact of a ball with a helical involute, solved exactly (the usual closed form holds for spur teeth)",
+    unit="mm",
     shows="ball that touches the flanks at α_yt: tan α_K·sin²β_b + (α_K + c)·cos²β_b = tan α_yt, c = s_t/d + inv α_t − π/z")  # fmt: skip
 def ball_for_contact(s_t: Metre, d: Metre, alpha_t: Radian, z: Number, d_b: Metre, beta_b: Radian, alpha_yt: Radian) -> Metre:
     """Newton's method in α_K; the left side rises and is convex, and the spur solution starts above the root."""
@@ -208,7 +209,7 @@ def constant_chord_height(d_a: Metre, d: Metre, s_cc: Metre, alpha_n: Radian) ->
     return (d_a - d) / 2 - s_cc * tan(alpha_n) / 2
 
 
-@formula("d_cc", "rack and tooth at the pitch point: circle on which the ends of the constant chord lie", unit="mm")
+@formula("d_cc", "geometry, rack and tooth at the pitch point: circle on which the ends of the constant chord lie", unit="mm")
 def constant_chord_diameter(d: Metre, s_cc: Metre, alpha_n: Radian, beta: Radian) -> Metre:
     return sqrt((d + s_cc * tan(alpha_n)) ** 2 + (s_cc * cos(beta)) ** 2)
 

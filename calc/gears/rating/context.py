@@ -23,12 +23,12 @@ USUAL_RZ: Metre = 4e-6  # of ground flanks, where no roughness is given
 REFERENCE_NU: SquareMetrePerSecond = 100e-6  # ISO 6336-2: Z_L is 1 at 100 mm²/s at 40 °C
 
 
-@formula("Ra", "ISO 6336-2, as generally published: mean relation", unit="µm")
+@formula("Ra", "ISO 6336-2: mean relation", unit="µm")
 def mean_roughness(Rz: Metre) -> Metre:
     return Rz / RZ_PER_RA
 
 
-@formula("Rz", "ISO 6336-2, as generally published: mean relation", unit="µm")
+@formula("Rz", "ISO 6336-2: mean relation", unit="µm")
 def peak_to_valley(Ra: Metre) -> Metre:
     return RZ_PER_RA * Ra
 

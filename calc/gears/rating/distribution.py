@@ -15,17 +15,17 @@ from ...sheet.functions import cos, largest, pi, power, smallest, sqrt
 from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, MetrePerSecond, Newton, NewtonPerMetre, Number, Pascal, PerPascal, Radian, RevPerSecond
 
-CLAUSE_7 = Text("ISO 6336-1:2006, clause 7, method C, compared with public code")
-CLAUSE_8 = Text("ISO 6336-1:2006, clause 8, method B, the same in 2019, compared with public code")
+CLAUSE_7 = Text("ISO 6336-1:2006, clause 7, method C")
+CLAUSE_8 = Text("ISO 6336-1:2006, clause 8, method B, the same in 2019")
 NAMES = {
     "w_m": "(F_m/b)", "f_Hbeta": "f_Hβ", "F_betax": "F_βx", "F_betay": "F_βy", "c_gamma_beta": "c_γβ", "c_gamma_alpha": "c_γα",
     "K_Hbeta": "K_Hβ", "f": "f_α",
 }  # fmt: skip
 LEAST_BEND: PerPascal = 5e-12  # 0.005 mm·µm/N
 LEAST_SLENDER = 3.0  # b/h
-ISO_1328 = Text("ISO 1328-1:2013, clause 5, compared with public code")
-RUN_IN = Text("ISO 6336-1:2006, 8.3.5, the same in 2019, compared with public code")
-RUN_IN_BETA = Text("ISO 6336-1:2006, 7.5.2.1, the same in 2019, compared with public code")
+ISO_1328 = Text("ISO 1328-1:2013, clause 5")
+RUN_IN = Text("ISO 6336-1:2006, 8.3.5, the same in 2019")
+RUN_IN_BETA = Text("ISO 6336-1:2006, 7.5.2.1, the same in 2019")
 SLOPES = {"f_Hbeta1": "f_Hβ1", "f_Hbeta2": "f_Hβ2"}
 F_BETA = {"F_betax": "F_βx"}
 MILLIMETRE: Metre = 1e-3
@@ -64,14 +64,12 @@ def rounded(f: Metre) -> Metre:
     return math.floor(um * parts + 0.5 + 1e-9) / (parts * 1e6)
 
 
-@formula("f_pb", "ISO 6336-1, as generally published: transverse base pitch, from the single pitch", unit="µm")
+@formula("f_pb", "ISO 6336-1: transverse base pitch, from the single pitch", unit="µm")
 def base_pitch_deviation(f_pT: Metre, alpha_t: Radian) -> Metre:
     return f_pT * cos(alpha_t)
 
 
-@formula(
-    "f_ma", "ISO 6336-1:2019, 7.5, as public code gives it: helix slopes of both wheels, no helix modification", unit="µm", names=SLOPES
-)
+@formula("f_ma", "ISO 6336-1:2019, 7.5: helix slopes of both wheels, no helix modification", unit="µm", names=SLOPES)
 def mesh_misalignment(f_Hbeta1: Metre, f_Hbeta2: Metre) -> Metre:
     return sqrt(f_Hbeta1**2 + f_Hbeta2**2)
 
@@ -87,7 +85,7 @@ def out_of_range(m_n: Metre, b: Metre, *diameters: Metre) -> list[Text]:
 
 
 # --- running in ------------------------------------------------------------------------------------------------------------
-@formula("v", "circumferential speed at the reference circle")
+@formula("v", "kinematics: circumferential speed at the reference circle")
 def pitch_line_velocity(d: Metre, n: RevPerSecond) -> MetrePerSecond:
     return pi * d * abs(n)
 
@@ -124,7 +122,7 @@ def run_in_beta_iron(F_betax: Metre) -> Metre:
     return 0.55 * F_betax
 
 
-@formula("y", "ISO 6336-1, as generally published: wheels of different material, the mean of both", unit="µm")
+@formula("y", "ISO 6336-1: wheels of different material, the mean of both", unit="µm")
 def mean_run_in(y_1: Metre, y_2: Metre) -> Metre:
     return (y_1 + y_2) / 2
 
@@ -249,6 +247,6 @@ def pair_factor_root(K_alpha: Number, K_max: Number) -> Number:
     return largest(1.0, smallest(K_alpha, K_max))
 
 
-@formula("w", "ISO 6336-1, as generally published: load per face width, F_t·K_A/b", unit="N/mm")
+@formula("w", "ISO 6336-1: load per face width, F_t·K_A/b", unit="N/mm")
 def line_load(F_t: Newton, K_A: Number, b: Metre) -> NewtonPerMetre:
     return F_t * K_A / b

@@ -12,8 +12,8 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import KilogramPerMetre, KilogramPerMetre3, Metre, NewtonPerMetre, Number, Pascal, PerPascal, Radian, RevPerSecond
 
-CLAUSE_9 = Text("ISO 6336-1:2006, clause 9, the same in 2019, compared with public code")
-CLAUSE_6 = Text("ISO 6336-1:2006, clause 6, the same in 2019, compared with public code")
+CLAUSE_9 = Text("ISO 6336-1:2006, clause 9, the same in 2019")
+CLAUSE_6 = Text("ISO 6336-1:2006, clause 6, the same in 2019")
 C_GAMMA = {"c_gamma_alpha": "c_γα"}
 UNIT_COMPLIANCE: PerPascal = 1e-9  # 1 mm·µm/N
 E_STEEL: Pascal = 206e9
@@ -76,7 +76,7 @@ def face_stiffness(c_gamma_alpha: Pascal) -> Pascal:
 
 
 # --- resonance -------------------------------------------------------------------------------------------------------------
-@formula("d_i", "disc that stands for a wheel with a rim: the mass of the rim alone counts", unit="mm")
+@formula("d_i", "dynamics, disc that stands for a wheel with a rim: the mass of the rim alone counts", unit="mm")
 def inside_of_rim(d_f: Metre, s_R: Metre) -> Metre:
     return d_f - 2 * s_R
 
@@ -141,7 +141,7 @@ def run_in_relief(sigma_Hlim: Pascal) -> Metre:
     return MICROMETRE * ((sigma_Hlim / MEGAPASCAL / 97 - 18.45) ** 2 / 18 + 1.5)
 
 
-@formula("C_a", "ISO 6336-1, as generally published: wheels of different material, the mean of both", unit="µm")
+@formula("C_a", "ISO 6336-1: wheels of different material, the mean of both", unit="µm")
 def mean_relief(C_a1: Metre, C_a2: Metre) -> Metre:
     return (C_a1 + C_a2) / 2
 

@@ -104,27 +104,27 @@ def work_hardening_through(HBW_1: Number, HBW_2: Number, u: Number) -> Number:
 
 
 # --- strength ----------------------------------------------------------------------------------------------------------------
-@formula("σ_H", "ISO 6336-2:2006, as generally published: contact stress of one wheel; K_H = K_A·K_v·K_Hβ·K_Hα", unit="MPa")
+@formula("σ_H", "ISO 6336-2:2006: contact stress of one wheel; K_H = K_A·K_v·K_Hβ·K_Hα", unit="MPa")
 def contact_stress_of_wheel(Z_BD: Number, sigma_H0: Pascal, K_H: Number) -> Pascal:
     return Z_BD * sigma_H0 * sqrt(K_H)
 
 
-@formula("σ_HG", "ISO 6336-2:2006, as generally published: pitting stress limit; Z_X = 1", unit="MPa")
+@formula("σ_HG", "ISO 6336-2:2006: pitting stress limit; Z_X = 1", unit="MPa")
 def pitting_limit(sigma_Hlim: Pascal, Z_NT: Number, Z_L: Number, Z_v: Number, Z_R: Number, Z_W: Number) -> Pascal:
     return sigma_Hlim * Z_NT * Z_L * Z_v * Z_R * Z_W
 
 
-@formula("σ_HP", "ISO 6336-2:2006, as generally published: permissible contact stress", unit="MPa")
+@formula("σ_HP", "ISO 6336-2:2006: permissible contact stress", unit="MPa")
 def permissible_contact_stress(sigma_HG: Pascal, S_Hmin: Number) -> Pascal:
     return sigma_HG / S_Hmin
 
 
-@formula("S_H", "ISO 6336-2:2006, as generally published: safety against pitting, on stress")
+@formula("S_H", "ISO 6336-2:2006: safety against pitting, on stress")
 def contact_safety(sigma_HG: Pascal, sigma_H: Pascal) -> Number:
     return sigma_HG / sigma_H
 
 
-@formula("S_H²", "contact stress grows with the root of the load: safety on load")
+@formula("S_H²", "elasticity, contact stress grows with the root of the load: safety on load")
 def contact_safety_on_load(S_H: Number) -> Number:
     return S_H**2
 

@@ -13,8 +13,8 @@ from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.units import Number, RevPerSecond, Second
 
-FLANK = Text("ISO 6336-2:2006 and 2019, Table 2, as generally published")
-ROOT = Text("ISO 6336-3:2006 and 2019, Table 1, as generally published")
+FLANK = Text("ISO 6336-2:2006 and 2019, Table 2")
+ROOT = Text("ISO 6336-3:2006 and 2019, Table 1")
 LONGEST = 1e10  # cycles: the end of the tables
 
 Knees = tuple[tuple[float, float], ...]  # (cycles, factor), rising cycles
@@ -33,12 +33,12 @@ ROOT_CURVES = {
 }  # fmt: skip
 
 
-@formula("N_L", "ISO 6336-6, as generally published: load cycles of one flank; c: loaded contacts in a turn")
+@formula("N_L", "ISO 6336-6: load cycles of one flank; c: loaded contacts in a turn")
 def load_cycles(n: RevPerSecond, L_h: Second, c: Number) -> Number:
     return abs(n) * L_h * c
 
 
-@formula("p", "straight line between two knees of the life curve, log–log")
+@formula("p", "mathematics: straight line between two knees of the life curve, log–log")
 def life_exponent(Y_1: Number, Y_2: Number, N_1: Number, N_2: Number) -> Number:
     return ln(Y_1 / Y_2) / ln(N_2 / N_1)
 

@@ -63,22 +63,22 @@ class Load:
     of_peak: bool = False  # rated with the peak of mean and dynamic torque, not with K_A times the mean
 
 
-@formula("K_A", "usual for a combustion engine that drives a uniform load through a balanced train (ISO 6336-6, from memory)", shows="1.25")
+@formula("K_A", "ISO 6336-6: usual for a combustion engine that drives a uniform load through a balanced train", shows="1.25")
 def usual_application_factor() -> Number:
     return USUAL
 
 
-@formula("K_A", "the peak torque holds what the application adds", shows="1")
+@formula("K_A", "definition: the peak torque holds what the application adds", shows="1")
 def factor_of_peak() -> Number:
     return 1.0
 
 
-@formula("T_m", "mean torque of a power")
+@formula("T_m", "definition: mean torque of a power")
 def mean_torque(P: Watt, n: RevPerSecond) -> NewtonMetre:
     return P / (2 * pi * abs(n))
 
 
-@formula("T_2", "torque handed on without loss")
+@formula("T_2", "energy: torque handed on without loss")
 def torque_of_driven(T: NewtonMetre, z_2: Number, z_1: Number) -> NewtonMetre:
     return T * z_2 / z_1
 
@@ -88,48 +88,52 @@ def angular_speed(n: RevPerSecond) -> RadPerSecond:
     return 2 * pi * n
 
 
-@formula("ω'", "harmonic irregularity of one order: ω·(1 + δ_s/2·sin(i·ω·t)), its largest acceleration")
+@formula("ω'", "kinematics, harmonic irregularity of one order: ω·(1 + δ_s/2·sin(i·ω·t)), its largest acceleration")
 def angular_acceleration(delta_s: Number, i: Number, omega: RadPerSecond) -> RadPerSecond2:
     return delta_s / 2 * i * omega**2
 
 
-@formula("ω'", "what the engine's torque has above its mean accelerates the flywheel", names={"T": "T_max", "T_E": "T_m", "J": "J_F"})
+@formula(
+    "ω'", "dynamics: what the engine's torque has above its mean accelerates the flywheel", names={"T": "T_max", "T_E": "T_m", "J": "J_F"}
+)
 def acceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
     return (T - T_E) / J * i_1
 
 
-@formula("ω'", "what the engine's torque lacks of its mean slows the flywheel down", names={"T": "T_min", "T_E": "T_m", "J": "J_F"})
+@formula(
+    "ω'", "dynamics: what the engine's torque lacks of its mean slows the flywheel down", names={"T": "T_min", "T_E": "T_m", "J": "J_F"}
+)
 def deceleration_of_engine(T: NewtonMetre, T_E: NewtonMetre, J: KilogramMetre2, i_1: Number) -> RadPerSecond2:
     return (T_E - T) / J * i_1
 
 
-@formula("J_i", "disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
+@formula("J_i", "dynamics: disc of the reference diameter, open inside its rim or its bore", unit="kg·mm²")
 def wheel_inertia(rho: KilogramPerMetre3, b: Metre, d: Metre, d_i: Metre) -> KilogramMetre2:
     return pi / 32 * rho * b * (d**4 - d_i**4)
 
 
-@formula("J", "sum of what turns on one axis", unit="kg·mm²")
+@formula("J", "mathematics: sum of what turns on one axis", unit="kg·mm²")
 def with_shaft(J: KilogramMetre2, J_S: KilogramMetre2) -> KilogramMetre2:
     return J + J_S
 
 
-@formula("J", "kinetic energy: what a mesh drives, by the square of the ratio", unit="kg·mm²")
+@formula("J", "dynamics, kinetic energy: what a mesh drives, by the square of the ratio", unit="kg·mm²")
 def with_driven(J: KilogramMetre2, J_2: KilogramMetre2, z_1: Number, z_2: Number) -> KilogramMetre2:
     return J + J_2 * (z_1 / z_2) ** 2
 
 
-@formula("T_dyn", "torque at the driver that accelerates all that its mesh drives", names={"alpha": "ω'", "z_d": "z_1,train"})
+@formula("T_dyn", "dynamics: torque at the driver that accelerates all that its mesh drives", names={"alpha": "ω'", "z_d": "z_1,train"})
 def dynamic_torque(J_2: KilogramMetre2, z_1: Number, z_2: Number, alpha: RadPerSecond2, z_d: Number) -> NewtonMetre:
     """The acceleration of a wheel is that of the first driver (z_d teeth) over the ratio of their teeth."""
     return J_2 * alpha * z_d / z_2 * z_1 / z_2
 
 
-@formula("T", "peak torque: the mean with the largest dynamic torque, K_A = 1")
+@formula("T", "rule of this program, peak torque: the mean with the largest dynamic torque, K_A = 1")
 def peak_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     return abs(T_m) + T_dyn
 
 
-@formula("T_min", "least torque over the cycle; below 0 the flanks leave each other")
+@formula("T_min", "mathematics: least torque over the cycle; below 0 the flanks leave each other")
 def least_torque(T_m: NewtonMetre, T_dyn: NewtonMetre) -> NewtonMetre:
     return abs(T_m) - T_dyn
 

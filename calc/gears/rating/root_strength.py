@@ -12,7 +12,7 @@ from ...sheet.units import Metre, Number, Pascal
 from .classes import StrengthClass
 from .life import root_life
 
-ISO = Text("ISO 6336-3:2006 and 2019, as generally published")
+ISO = Text("ISO 6336-3:2006 and 2019")
 IACS = Text("ISO 6336-3:2006 and 2019 as in IACS UR M56 (Rev. 4)")
 MILLIMETRE: Metre = 1e-3
 MICRON: Metre = 1e-6
@@ -44,7 +44,7 @@ def deep_tooth(eps_alphan: Number) -> Number:
     return largest(smallest(2.366 - 0.666 * eps_alphan, 1.0), 0.7)
 
 
-@formula("σ_F", "ISO 6336-3:2006, as generally published: tooth root stress; K_F = K_A·K_v·K_Fβ·K_Fα", unit="MPa")
+@formula("σ_F", "ISO 6336-3:2006: tooth root stress; K_F = K_A·K_v·K_Fβ·K_Fα", unit="MPa")
 def root_stress_of_wheel(sigma_F0: Pascal, Y_B: Number, Y_DT: Number, K_F: Number) -> Pascal:
     return sigma_F0 * Y_B * Y_DT * K_F
 
@@ -102,18 +102,18 @@ def mean_stress_factor(loading: str) -> Number:
     return LOADING[loading] * 1.0
 
 
-@formula("σ_FG", "ISO 6336-3:2006, as generally published: tooth root stress limit; Y_M for reversed load", unit="MPa",
+@formula("σ_FG", "ISO 6336-3:2006: tooth root stress limit; Y_M for reversed load", unit="MPa",
     names={"Y_drelT": "Y_δrelT"})  # fmt: skip
 def root_limit(sigma_Flim: Pascal, Y_ST: Number, Y_NT: Number, Y_drelT: Number, Y_RrelT: Number, Y_X: Number, Y_M: Number) -> Pascal:
     return sigma_Flim * Y_ST * Y_NT * Y_drelT * Y_RrelT * Y_X * Y_M
 
 
-@formula("σ_FP", "ISO 6336-3:2006, as generally published: permissible root stress", unit="MPa")
+@formula("σ_FP", "ISO 6336-3:2006: permissible root stress", unit="MPa")
 def permissible_root_stress(sigma_FG: Pascal, S_Fmin: Number) -> Pascal:
     return sigma_FG / S_Fmin
 
 
-@formula("S_F", "ISO 6336-3:2006, as generally published: safety against tooth breakage")
+@formula("S_F", "ISO 6336-3:2006: safety against tooth breakage")
 def bending_safety(sigma_FG: Pascal, sigma_F: Pascal) -> Number:
     return sigma_FG / sigma_F
 

@@ -12,14 +12,14 @@ from ...sheet.functions import acos, cos, inv, pi, power, sin, smallest, sqrt, t
 from ...sheet.text import Text
 from ...sheet.units import Metre, Newton, NewtonMetre, Number, Pascal, Radian
 
-CONTACT = Text("ISO 6336-2:2006, the same in 2019, as generally published")
-ROOT = Text("ISO 6336-3:2006, method B, the same in 2019, as generally published")
-ROOT_2019 = Text("ISO 6336-3:2019, method B, from memory")
+CONTACT = Text("ISO 6336-2:2006, the same in 2019")
+ROOT = Text("ISO 6336-3:2006, method B, the same in 2019")
+ROOT_2019 = Text("ISO 6336-3:2019, method B")
 BETA_MOST: Radian = math.radians(30)  # the helix angle factor does not grow further
 BETA_FULL: Radian = math.radians(120)
 
 
-@formula("F_t", "ISO 6336-1, as generally published: tangential force at the reference circle")
+@formula("F_t", "ISO 6336-1: tangential force at the reference circle")
 def tangential_force(T: NewtonMetre, d: Metre) -> Newton:
     """>>> tangential_force(T=0.8592, d=0.05389)
     31.88717...
@@ -46,7 +46,7 @@ def contact_ratio_factor(eps_alpha: Number, eps_beta: Number) -> Number:
     return sqrt((4 - eps_alpha) / 3 * (1 - smallest(eps_beta, 1.0)) + smallest(eps_beta, 1.0) / eps_alpha)
 
 
-@formula("Z_β", "ISO 6336-2:2006 and 2019, as generally published: helix angle factor (1996 and DIN 3990: √cos β)")
+@formula("Z_β", "ISO 6336-2:2006 and 2019: helix angle factor (1996 and DIN 3990: √cos β)")
 def helix_factor_contact(beta: Radian) -> Number:
     return 1 / sqrt(cos(beta))
 
@@ -160,7 +160,7 @@ def stress_correction(L: Number, q_s: Number) -> Number:
 
 
 # --- tooth root: the stress ------------------------------------------------------------------------------------------------------
-@formula("Y_β", "ISO 6336-3:2006, as generally published: helix angle factor")
+@formula("Y_β", "ISO 6336-3:2006: helix angle factor")
 def helix_factor_root(eps_beta: Number, beta: Radian) -> Number:
     return 1 - smallest(eps_beta, 1.0) * smallest(beta, BETA_MOST) / BETA_FULL
 
@@ -182,7 +182,7 @@ def load_distribution_high(eps_beta: Number, eps_alphan: Number) -> Number:
     return sqrt((1 - smallest(eps_beta, 1.0)) / 2 + smallest(eps_beta, 1.0) / eps_alphan)
 
 
-@formula("σ_F0", "ISO 6336-3:2006, as generally published: nominal tooth root stress", unit="MPa")
+@formula("σ_F0", "ISO 6336-3:2006: nominal tooth root stress", unit="MPa")
 def root_stress(F_t: Newton, b: Metre, m_n: Metre, Y_F: Number, Y_S: Number, Y_beta: Number) -> Pascal:
     return F_t / (b * m_n) * Y_F * Y_S * Y_beta
 

@@ -48,12 +48,12 @@ def transmitted_power(F_t: Newton, d: Metre, n: RevPerSecond) -> Watt:
     return F_t * pi * d * modulus(n)
 
 
-@formula("w_t", "load per width in the plane of action", unit="N/mm")
+@formula("w_t", "statics: load per width in the plane of action", unit="N/mm")
 def load_in_plane_of_action(w_Bt: NewtonPerMetre, alpha_t: Radian) -> NewtonPerMetre:
     return w_Bt / cos(alpha_t)
 
 
-@formula("K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90), as in public code: more friction by more lines of contact",
+@formula("K_Bγ", "ISO/TR 13989-2:2000 (5) and ISO/TR 15144-1:2014 (88) to (90): more friction by more lines of contact",
     shows="1 up to ε_γ = 2; 1 + 0.2·√((ε_γ − 2)(5 − ε_γ)); 1.3 from ε_γ = 3.5 on")  # fmt: skip
 def helical_load_factor(eps_gamma: Number) -> Number:
     return 1.0 if eps_gamma <= 2 else 1.3 if eps_gamma >= 3.5 else 1 + 0.2 * float((eps_gamma - 2) * (5 - eps_gamma)) ** 0.5
@@ -92,7 +92,7 @@ class OilBath:
     X_S: Number
 
 
-@formula("X_W", "ISO/TR 13989-1:2000, structural factor, from memory: case-hardened steel 1, nitrided 1.5", shows="1, nitrided 1.5")
+@formula("X_W", "ISO/TR 13989-1:2000, structural factor: case-hardened steel 1, nitrided 1.5", shows="1, nitrided 1.5")
 def structural_factor(kind: str) -> Number:
     """`kind`: of ISO 6336-5."""
     return 1.5 if kind.startswith(("NT", "NV")) else 1.0

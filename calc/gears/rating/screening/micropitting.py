@@ -20,7 +20,6 @@ from .load import Load, OilBath, ThermalProduct, transmitted_power
 from .path import Path, Place
 
 ISO = Text("ISO/TR 15144-1:2014")
-AS_FOUND = Text("as generally published")
 METRE_PER_SECOND: MetrePerSecond = 1.0
 MICROMETRE: Metre = 1e-6
 MILLIMETRE: Metre = 1e-3
@@ -34,33 +33,33 @@ HOTTEST: Celsius = 500.0  # pressure-viscosity law: it vanishes at 510 °C
 
 
 # --- the film ----------------------------------------------------------------------------------------------------------------------
-@formula("α_Θ", Text("{iso} (8), {as_found}: pressure-viscosity coefficient at a temperature", iso=ISO, as_found=AS_FOUND),
+@formula("α_Θ", Text("{iso} (8): pressure-viscosity coefficient at a temperature", iso=ISO),
     names={"alpha_38": "α_38", "T": "Θ"})  # fmt: skip
 def pressure_viscosity_at(alpha_38: PerPascal, T: Celsius) -> PerPascal:
     return alpha_38 * (1 + FALL * (1 / (T + ZERO) - 1 / THIRTY_EIGHT))
 
 
-@formula("G_M", Text("{iso} (5), {as_found}: material parameter", iso=ISO, as_found=AS_FOUND))
+@formula("G_M", Text("{iso} (5): material parameter", iso=ISO))
 def material_parameter(alpha_M: PerPascal, E_r: Pascal) -> Number:
     return alpha_M * E_r
 
 
-@formula("U_Y", Text("{iso} (12), {as_found}: velocity parameter", iso=ISO, as_found=AS_FOUND), names={"eta_M": "η_M"})
+@formula("U_Y", Text("{iso} (12): velocity parameter", iso=ISO), names={"eta_M": "η_M"})
 def velocity_parameter(eta_M: PascalSecond, v_1: MetrePerSecond, v_2: MetrePerSecond, E_r: Pascal, rho_n: Metre) -> Number:
     return eta_M * (v_1 + v_2) / (2 * E_r * rho_n)
 
 
-@formula("p_dyn", Text("{iso} (24) to (26), {as_found}: Hertzian pressure with all load factors", iso=ISO, as_found=AS_FOUND), unit="MPa")
+@formula("p_dyn", Text("{iso} (24) to (26): Hertzian pressure with all load factors", iso=ISO), unit="MPa")
 def hertz_pressure(E_r: Pascal, w_t: NewtonPerMetre, X: Number, rho_n: Metre, beta_b: Radian) -> Pascal:
     return sqrt(E_r * w_t * X / (2 * pi * rho_n * cos(beta_b)))
 
 
-@formula("W_Y", Text("{iso} (22), {as_found}: load parameter", iso=ISO, as_found=AS_FOUND))
+@formula("W_Y", Text("{iso} (22): load parameter", iso=ISO))
 def load_parameter(p_dyn: Pascal, E_r: Pascal) -> Number:
     return 2 * pi * p_dyn**2 / E_r**2
 
 
-@formula("Θ_fl", Text("{iso} (80), {as_found}: local flash temperature", iso=ISO, as_found=AS_FOUND), names={"b_1": "b_M1", "b_2": "b_M2"})
+@formula("Θ_fl", Text("{iso} (80): local flash temperature", iso=ISO), names={"b_1": "b_M1", "b_2": "b_M2"})
 def local_flash_temperature(
     mu_m: Number, p_dyn: Pascal, v_1: MetrePerSecond, v_2: MetrePerSecond, b_1: ThermalProduct, b_2: ThermalProduct, rho_n: Metre,
     E_r: Pascal,
@@ -70,22 +69,22 @@ def local_flash_temperature(
     )  # fmt: skip
 
 
-@formula("Θ_B", Text("{iso} (79), {as_found}: local contact temperature", iso=ISO, as_found=AS_FOUND), names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
+@formula("Θ_B", Text("{iso} (79): local contact temperature", iso=ISO), names={"T_M": "Θ_M", "T_fl": "Θ_fl"})
 def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("S_GF", Text("{iso} (27), {as_found}: sliding parameter", iso=ISO, as_found=AS_FOUND), names={"eta_B": "η_B", "eta_M": "η_M"})
+@formula("S_GF", Text("{iso} (27): sliding parameter", iso=ISO), names={"eta_B": "η_B", "eta_M": "η_M"})
 def sliding_parameter(alpha_B: PerPascal, eta_B: PascalSecond, alpha_M: PerPascal, eta_M: PascalSecond) -> Number:
     return alpha_B * eta_B / (alpha_M * eta_M)
 
 
-@formula("h_Y", Text("{iso} (4), {as_found}: film thickness (there 1600, from mm to µm)", iso=ISO, as_found=AS_FOUND), unit="µm")
+@formula("h_Y", Text("{iso} (4): film thickness (there 1600, from mm to µm)", iso=ISO), unit="µm")
 def film_thickness(rho_n: Metre, G_M: Number, U_Y: Number, W_Y: Number, S_GF: Number) -> Metre:
     return 1.6 * rho_n * power(G_M, 0.6) * power(U_Y, 0.7) * power(W_Y, -0.13) * power(S_GF, 0.22)
 
 
-@formula("λ_GF", Text("{iso} (2), {as_found}: specific film thickness", iso=ISO, as_found=AS_FOUND))
+@formula("λ_GF", Text("{iso} (2): specific film thickness", iso=ISO))
 def specific_film(h_Y: Metre, Ra: Metre) -> Number:
     return h_Y / Ra
 

@@ -20,7 +20,7 @@ from ....sheet.units import Metre, MetrePerSecond, Number, Radian
 from ....sheet.value import based_on
 from ...result import MeshResult, ToothSystem, WheelResult
 
-ISO_PATH = Text("ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014, as generally published")
+ISO_PATH = Text("ISO/TR 13989-1:2000 and ISO/TR 15144-1:2014")
 POINTS = 21  # samples of each of the three parts of the path
 LIGHTEST = 1e-9  # share of the load
 BESIDE = 1e-12  # how far beside B and D, of their place, the samples of the shared load stand

@@ -21,7 +21,6 @@ from .load import Load, OilBath, ThermalProduct
 from .path import Path, Place
 
 ISO = Text("ISO/TR 13989-1:2000")
-AS_FOUND = Text("as generally published")
 NOTHING: Metre = 0.0
 METRE_PER_SECOND: MetrePerSecond = 1.0
 MICROMETRE: Metre = 1e-6
@@ -32,47 +31,47 @@ ONE_KELVIN: Kelvin = 1.0
 EIGHTY: Celsius = 80.0
 FASTEST: MetrePerSecond = 50.0  # of the pitch line, beyond which friction falls no further
 DEFLECTION: Metre = 50e-6
-STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, as generally published
+STIFFNESS: Pascal = 20e9  # mesh stiffness 20 N/(mm·µm), mean of ISO 6336-1 for steel, from memory
 NAMES = {"T_oil": "Θ_oil", "T_flm": "Θ_flm", "T_M": "Θ_M", "T_fl": "Θ_fl,max", "T_S": "Θ_S", "T_B": "Θ_B,max"}
 LOAD_STAGE: Number = 10.0  # rule of this program: engine oils usually pass beyond it
 
 
-@formula("X_L", Text("{iso} (27), {as_found}: lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO, as_found=AS_FOUND),
+@formula("X_L", Text("{iso} (27): lubricant factor; X is 1 for mineral oil, 0.8 PAO, 0.7 PAG", iso=ISO),
     names={"X": "X_base", "eta": "η_oil"})  # fmt: skip
 def lubricant_factor(X: Number, eta: PascalSecond) -> Number:
     return X * power(eta / MILLIPASCAL_SECOND, -0.05)
 
 
-@formula("X_R", Text("{iso} (28), {as_found}: roughness factor", iso=ISO, as_found=AS_FOUND))
+@formula("X_R", Text("{iso} (28): roughness factor", iso=ISO))
 def roughness_factor(Ra: Metre) -> Number:
     return power(Ra / MICROMETRE, 0.25)
 
 
-@formula("v_gΣC", Text("{iso} (26), {as_found}: sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s", iso=ISO,
-    as_found=AS_FOUND))  # fmt: skip
+@formula("v_gΣC", Text("{iso} (26): sum of the rolling speeds at the pitch point; pitch line no faster than 50 m/s", iso=ISO,
+    ))  # fmt: skip
 def sum_of_speeds(v_C: MetrePerSecond, alpha_wt: Radian) -> MetrePerSecond:
     return 2 * smallest(v_C, FASTEST * sin(alpha_wt))
 
 
-@formula("μ_m", Text("{iso} (25), {as_found}: mean coefficient of friction", iso=ISO, as_found=AS_FOUND),
+@formula("μ_m", Text("{iso} (25): mean coefficient of friction", iso=ISO),
     names={"v": "v_gΣC", "rho_relC": "ρ_rel,C"})  # fmt: skip
 def mean_friction(w_Bt: NewtonPerMetre, v: MetrePerSecond, rho_relC: Metre, X_L: Number, X_R: Number) -> Number:
     return 0.060 * power(w_Bt / NEWTON_PER_MILLIMETRE / (v / METRE_PER_SECOND * rho_relC / MILLIMETRE), 0.2) * X_L * X_R
 
 
-@formula("C_eff", Text("{iso} (B.1), {as_found}: tip relief that the load calls for", iso=ISO, as_found=AS_FOUND), unit="µm",
+@formula("C_eff", Text("{iso} (B.1): tip relief that the load calls for", iso=ISO), unit="µm",
     names={"c_gamma": "c_γ"})  # fmt: skip
 def deflection(K_A: Number, F_t: Newton, b: Metre, alpha_t: Radian, c_gamma: Pascal) -> Metre:
     return K_A * F_t / (b * cos(alpha_t) * c_gamma)
 
 
-@formula("X_J", Text("{iso} (45) to (48), {as_found}: approach factor, no tip relief: the shock before the pitch point", iso=ISO,
-    as_found=AS_FOUND))  # fmt: skip
+@formula("X_J", Text("{iso} (45) to (48): approach factor, no tip relief: the shock before the pitch point", iso=ISO,
+    ))  # fmt: skip
 def approach_factor(C_eff: Metre, rho_C: Metre, rho_1: Metre, g_alpha: Metre) -> Number:
     return 1 + C_eff / DEFLECTION * (largest(rho_C - rho_1, NOTHING) / g_alpha) ** 3
 
 
-@formula("w", "load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"})
+@formula("w", "statics: load per length of the contact line of one pair", unit="N/mm", names={"X": "X_Γ", "K_Bgamma": "K_Bγ"})
 def local_load(X: Number, K_Bgamma: Number, w_t: NewtonPerMetre) -> NewtonPerMetre:
     return X * K_Bgamma * w_t
 
@@ -85,7 +84,7 @@ def flash_temperature(
     return 1.11 * mu_m * X_J * w * modulus(v_1 - v_2) / ((sqrt(b_1 * v_1) + sqrt(b_2 * v_2)) * sqrt(2 * b_H))
 
 
-@formula("Θ_flm", Text("{iso} (24), {as_found}: mean flash temperature", iso=ISO, as_found=AS_FOUND),
+@formula("Θ_flm", Text("{iso} (24): mean flash temperature", iso=ISO),
     shows="mean of Θ_fl along the path of contact, from A to E")  # fmt: skip
 def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
     flash, place = np.asarray(T_fl), np.asarray(rho_1)
@@ -93,33 +92,33 @@ def mean_flash_temperature(T_fl: Kelvin, rho_1: Metre) -> Kelvin:
     return float(area / (place[-1] - place[0]))
 
 
-@formula("X_mp", Text("{iso} (23), from memory: a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
+@formula("X_mp", Text("{iso} (23): a wheel with more than one mate is heated by each", iso=ISO), names={"n_p": "n_p"})
 def multiple_path_factor(n_p: Number) -> Number:
     return (1 + n_p) / 2
 
 
-@formula("Θ_M", Text("{iso} (22), {as_found}: bulk temperature", iso=ISO, as_found=AS_FOUND), names=NAMES)
+@formula("Θ_M", Text("{iso} (22): bulk temperature", iso=ISO), names=NAMES)
 def bulk_temperature(T_oil: Celsius, X_S: Number, X_mp: Number, T_flm: Kelvin) -> Celsius:
     return T_oil + 0.47 * X_S * X_mp * T_flm
 
 
-@formula("Θ_B,max", Text("{iso} (2), {as_found}: highest contact temperature", iso=ISO, as_found=AS_FOUND), names=NAMES)
+@formula("Θ_B,max", Text("{iso} (2): highest contact temperature", iso=ISO), names=NAMES)
 def contact_temperature(T_M: Celsius, T_fl: Kelvin) -> Celsius:
     return T_M + T_fl
 
 
-@formula("Θ_S", Text("{iso} (99), {as_found}: scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO,
-    as_found=AS_FOUND), names={"S": "S_FZG"})  # fmt: skip
+@formula("Θ_S", Text("{iso} (99): scuffing temperature from the load stage of the FZG test A/8.3/90", iso=ISO,
+    ), names={"S": "S_FZG"})  # fmt: skip
 def scuffing_temperature(X_W: Number, X_L: Number, S: Number) -> Celsius:
     return EIGHTY + (0.85 + 1.4 * X_W) * X_L * S**2 * ONE_KELVIN
 
 
-@formula("S_B", Text("{iso} (100), {as_found}: safety against scuffing", iso=ISO, as_found=AS_FOUND), names=NAMES)
+@formula("S_B", Text("{iso} (100): safety against scuffing", iso=ISO), names=NAMES)
 def safety(T_S: Celsius, T_oil: Celsius, T_B: Celsius) -> Number:
     return (T_S - T_oil) / (T_B - T_oil)
 
 
-@formula("ΔΘ_S", Text("{iso}, 10.5, {as_found}: the margin as a difference", iso=ISO, as_found=AS_FOUND), names=NAMES)
+@formula("ΔΘ_S", Text("{iso}, 10.5: the margin as a difference", iso=ISO), names=NAMES)
 def margin(T_S: Celsius, T_B: Celsius) -> Kelvin:
     return T_S - T_B
 
