@@ -46,12 +46,29 @@ class PrintedViscosity:
 
 
 @inputs
+class ViscosityRow:
+    """One row of an oil's own table: its dynamic viscosity at a temperature."""
+
+    temperature: float = quantity("Temperature", "°C", low=-60, high=300, symbol="T")
+    viscosity: float = quantity("Dynamic viscosity", "mPa·s", low=0.5, high=1e6, symbol="mu")
+
+
+@inputs
 class Oil:
-    """A lubricant by two viscosities and its density; the values by which it acts in a gear mesh follow from its base, or are given."""
+    """A lubricant by its viscosity and density; the values by which it acts in a gear mesh follow from its base, or are given.
+
+    The viscosity is given in one of three ways: at 40 and at 100 °C, in rows over the temperature, or as one number for all of them.
+    """
 
     name: str = text("Name")
-    nu40: float = quantity("Kinematic viscosity at 40 °C", "mm²/s", low=1, high=1e5, symbol="nu_40")
-    nu100: float = quantity("Kinematic viscosity at 100 °C", "mm²/s", low=1, high=1e4, symbol="nu_100")
+    nu40: float | None = quantity(
+        "Kinematic viscosity at 40 °C", "mm²/s", default=None, low=1, high=1e5, symbol="nu_40",
+        help="With that at 100 °C. Left out: viscosities, or viscosity_mPas.",
+    )  # fmt: skip
+    nu100: float | None = quantity(
+        "Kinematic viscosity at 100 °C", "mm²/s", default=None, low=1, high=1e4, symbol="nu_100",
+        help="With that at 40 °C. Left out: viscosities, or viscosity_mPas.",
+    )  # fmt: skip
     rho15: float = quantity("Density at 15 °C", "kg/m³", low=600, high=1300, symbol="rho_15")
     base: str = choice("Base stock", "mineral", "PAO", "PAG", "ester", "MIL-L-7808", "MIL-L-23699")
     conductivity: float = quantity("Thermal conductivity", "W/(m·K)", default=0.14, low=0.05, high=1.0, symbol="k_f")
@@ -62,21 +79,55 @@ class Oil:
         "Pressure-viscosity coefficient at 40 °C", "1/GPa", default=None, above=0, high=100, symbol="alpha_40",
         help="Left out: by the base stock. Given: the base stock says only how it changes with the viscosity.",
     )  # fmt: skip
+    viscosity: float | None = quantity(
+        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu",
+        help="Constant, as in textbooks; instead of the viscosities at 40 and 100 °C.",
+    )  # fmt: skip
+    viscosities: tuple[ViscosityRow, ...] = tables(
+        "Dynamic viscosity over temperature", ViscosityRow, default=(),
+        help="Rows of rising temperature, instead of the viscosities at 40 and 100 °C. Walther's line joins each to the next.",
+    )  # fmt: skip
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from
 
     def problems(self) -> Iterable[tuple[str, Text]]:
-        if self.nu100 >= self.nu40:
-            yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
-        elif self.nu100 < self.nu40:  # neither is a placeholder
-            from .lubricant import line_problem  # brings numpy with it
-
-            if (wrong := line_problem(self)) is not None:
-                yield "nu100_mm2_s", wrong
+        yield from self._viscosity_problems()
         for i, one in enumerate(self.printed):
             if any(one.temperature == other.temperature for other in self.printed[:i]):
                 yield f"printed.{i}.temperature_C", Text("stands twice")
+
+    def _viscosity_problems(self) -> Iterable[tuple[str, Text]]:
+        """The viscosity must be given, and in one way only."""
+        ways = {
+            "nu40_mm2_s": self.nu40 is not None or self.nu100 is not None,
+            "viscosity_mPas": self.viscosity is not None,
+            "viscosities": bool(self.viscosities),
+        }
+        first, *others = [key for key, given in ways.items() if given] or [""]
+        if not first:
+            for key in ("nu40_mm2_s", "nu100_mm2_s"):
+                yield key, Text("is missing; needs the viscosities at 40 and 100 °C, or viscosity_mPas, or rows of viscosities")
+            return
+        for key in others:
+            yield key, Text("the viscosity of this oil is given by {first} already; leave one of the two out", first=first)
+        if ways["nu40_mm2_s"]:
+            if self.nu40 is None:
+                yield "nu40_mm2_s", Text("is missing; needed with the viscosity at 100 °C")
+            elif self.nu100 is None:
+                yield "nu100_mm2_s", Text("is missing; needed with the viscosity at 40 °C")
+            elif self.nu100 >= self.nu40:
+                yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
+            elif self.nu100 < self.nu40:  # neither is a placeholder
+                from .lubricant import line_problem  # brings numpy with it
+
+                if (wrong := line_problem(self.nu40, self.nu100)) is not None:
+                    yield "nu100_mm2_s", wrong
+        if len(self.viscosities) == 1:
+            yield "viscosities", Text("has one row; needs two or more, or viscosity_mPas for one viscosity at every temperature")
+        for i, (row, after) in enumerate(zip(self.viscosities, self.viscosities[1:]), 1):
+            if after.temperature <= row.temperature:
+                yield f"viscosities.{i}.temperature_C", Text("must be above that of the row before")
 
 
 @inputs

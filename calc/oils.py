@@ -8,19 +8,21 @@ is rejected, and the reason is found from the numbers: what it implies, its SAE 
 from collections.abc import Iterator
 from dataclasses import replace
 
-from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, base_stocks, grades, shipped_oils
+from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades, shipped_oils
 from .lubricant import LOWEST, Lubricant, implied_viscosity, line_problem
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.step import Erratum, Table
-from .sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
+from .sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Name, Text
 from .sheet.trace import untraced
 from .sheet.units import UNITS, Celsius, Number, PascalSecond, SquareMetrePerSecond
 
 KEPT = 0.05  # how far a printed viscosity may lie from the law
 CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given": by the user, who answers for it
 GIVEN = Text("given")
-NO_VALUES = ("name", "source", "printed")
+NO_VALUES = ("name", "source", "printed", "viscosities")
+BEYOND_ROWS = Text("beyond its rows the viscosity is that of the outermost line carried on")
+MORE_ROWS = Text("Give rows of viscosity that reach so far, or another temperature.")
 SPECIFIC_HEAT = Quantity("number", Text("Specific heat; the program takes one law for all oils"), "J/(kg·K)", "c_p")
 
 
@@ -73,6 +75,10 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
         default = Text("{source}, or left out: the program's usual value", source=oil.source)
         own = Claim(key, value, GIVEN, Name(oil.source) if value != about.field.default else default)
         yield _judged(key, about.about, value, claims.get(key, own))
+    row = keys(ViscosityRow)["viscosity_mPas"].about
+    for one in oil.viscosities:
+        label = Text("Dynamic viscosity at {T} °C", T=Amount(one.temperature, form="g"))
+        yield JudgedValue("viscosities", label, symbol(row.symbol), row.units.shown(one.viscosity), row.unit, GIVEN, Name(oil.source))
     if (claim := claims.get("specific_heat_J_kgK")) is not None:
         yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim)
 
@@ -110,6 +116,17 @@ def values_table(oil: Oil) -> Table:
     return Table("oil", Text("Oil {name}: what is known of it", name=oil.name), columns, rows)
 
 
+def rising_rows(oil: Oil) -> Text | None:
+    """Where the viscosity rises with the temperature in an oil's own table; None where it falls throughout."""
+    rises = [
+        Text("from {T} to {warmer} °C", T=Amount(one.temperature, form="g"), warmer=Amount(other.temperature, form="g"))
+        for one, other in zip(oil.viscosities, oil.viscosities[1:]) if other.viscosity > one.viscosity
+    ]  # fmt: skip
+    said = Text("The viscosity of {oil} rises {where}, though oil thins with heat: a misprint? It is taken as given.", oil=oil.name,
+        where=COMMA.join(rises))  # fmt: skip
+    return said if rises else None
+
+
 # --- printed viscosities ---------------------------------------------------------------------------------------------------
 def printed_at(oil: Oil, T: Celsius) -> PrintedViscosity | None:
     """What is printed for an oil at a temperature."""
@@ -134,7 +151,7 @@ def _against_law(lubricant: Lubricant, one: PrintedViscosity) -> JudgedViscosity
 def _reasons(lubricant: Lubricant, one: PrintedViscosity, implied: SquareMetrePerSecond) -> Iterator[Text]:
     """Why a printed viscosity does not go with its oil, from the numbers alone."""
     oil, T = lubricant.oil, one.temperature
-    own = {40.0: oil.nu40, 100.0: oil.nu100}.get(T, lubricant.at(T).nu)
+    own = lubricant.nu40 if T == 40 else lubricant.nu100 if T == 100 else lubricant.nu(T)
     implies = Text("implies {nu} mm²/s at {T} °C", nu=_mm2_s(implied), T=Amount(T, form="g"))
     if T == 100 and grade(implied) != grade(own):
         yield Text("{implies}, {grade}; the oil has {nu}, {own}", implies=implies, grade=grade(implied), nu=_mm2_s(own), own=grade(own))
@@ -170,11 +187,11 @@ def _between(lubricant: Lubricant, one: PrintedViscosity) -> Iterator[Text]:
     """Whether a value agrees at least with those that are printed at 40 and 100 °C: the line through them."""
     oil = lubricant.oil
     ends = [printed_at(oil, 40.0), printed_at(oil, 100.0)]
-    if one.temperature in (40, 100) or ends[0] is None or ends[1] is None:
+    if one.temperature in (40, 100) or ends[0] is None or ends[1] is None or oil.nu40 is None:
         return
     nu40, nu100 = (implied_viscosity(mu=end.viscosity, rho=lubricant.at(end.temperature).rho) for end in ends if end is not None)
     other = replace(oil, nu40=nu40, nu100=nu100)
-    if not LOWEST / 2 < nu100 < nu40 or line_problem(other) is not None:
+    if not LOWEST / 2 < nu100 < nu40 or line_problem(nu40, nu100) is not None:
         return
     there = Lubricant(other, lubricant.law).at(one.temperature).mu
     agrees = abs(one.viscosity / there - 1) <= KEPT

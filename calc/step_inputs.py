@@ -75,7 +75,9 @@ def bearing_materials(design: Design, own: BearingsInputs) -> BearingMaterials:
     """The oil of the bearings, and what journals and housing are made of; journals that are not given are those of the shaft."""
     shaft = design.countershaft.material if design.countershaft is not None else ""
     solids = design.materials
-    return BearingMaterials(oil=design.oils[own.oil], journal=solids[own.journal_material or shaft], housing=solids[own.housing_material])
+    return BearingMaterials(
+        oil=own.in_bearings(design.oils[own.oil]), journal=solids[own.journal_material or shaft], housing=solids[own.housing_material]
+    )
 
 
 def mesh_oil(design: Design) -> MeshOil | None:

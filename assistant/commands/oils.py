@@ -56,10 +56,10 @@ def _list(known: Any) -> list[Table]:
 def _row(oil: Oil) -> tuple[str | float | None, ...]:
     lubricant = Lubricant(oil)
     cold, hot = lubricant.at(40.0), lubricant.at(100.0)
-    index = viscosity_index(oil.nu40, oil.nu100)
+    index = viscosity_index(lubricant.nu40, lubricant.nu100)
     return (
-        oil.name, oil.base, _shown(oil.nu40, "mm²/s"), _shown(oil.nu100, "mm²/s"), index if index is None else float(round(index)),
-        oil.rho15,
+        oil.name, oil.base, _shown(lubricant.nu40, "mm²/s"), _shown(lubricant.nu100, "mm²/s"),
+        index if index is None else float(round(index)), oil.rho15,
         _shown(cold.mu, "mPa·s"), _shown(hot.mu, "mPa·s"), _shown(lubricant.alpha(cold.mu), "1/GPa"), lubricant.limiting_shear,
         least_sure(oil)[0],
     )  # fmt: skip
@@ -75,7 +75,7 @@ def _one(oil: Oil) -> list[Table]:
     )  # fmt: skip
     units = {"T": "°C", "ν": "mm²/s", "η": "mPa·s", "ρ": "kg/m³", "α": "1/GPa", "β": "1/K"}
     columns = tuple((Name(symbol), unit) for symbol, unit in units.items())
-    index = viscosity_index(oil.nu40, oil.nu100)
+    index = viscosity_index(lubricant.nu40, lubricant.nu100)
     note = Text("Walther's law through the two viscosities.")
     if index is not None:
         note = Text("{law} Viscosity index {index}.", law=note, index=Amount(index, form=".0f"))

@@ -21,6 +21,7 @@ from ..journal_rules import (
     USUAL_LENGTH_RATIO,
     USUAL_SPECIFIC_LOAD,
 )  # fmt: skip
+from ..oils import BEYOND_ROWS, MORE_ROWS
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
@@ -35,7 +36,6 @@ SPEEDS = (1.0, 3.0, 10.0, 30.0)
 LEAST_FILM = ((0.063, (3e-6, 4e-6, 5e-6, 7e-6, 10e-6)), (0.160, (4e-6, 5e-6, 7e-6, 9e-6, 12e-6)))
 
 SHEAR_THINNING = 1e5  # 1/s
-POLYMER_THICKENED = -3.3  # slope of the viscosity line: flatter is a multigrade; rule of this program, tells those of its table apart
 
 
 def least_film(d: float, u: float) -> float | None:
@@ -104,9 +104,13 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
         Text("rule of this program: 0.3·h₀"), Text("Stiffen the shaft between its bearings."))  # fmt: skip
     yield on("friction_regime", Text("Coefficient of friction"), r.friction_coefficient, "in", FULL_FILM_FRICTION, "",
         Text("Finotti 2013, 5.4.1: full film"), Text("Outside the usual range of a full film: look at film and clearance."))  # fmt: skip
-    yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s",
-        Text("rule of this program: range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
-    if r.seat.lubricant.C_1 > POLYMER_THICKENED:
+    if not r.seat.lubricant.constant:
+        yield on("viscosity_range", Text("Oil viscosity"), r.hot.oil.nu, "in", (2e-6, 0.1), "mm²/s",
+            Text("rule of this program: range of the viscosity law"), Text("Another oil grade or temperature."))  # fmt: skip
+    if (reach := r.seat.lubricant.reach) is not None:
+        yield on("oil_rows", Text("Film temperature within the rows of the oil"), r.hot.mean_temperature, "in", reach, "°C",
+            BEYOND_ROWS, MORE_ROWS)  # fmt: skip
+    if r.seat.lubricant.polymer_thickened:
         yield on("shear_rate", Text("Shear rate in the narrowest gap"), r.shear_rate, "<=", SHEAR_THINNING, "1/s",
             Text("rule of this program: onset of the thinning of polymer-thickened oils, from memory"),
             Text("A multigrade oil loses up to 30 % of its viscosity here: take that at high shear (HTHS), or the corners with thinner "

@@ -2,9 +2,11 @@
 """The two plain bearings, their oil and its supply."""
 
 from collections.abc import Iterable
+from dataclasses import replace
 from math import pi
 
 from .. import fits
+from ..catalogue import Oil
 from ..journal_rules import SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
@@ -56,6 +58,10 @@ class BearingsInputs:
     """Oil, supply and temperatures of both bearings, and the bearings."""
 
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
+    viscosity: float | None = quantity(
+        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu_given",
+        help="Constant, as in textbooks, in the bearings only. Left out: by the oil's own law.",
+    )  # fmt: skip
     supply_temperature: float = quantity(
         "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, usual=(70, 130), source=THUMB,
         help="Of the oil in the gallery before the bearing.")  # fmt: skip
@@ -139,6 +145,10 @@ class BearingsInputs:
         "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",
         help="One, or [front, rear]. Left out: by bending, else 0.")  # fmt: skip
+
+    def in_bearings(self, oil: Oil) -> Oil:
+        """An oil as it is in the bearings: with their viscosity at every temperature, where that is given."""
+        return oil if self.viscosity is None else replace(oil, nu40=None, nu100=None, viscosities=(), viscosity=self.viscosity)
 
     @property
     def fits_given(self) -> bool:

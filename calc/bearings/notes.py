@@ -4,11 +4,11 @@
 from collections.abc import Iterator, Mapping
 
 from ..countershaft.result import CountershaftResult
+from ..oils import rising_rows
 from ..sheet.step import Erratum
-from ..sheet.text import COMMA, Amount, Text, listed
+from ..sheet.text import COMMA, EMPTY, Amount, Text, listed
 from ..sheet.trace import untraced
 from ..sheet.units import UNITS
-from .checks import POLYMER_THICKENED
 from .inputs import IN_TITLES, IN_WORDS, BearingsInputs
 from .materials.data import running_surface
 from .materials.suitability import fatigue_note
@@ -40,7 +40,9 @@ def _all_notes(inputs: BearingsInputs, shaft: CountershaftResult | None, results
         )
     yield _slope(inputs, shaft)
     yield _feed(inputs, results)
-    if any(r.seat.lubricant.C_1 > POLYMER_THICKENED for r in results.values()):
+    for r in results.values():
+        yield rising_rows(r.seat.lubricant.oil) or EMPTY
+    if any(r.seat.lubricant.polymer_thickened for r in results.values()):
         yield Text(
             "The viscosity laws do not know the thinning of multigrade oils at high shear rate (25 to 30 % at 150 °C and 10⁶ 1/s): "
             "see the check on the shear rate, and the corners with thinner oil."

@@ -36,8 +36,9 @@ def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
     """Checks, curves, errata and notes of a closed balance."""
     friction = d.friction
     return {
-        "checks": checks(friction, result), "curves": Later(partial(curves.curves, result)), "errata": errata(friction, result, d.oil),
-        "notes": Later(partial(notes.notes, friction, result, d.oil)), "tables": Later(partial(curves.tables, result, d)),
+        "checks": (*checks(friction, result), *_oil_rows(d.oil)), "curves": Later(partial(curves.curves, result)),
+        "errata": errata(friction, result, d.oil), "notes": Later(partial(notes.notes, friction, result, d.oil)),
+        "tables": Later(partial(curves.tables, result, d)),
     }  # fmt: skip
 
 
@@ -79,6 +80,13 @@ def _models(result: FrictionResult) -> Check:
             authors=SEMICOLON.join(MODELS[name].authors for name in outside) if outside else Text("none"),
         ),
     )
+
+
+def _oil_rows(oil: Oil) -> Iterator[Check]:
+    """Whether the oil's own table of viscosities, where it has one, reaches to its temperature."""
+    if (reach := oil.lubricant.reach) is not None:
+        yield check("friction.train.oil_rows", Text("Oil temperature within the rows of the oil"), oil.T_m, "in", reach, "°C",
+            oils.BEYOND_ROWS, oils.MORE_ROWS)  # fmt: skip
 
 
 def _delivers(power: float) -> Check:

@@ -18,7 +18,7 @@ NOTEWORTHY = 0.2  # of the loss
 
 
 def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[Text, ...]:
-    found = []
+    found = [rises] if (rises := oils.rising_rows(oil.lubricant.oil)) is not None else []
     if friction.bulk_temperature is None and friction.bulk == "oil":
         found.append(Text("The teeth are taken as warm as the oil, {t_m} °C; their warming is estimated beside.", t_m=Amount(oil.T_m)))
     for mesh in result.meshes.values():

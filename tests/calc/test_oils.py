@@ -83,7 +83,7 @@ def test_these_oils_are_there_in_their_order():
 @pytest.mark.parametrize("name", oils())
 def test_an_oil_of_the_table_has_a_sound_line(name):
     lubricant = Lubricant(oils()[name])
-    assert line_problem(oils()[name]) is None
+    assert line_problem(oils()[name].nu40, oils()[name].nu100) is None
     assert 1 > lubricant.at(40.0).mu > 4 * lubricant.at(100.0).mu > 4e-3  # Pa·s
     assert 5e-9 < lubricant.alpha(lubricant.at(40.0).mu) < 40e-9 and 0.02 < lubricant.beta(40.0) < 0.08
 
@@ -277,7 +277,7 @@ def test_what_is_no_oil_is_refused(more, changed, words):
 def test_no_liquid_that_lubricates_is_refused(what, nu40, nu100):
     """Typical data from memory: flat and steep lines alike."""
     oil = Oil(name=what, nu40=nu40 * 1e-6, nu100=nu100 * 1e-6, rho15=900.0, base="mineral")
-    assert line_problem(oil) is None
+    assert line_problem(oil.nu40, oil.nu100) is None
     assert FLATTEST < -viscosity_slope(nu_100=oil.nu100, nu_40=oil.nu40, c=0.6) < STEEPEST
 
 

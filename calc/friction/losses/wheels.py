@@ -177,7 +177,7 @@ def _sealed(seal: Seal, n: RevPerSecond, oil: Surroundings) -> Watt:
     if seal.method == "simrit":
         one = seals.simrit(d_sh=seal.diameter, n=n)
     else:
-        one = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.oil.nu40, d_sh=seal.diameter, n=n)
+        one = seals.linke(T_oil=oil.T, nu_40=oil.lubricant.nu40, d_sh=seal.diameter, n=n)
     return one if seal.count == 1 else seals.several(N=seal.count, P=one)
 
 

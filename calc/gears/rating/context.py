@@ -80,5 +80,5 @@ def rating_context(gears: GearsInputs, train: TrainResult, materials: Mapping[st
         else:
             flank_rz = gears.flank_rz if gears.flank_rz is not None else USUAL_RZ
             flank_ra = (mean_roughness(Rz=flank_rz),) * 2
-    nu_40 = lubricant.oil.nu40 if lubricant is not None else None
+    nu_40 = lubricant.nu40 if lubricant is not None else None
     return RatingContext(gears, train, materials, classes, bodies, structural, oil, nu_40, flank_ra, flank_rz)
