@@ -102,7 +102,7 @@ def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T:
 
 @formula("β", "rule of this program: where the rows of an oil rise with temperature, which no oil does, the viscosity counts as constant")
 def not_rising(beta: PerKelvin) -> PerKelvin:
-    return largest(beta, 0.0)
+    return largest(beta, 0 * beta)
 
 
 @formula("C_1", "mathematics: slope of the viscosity line through the points at 40 and 100 °C", names={"nu_40": "ν_40", "nu_100": "ν_100"})
@@ -118,7 +118,7 @@ def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> 
 @formula("ν_i", "definition of kinematic viscosity: a row of the oil's own table", unit="mm²/s", names={"mu_i": "μ_i", "T_i": "T_i"})
 def row_viscosity(mu_i: PascalSecond, rho_15: KilogramPerMetre3, T_i: Celsius) -> SquareMetrePerSecond:
     """>>> row_viscosity(mu_i=0.12858, rho_15=850.5, T_i=40.0)
-    0.00015366...
+    0.000153678...
     """
     return mu_i / (rho_15 * (1 - SLOPE * (T_i - REFERENCE)))
 

@@ -223,6 +223,18 @@ def no_shift() -> Number:
     return 0.0
 
 
+@formula(
+    "j_bn", Text("{iso}: normal backlash that is left where the driven wheel has less shift than meshes without; exact", iso=ISO), unit="µm"
+)
+def backlash_of_shifts(m_n: Metre, alpha_n: Radian, x_0: Number, x_2: Number) -> Metre:
+    """`x_0`: the driven wheel's shift that leaves no backlash at this centre distance.
+
+    >>> backlash_of_shifts(m_n=0.002, alpha_n=0.3491, x_0=-0.156, x_2=-0.16)
+    5.472...e-06
+    """
+    return 2 * m_n * sin(alpha_n) * (x_0 - x_2)
+
+
 @formula("Σx", Text("{iso}: sum of the shifts without backlash", iso=ISO))
 def shift_sum(z_1: Number, z_2: Number, alpha_wt: Radian, alpha_t: Radian, alpha_n: Radian) -> Number:
     return (z_1 + z_2) * (inv(alpha_wt) - inv(alpha_t)) / (2 * tan(alpha_n))

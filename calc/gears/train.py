@@ -2,7 +2,7 @@
 """The profile shifts and centre distances that a design leaves open, found along the meshes of the train.
 
 One wheel has one shift, whatever it meshes with: a centre distance and one shift fix the mate's, two shifts fix a centre distance
-without backlash.  Nothing is rounded on the way.
+without backlash.  Where both shifts and the distance are given, they make the backlash.  Nothing is rounded on the way.
 """
 
 from ..sheet.errors import NoSolution
@@ -17,7 +17,7 @@ from .result import ToothSystem
 from .words import mm
 
 MOST_SHIFT = 6  # rule of this program: a distance that asks for more is wrong, or the teeth are
-CONTRADICTION = 1e-3  # two given shifts may differ from the centre distance by this, in modules
+CONTRADICTION = 1e-3  # two given shifts that differ by no more from those without backlash are meant to have none
 
 
 def tooth_system(gears: GearsInputs) -> ToothSystem:
@@ -89,7 +89,7 @@ def _derive(gears: GearsInputs, train: Train, compared: set[int]) -> None:
             with about(Text("mesh {pair}", pair=mesh.title)):
                 x = f.mate_shift(_shift_sum(train, mesh, i, a), train.shifts[known[0]])
             if len(known) == 2:
-                _compare(train, mesh, i, a, x)
+                x = _compare(train, mesh, i, a, x)
             elif abs(x) > MOST_SHIFT:
                 raise _too_much(train, mesh, i, a, known[0], mate, x)
             train.shifts[mate] = x
@@ -112,21 +112,33 @@ def _too_much(train: Train, mesh: Mesh, i: int, a: Metre, known: str, mate: str,
     )  # fmt: skip
 
 
-def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> None:
-    """Both shifts are known: the driver's holds, and the driven wheel's must agree with the centre distance."""
+def _compare(train: Train, mesh: Mesh, i: int, a: Metre, x: Number) -> Number:
+    """The shift of the driven wheel where both are known; `x`: the one that leaves no backlash.
+
+    One that nearly agrees is taken for it; with another the teeth have backlash, unless they would jam.
+    """
     given = train.shifts[mesh.driven]
     if abs(x - given) <= CONTRADICTION:
         if x != given:
             train.notes.append(Text("Profile shift of {driven}: {given} is given; {x} follows from the distance to {driver} and is used.",
                 driven=mesh.driven, given=Amount(given, form="g"), x=Amount(x, form=".6g"), driver=mesh.driver))  # fmt: skip
-        return
+        return x
+    with untraced():
+        j_bn = f.backlash_of_shifts(m_n=train.system.m_n, alpha_n=train.system.alpha_n, x_0=x, x_2=given)
+    said = dict(
+        driver=mesh.driver, x_1=Amount(train.shifts[mesh.driver], form=".6g"), driven=mesh.driven, given=Amount(given, form=".6g"),
+        x=Amount(x, form=".6g"), j_bn=Amount(abs(j_bn) * 1e6, "µm"),
+    )  # fmt: skip
+    if j_bn > 0:
+        train.notes.append(Text("Mesh {driver}–{driven}: centre distance and both profile shifts are given, {x_1} and {given}; before "
+            "allowances they leave a normal backlash of {j_bn}, none with {driven} {x}.", **said))  # fmt: skip
+        return given
     raise NoSolution(
-        Text("gears.meshes.{i}.centre_distance_mm = {centre_distance}: contradicts the profile shifts {driver} {shifts} and {driven} "
-            "{given}; without backlash it needs {driven} {x}", i=i, centre_distance=mm(a, "g"), driver=mesh.driver,
-            shifts=Amount(train.shifts[mesh.driver], form=".6g"), driven=mesh.driven, given=Amount(given, form=".6g"),
-            x=Amount(x, form=".6g")),
-        tried=Text("shifts that agree within {contradiction}", contradiction=Amount(CONTRADICTION, form="g")),
-        advice=Text("leave out gears.wheels.{driven}.profile_shift, or the centre distance: it then follows", driven=mesh.driven),
+        Text("gears.meshes.{i}.centre_distance_mm = {centre_distance}: contradicts the profile shifts {driver} {x_1} and {driven} "
+            "{given}; the teeth jam by {j_bn}, and without backlash it needs {driven} {x}", i=i, centre_distance=mm(a, "g"), **said),
+        tried=Text("shifts that agree within {contradiction}, or leave backlash", contradiction=Amount(CONTRADICTION, form="g")),
+        advice=Text("lower gears.wheels.{driven}.profile_shift, or leave it out, or the centre distance: it then follows",
+            driven=mesh.driven),
     )  # fmt: skip
 
 

@@ -17,9 +17,10 @@ from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Text
-from ...sheet.trace import about
+from ...sheet.trace import about, untraced
 from ...sheet.units import Metre, Number
 from ...sheet.value import based_on
+from ..backlash.formulas import circumferential_backlash
 from ..result import ToothSystem, TrainResult, WheelResult
 from .cut import ROOT, Cut
 
@@ -62,18 +63,18 @@ def flank(system: ToothSystem, wheel: WheelResult, shift: Number | None = None) 
     return Flank(cut, based_on(min(wheel.tip_diameter / 2, pointed), wheel.tip_diameter, wheel.pointed_diameter))
 
 
-def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array) -> tuple[Array, Array]:
+def _seen(a_w: Metre, own: Flank, mate: Flank, carried: Array, share: Array, turn: float) -> tuple[Array, Array]:
     """Points of the mate as the wheel sees them: radius, and angle from its nearest tooth.
 
     `carried`: which of the mate's points; `share`: where each stands, −1 to 1 of the way that it has inside the wheel's tip circle.
-    The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there.
+    The mate's tooth stands at β from the line of centres; at β = 0 a space of the wheel stands there, turned by `turn`.
     """
     radius, theta = mate.points
     reach = np.arccos(np.clip((a_w**2 + radius**2 - own.tip_radius**2) / (2 * a_w * radius), -1.0, 1.0))
     r, place = radius[carried], reach[carried] * share  # of the point, from the line of centres
     X, Y = a_w - r * np.cos(place), -r * np.sin(place)
     pitch = 2 * math.pi / own.cut.teeth
-    tooth = pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / own.cut.teeth)
+    tooth = turn + pitch / 2 - (place - theta[carried]) * (mate.cut.teeth / own.cut.teeth)
     return np.hypot(X, Y), np.abs((np.arctan2(Y, X) - tooth + pitch / 2) % pitch - pitch / 2)
 
 
@@ -91,24 +92,26 @@ AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each 
     "δ", "rule of this program: points of both flanks carried past the other wheel without backlash, through every position", unit="µm",
     shows="largest depth of a point of one outline inside the other, over a whole engagement",
 )  # fmt: skip
-def penetration(a_w: Metre, driver: Flank, driven: Flank) -> Metre:
-    """In the transverse plane; 0 where the outlines only touch."""
-    return max(_deepest(a_w, driver, driven), _deepest(a_w, driven, driver))
+def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> Metre:
+    """In the transverse plane; 0 where the outlines only touch.  `j_wt`: backlash of these outlines, one flank of which is in contact."""
+    r_w = [a_w * wheel.cut.teeth / (driver.cut.teeth + driven.cut.teeth) for wheel in (driver, driven)]
+    sides = (0.0,) if j_wt <= 0 else (j_wt / 2, -j_wt / 2)
+    return max(max(_deepest(a_w, driver, driven, j / r_w[0]), _deepest(a_w, driven, driver, j / r_w[1])) for j in sides)
 
 
-def _deepest(a_w: Metre, own: Flank, mate: Flank) -> Metre:
+def _deepest(a_w: Metre, own: Flank, mate: Flank, turn: float = 0.0) -> Metre:
     """How deep points of the mate lie inside the wheel: its tip's corner in many positions, the flank in fewer.
 
     A corner passes a fillet in a loop as narrow as that: where it comes close to one it is looked at once more.
     """
-    radius, angle = _seen(a_w, own, mate, *PLACES)
+    radius, angle = _seen(a_w, own, mate, *PLACES, turn)
     short = own.tooth_angle(radius) - angle  # by which the point is inside the tooth
     r_form, root = own.fillet[0][-1], own.fillet[0][0]
     near = np.where((radius < r_form) | (short * radius > DUST), short * radius, -np.inf)[:CORNER]
     worst = int(np.argmax(near))
     if near[worst] > -CLOSE * own.cut.system.m_n:
         closer = PLACES[1][worst] + AROUND
-        more = _seen(a_w, own, mate, np.zeros(closer.size, int), closer)
+        more = _seen(a_w, own, mate, np.zeros(closer.size, int), closer, turn)
         radius, angle = np.concatenate([radius, more[0]]), np.concatenate([angle, more[1]])
         short = np.concatenate([short, own.tooth_angle(more[0]) - more[1]])
     inside = (radius < own.tip_radius) & ((short * radius > DUST) | (radius < root - DUST))
@@ -147,5 +150,9 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
     depths = {}
     for key, m in train.meshes.items():
         with about(Text("mesh {pair}", pair=m.title)):
-            depths[key] = penetration(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
+            own: dict[str, Any] = dict(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
+            sizes = m.working_diameter_driver, train.wheels[m.driver].teeth, m.working_thickness_driver, m.working_thickness_driven
+            with untraced():
+                loose = circumferential_backlash(*sizes) > DUST  # before allowances: the shifts were given with the centre distance
+            depths[key] = penetration(**own, j_wt=circumferential_backlash(*sizes)) if loose else penetration(**own)
     return depths

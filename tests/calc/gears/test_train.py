@@ -11,6 +11,8 @@ import pytest
 from calc.catalogue import materials
 from calc.design_file import design, read
 from calc.gears import solve
+from calc.gears.backlash.formulas import circumferential_backlash
+from calc.gears.profile.meshing import flank, penetration
 from calc.sheet.errors import NoSolution
 from calc.sheet.quantity import published
 from calc.sheet.step import Outcome
@@ -200,10 +202,32 @@ def test_two_given_shifts_that_nearly_agree():
     assert outcome.result.meshes["a_b"].backlash_nominal == 0
 
 
-def test_two_given_shifts_that_contradict():
-    said = r"meshes\.0\.centre_distance_mm = 80\.555.*a 0\.014 and b −0\.16.*needs b −0\.15597.*b\.profile_shift"
+def test_two_given_shifts_that_jam():
+    said = r"meshes\.0\.centre_distance_mm = 80\.555.*a 0\.014 and b −0\.15.*jam by 8\.1.*needs b −0\.15597.*b\.profile_shift"
     with pytest.raises(NoSolution, match=said):
-        solved(train([wheel("a", 36, 0.014), wheel("b", 39, -0.16)], [mesh("a", "b", 80.555)]))
+        solved(train([wheel("a", 36, 0.014), wheel("b", 39, -0.15)], [mesh("a", "b", 80.555)]))
+
+
+@pytest.mark.parametrize("less", [0.005, 0.05, 0.2])
+def test_two_given_shifts_make_the_backlash(less):
+    """j_bn = 2·m_n·sin α_n·Δx: the tooth is thinner by 2·m_n·Δx·tan α_n at the reference circle, and tan α_n·cos α_t·cos β_b/cos β = sin α_n."""
+    exact = shifts([wheel("a", 36, 0.014), wheel("b", 39)], [mesh("a", "b", 80.555)])["b"]
+    outcome = solve.geometry(train([wheel("a", 36, 0.014), wheel("b", 39, exact - less)], [mesh("a", "b", 80.555)]), SPEED)
+    t = outcome.result
+    assert t.wheels["b"].profile_shift == exact - less and t.meshes["a_b"].centre_distance == 80.555e-3
+    assert t.meshes["a_b"].backlash_nominal == pytest.approx(2 * t.system.m_n * math.sin(t.system.alpha_n) * less, rel=1e-9)
+    assert t.phase_error == pytest.approx(t.meshes["a_b"].play_angle) and t.meshes["a_b"].penetration == 0
+    assert any("both profile shifts are given" in n for n in outcome.notes)
+
+
+def test_a_loose_pair_touches_with_one_flank():
+    """Half of the backlash to one side the outlines touch and no more; a micrometre further they enter each other."""
+    t = solved(train([wheel("a", 36, 0.014), wheel("b", 39, -0.4)], [mesh("a", "b", 80.555)]))
+    m = t.meshes["a_b"]
+    both = flank(t.system, t.wheels["a"]), flank(t.system, t.wheels["b"])
+    j_wt = circumferential_backlash(m.working_diameter_driver, 36, m.working_thickness_driver, m.working_thickness_driven)
+    assert j_wt > 100e-6 and penetration(m.centre_distance, *both, j_wt) == 0.0
+    assert penetration(m.centre_distance, *both, j_wt + 2e-6) == pytest.approx(1e-6 * math.cos(m.working_pressure_angle), rel=0.02)
 
 
 def test_a_branching_train():
