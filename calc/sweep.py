@@ -167,7 +167,7 @@ def _needed(one: Design, step: str | None) -> Design:
 
 def _vectorised(base: Design, inputs: Sequence[Varied], step: str | None) -> bool:
     """Whether all rows can be computed in one call: the imbalance step alone, over plain numbers of engine and crank."""
-    if step != "imbalance" or base.engine is None or base.imbalance is None:
+    if step != "imbalance" or base.engine is None or base.imbalance is None or base.engine.unlike:
         return False
     plain = {f"engine.{k}" for k, about in keys(EngineInputs).items() if about.about.kind == "number"} | {
         "imbalance.crank_balance_fraction"

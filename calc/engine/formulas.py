@@ -6,7 +6,7 @@ stands at TDC at α = φ₀.  Acceleration is positive towards the crank at TDC,
 """
 
 from ..sheet.formula import formula
-from ..sheet.functions import asin, cos, pi, sin, sqrt, tan
+from ..sheet.functions import asin, cos, pi, sin, sqrt, tan, total
 from ..sheet.units import (
     CubicMetre,
     Kilogram,
@@ -47,6 +47,26 @@ def rotating_mass(M_shell: Kilogram, M_B: Kilogram, M_ra: Kilogram) -> Kilogram:
     0.7587199...
     """
     return M_shell + M_B - M_ra
+
+
+@formula("M_alt", "reciprocating mass per cylinder, as given", unit="g")
+def given_reciprocating_mass(M_given: Kilogram) -> Kilogram:
+    return M_given
+
+
+@formula("M_rot", "rotating mass per cylinder, as given", unit="g")
+def given_rotating_mass(M_given: Kilogram) -> Kilogram:
+    return M_given
+
+
+@formula("M_alt", "mean over cylinders whose reciprocating masses differ", unit="g")
+def mean_reciprocating_mass(M_k: Kilogram, N: Number) -> Kilogram:
+    return total(M_k) / N
+
+
+@formula("M_rot", "mean over cylinders whose rotating masses differ", unit="g")
+def mean_rotating_mass(M_k: Kilogram, N: Number) -> Kilogram:
+    return total(M_k) / N
 
 
 @formula("λ", "Finotti 2013, 2.1: crank ratio")

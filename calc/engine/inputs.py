@@ -4,7 +4,7 @@
 from collections.abc import Iterable
 from dataclasses import replace
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, integers, quantity, series, table, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, quantity, series, table, tables, text
 from ..sheet.text import EMPTY, Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
@@ -98,12 +98,12 @@ class EngineInputs:
     bank_of_cylinder: tuple[int, ...] | None = integers(
         "Bank of each cylinder", default=None, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
     )
-    piston_mass: float = quantity(
-        "Piston mass", "g", above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
+    piston_mass: float | None = quantity(
+        "Piston mass", "g", default=None, above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
     )  # fmt: skip
-    rod_mass: float = quantity(
-        "Rod mass", "g", low=0, high=1e5, symbol="M_B", usual=(200, 2000), source=THUMB,
+    rod_mass: float | None = quantity(
+        "Rod mass", "g", default=None, low=0, high=1e5, symbol="M_B", usual=(200, 2000), source=THUMB,
         help="Mass of one rod with bush and screws, without big-end shells.",
     )  # fmt: skip
     rod_cg_to_big_end: float | None = quantity(
@@ -113,6 +113,14 @@ class EngineInputs:
     crankpin_bearing_mass: float = quantity(
         "Big-end shells", "g", default=0.0, low=0, high=1e5, symbol="M_shell", source="Finotti 2013, 2.5.3.1",
         help="Mass of the shells of one big end; they rotate with the pin.",
+    )  # fmt: skip
+    reciprocating_masses: tuple[float, ...] | None = series(
+        "Reciprocating masses", "kg", default=None, above=0, high=1e6, symbol="M_alt",
+        help="One for all cylinders, or one per cylinder. Left out: piston and the rod's share.",
+    )  # fmt: skip
+    rotating_masses: tuple[float, ...] | None = series(
+        "Rotating masses", "kg", default=None, low=0, high=1e6, symbol="M_rot",
+        help="At the crank radius: one for all cylinders, or one per cylinder. Left out: the rod's share and the shells.",
     )  # fmt: skip
     rated_speed: float = quantity(
         "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
@@ -126,9 +134,15 @@ class EngineInputs:
     gas: GasInputs | None = table("Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle.")
     throw: ThrowInputs | None = table("Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.")
 
+    @property
+    def unlike(self) -> bool:
+        """Whether the masses differ from cylinder to cylinder."""
+        return any(masses is not None and len(set(masses)) > 1 for masses in (self.reciprocating_masses, self.rotating_masses))
+
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
+        yield from self._mass_problems()
         if self.strokes == 3:
             yield "strokes", Text("must be 2 or 4")
         if self.gas is not None:
@@ -159,6 +173,23 @@ class EngineInputs:
             yield "bank_of_cylinder", Text("an inline engine has bank 0 only")
         if self.layout == "inline" and n > 12:
             yield "cylinders", Text("an inline engine has at most 12")
+
+    def _mass_problems(self) -> Iterable[tuple[str, Text]]:
+        """Masses are given by piston and rod, or as they move; cylinder by cylinder, or one for all."""
+        if self.reciprocating_masses is None:
+            for key, given in (("piston_mass_g", self.piston_mass), ("rod_mass_g", self.rod_mass)):
+                if given is None:
+                    allowed = keys(EngineInputs)[key].about.allowed()
+                    yield key, Text("is missing; needs {allowed}, or reciprocating_masses_kg instead of piston and rod", allowed=allowed)
+        elif self.piston_mass is not None:
+            yield "piston_mass_g", Text("reciprocating_masses_kg has its mass already; leave one of the two out")
+        if self.rotating_masses is not None and self.crankpin_bearing_mass:
+            yield "crankpin_bearing_mass_g", Text("rotating_masses_kg has its mass already; leave one of the two out")
+        for key, masses in (("reciprocating_masses_kg", self.reciprocating_masses), ("rotating_masses_kg", self.rotating_masses)):
+            if masses is not None and len(masses) not in (1, self.cylinders) and self.cylinders == self.cylinders:
+                yield key, Text("has {count} entries; needs one, or one per cylinder, {n}", count=len(masses), n=self.cylinders)
+        if self.unlike and self.throw is not None:
+            yield "throw", Text("its stresses are those of a crank whose cylinders are alike: leave it out where their masses differ")
 
     def _not_fired(self) -> Text:
         """Why a crank of given angles can not fire in the given order; empty where it can."""

@@ -26,6 +26,7 @@ from .crank import Crank, column, crank, firing, pin_of_cylinder
 from .cycle import WIDE, widest_gap
 from .firing import DUST, TURN, Firing
 from .inputs import CRANK_RATIO, EngineInputs
+from .masses import UnlikeMasses, masses
 
 if TYPE_CHECKING:
     from .throw import ThrowResult
@@ -59,6 +60,7 @@ class EngineResult:
     torque: "torque.TorqueResult | None" = group(spread=True, default=None)
     throw: "ThrowResult | None" = group(default=None)
     crank: Crank
+    unlike: UnlikeMasses | None  # where the masses differ from cylinder to cylinder
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
     two_term: tuple[complex, ...]
 
@@ -126,12 +128,7 @@ def turn_lowest(y: Number) -> Number:
 
 def values(engine: EngineInputs) -> EngineResult:
     """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
-    if engine.rod_cg_to_big_end is None:
-        rod = f.rod_reciprocating_mass_by_thirds(M_B=engine.rod_mass)
-    else:
-        rod = f.rod_reciprocating_mass(M_B=engine.rod_mass, X_2=engine.rod_cg_to_big_end, L=engine.rod_length)
-    reciprocating = f.reciprocating_mass(M_P=engine.piston_mass, M_ra=rod)
-    rotating = f.rotating_mass(M_shell=engine.crankpin_bearing_mass, M_B=engine.rod_mass, M_ra=rod)
+    reciprocating, rotating, unlike = masses(engine)
     lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
     delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
     omega = f.angular_speed(n=engine.rated_speed)
@@ -151,7 +148,7 @@ def values(engine: EngineInputs) -> EngineResult:
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest, acceleration_max=a_max,
-        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=crank(engine, phi_0),
+        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=crank(engine, phi_0), unlike=unlike,
         harmonics=elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
         two_term=(based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2))),
     )  # fmt: skip
@@ -311,6 +308,6 @@ def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, 
             )
         )
     notes.append(Text("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected."))
-    if engine.rod_cg_to_big_end is None:
+    if engine.rod_cg_to_big_end is None and engine.rod_mass is not None:
         notes.append(Text("The rod's centre of gravity is not given: one third of it is taken as reciprocating."))
     return tuple(notes)

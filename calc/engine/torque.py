@@ -22,6 +22,7 @@ from ..sheet.text import Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import (
     CubicMetre,
+    Kilogram,
     KilogramMetre2,
     Metre,
     Newton,
@@ -129,12 +130,29 @@ def amount(T: NewtonMetre) -> NewtonMetre:
 )  # fmt: skip
 def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     """Complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
+    return _turned_harmonics(T_k, fires, 1.0)
+
+
+def _turned_harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:
     found: Any = (np.fft.rfft(T_k) * (2 / np.size(T_k)))[1 : ORDERS + 1]
     orders: Any = np.arange(1, ORDERS + 1)[:, None] * fires
-    sums: Any = resultant(cis(-orders))
+    sums: Any = resultant(mu * cis(-orders))
     found = found * sums
     found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
     return cast(PhasorNewtonMetre, found)
+
+
+@formula("μ_k", "reciprocating mass of each cylinder over the mean")
+def relative_masses(M_k: Kilogram, M_alt: Kilogram) -> Number:
+    return M_k / M_alt
+
+
+@formula(
+    "t_n", "Fourier analysis of the inertia torque of a cylinder of the mean mass, each cylinder turned by its firing angle, by its mass",
+    shows="t_1 … t_8 of T_k over one turn, times Σ μ_k·e^(−i·n·f_k)", names={"fires": "f", "mu": "μ_k"},
+)  # fmt: skip
+def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:
+    return _turned_harmonics(T_k, fires, mu)
 
 
 @formula("T_n", "mathematics: amplitude of one order of the inertia torque")
@@ -186,7 +204,9 @@ def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any,
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
     v_rel = f.relative_speed(alpha=alpha, beta=beta)
     a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
-    F_I = c.inertia_force(M_alt=e.reciprocating_mass, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
+    each = e.unlike is not None and np.ndim(fires) > 0  # else one cylinder, of the mean mass where they differ
+    M_alt: Any = e.unlike.reciprocating if each and e.unlike is not None else e.reciprocating_mass
+    F_I = c.inertia_force(M_alt=M_alt, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
     T_I = c.torque_of(F=F_I, r=engine.crank_radius, v_rel=v_rel)
     if gas is None:
         return None, T_I, F_I
@@ -228,7 +248,8 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
     with about(Text("inertia torque of one cylinder")):
         _, one, F_I = at(engine, e, None, 0.0, epsilon[:-1])
         on_block: Any = reaction(T=one, d=d, F_I=F_I)
-    turned: Any = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires).sum(1)
+    weights = _relative(e)
+    turned: Any = (weights * np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires)).sum(1)
 
     def together(T_k: Any) -> Any:
         whole = np.fft.irfft(np.fft.rfft(T_k) * turned, POINTS)
@@ -241,10 +262,10 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about(Text("inertia torque")):
-        t: Any = torque_harmonics(T_k=one, fires=fires)
+        t: Any = _harmonics(one, fires, weights)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
     with about(Text("torque reaction of the inertia forces")):
-        t_block: Any = torque_harmonics(T_k=on_block, fires=fires)
+        t_block: Any = _harmonics(on_block, fires, weights)
         block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
         "torque", Text("Inertia torque about the crank over one turn"), axis_label("crank angle after TDC of cylinder 1", "°"),
@@ -256,6 +277,18 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": elements(t),
         "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders,
     }, curve  # fmt: skip
+
+
+def _relative(e: "EngineResult") -> Any:
+    """The mass of each cylinder over the mean; one number where they are alike."""
+    if e.unlike is None:
+        return 1.0
+    masses: Any = e.unlike.reciprocating
+    return relative_masses(M_k=masses, M_alt=e.reciprocating_mass)
+
+
+def _harmonics(T_k: Any, fires: Any, weights: Any) -> Any:
+    return torque_harmonics(T_k=T_k, fires=fires) if np.ndim(weights) == 0 else torque_harmonics_of_unlike(T_k=T_k, fires=fires, mu=weights)
 
 
 def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:

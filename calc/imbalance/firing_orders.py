@@ -151,8 +151,7 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
         angles: Any = throw_angles(psi=psi, i=i, strokes=engine.strokes, N=engine.cylinders)
         many = replace(e, crank=replace(layout, phi=angles))
         judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
-        kappa = imbalance.crank_balance_fraction
-        return {n: order(n, c_n, kappa, engine, many) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
+        return {n: order(n, c_n, imbalance, engine, many) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
 
 
 COLUMNS = (
@@ -182,7 +181,7 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     """The design's own crank and order in the terms of the list."""
     judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
     with untraced():
-        found = {n: order(n, c_n, imbalance.crank_balance_fraction, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
+        found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
     one, two = found[1], found[2]
     return FiringOrder(
         order=firing(engine, e.crank).order, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,

@@ -66,6 +66,28 @@ def counterweight_couple(
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
 
+@formula("F_rot", "centrifugal force of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
+def rotating_force(rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
+    return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(cis(phi))
+
+
+@formula("C_rot", "couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
+def rotating_couple(
+    rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
+) -> PhasorNewtonMetre:
+    return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(z * cis(phi))
+
+
+@formula("F_0⁺", "sum of the turning vectors of reciprocating and rotating masses", names={"F_1": "F_1⁺"})
+def with_rotating_force(F_1: PhasorNewton, F_rot: PhasorNewton) -> PhasorNewton:
+    return joined(F_1, F_rot)
+
+
+@formula("C_0⁺", "sum of the turning vectors of reciprocating and rotating masses", names={"C_1": "C_1⁺"})
+def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return joined(C_1, C_rot)
+
+
 @formula("F_1⁺", "mathematics: sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_kappa)

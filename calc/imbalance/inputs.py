@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import choice, inputs, integer, quantity, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, tables, text
 from ..sheet.text import Text
 
 
@@ -45,6 +45,10 @@ class ImbalanceInputs:
     crank_balance_fraction: float = quantity(
         "Share balanced on the crank", default=0.5, low=-1, high=2, symbol="kappa", step=0.05, usual=(0, 1), source="Finotti 2013, 2.3.2",
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
+    )  # fmt: skip
+    rotating_balance_fraction: float = quantity(
+        "Share of the rotating masses balanced on the crank", default=1.0, low=0, high=2, symbol="kappa_rot", step=0.05, usual=(0.5, 1),
+        source=THUMB, help="At 1 they leave nothing; what is missing turns forward, in the first order.",
     )  # fmt: skip
     kinematics: str = choice(
         "Kinematics",

@@ -8,8 +8,11 @@ import numpy as np
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.quantity import group, result, value
-from ..sheet.units import Newton, NewtonMetre, Number, Radian
+from ..sheet.units import Newton, NewtonMetre, Radian
+from ..sheet.value import based_on
 from . import formulas as f
+from . import unlike_masses as u
+from .inputs import ImbalanceInputs
 
 DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
 
@@ -45,19 +48,25 @@ class Order:
     two_term: "Order | None" = group(default=None)
 
 
-def order(n: int, c_n: Any, kappa: Number, engine: EngineInputs, e: EngineResult) -> Order:
-    """Order n of engines whose crank carries the share kappa of the reciprocating masses; `c_n`: the harmonic of a/(ω² r)."""
+def order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
+    """Order n of engines whose crank carries a share of the reciprocating and rotating masses; `c_n`: the harmonic of a/(ω² r)."""
     crank: Any = e.crank  # arrays enter the formulas here
-    common: dict[str, Any] = dict(
-        omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
-    )
-    F_f = F_f0 = f.force_forward(c_n=c_n, n=float(n), psi=crank.psi, **common)
-    F_b = f.force_backward(c_n=c_n, n=float(n), psi=crank.psi, **common)
-    C_f = C_f0 = f.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
-    C_b = f.couple_backward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
+    sums: Any = f if e.unlike is None else u
+    place: dict[str, Any] = dict(omega=e.angular_speed, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
+    common = place | {"m": e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating}
+    F_f = F_f0 = sums.force_forward(c_n=c_n, n=float(n), psi=crank.psi, **common)
+    F_b = sums.force_backward(c_n=c_n, n=float(n), psi=crank.psi, **common)
+    C_f = C_f0 = sums.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
+    C_b = sums.couple_backward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
     if n == 1:
-        F_f = f.remaining_force(F_f, f.counterweight_force(kappa=kappa, **common))
-        C_f = f.remaining_couple(C_f, f.counterweight_couple(kappa=kappa, z=crank.z, **common))
+        kappa, rho = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
+        M_rot = e.rotating_mass if e.unlike is None else e.unlike.rotating
+        if np.any(rho != 1):
+            F_f0 = f.with_rotating_force(F_1=F_f, F_rot=sums.rotating_force(rho=rho, M_rot=M_rot, **place))
+            C_f0 = f.with_rotating_couple(C_1=C_f, C_rot=sums.rotating_couple(rho=rho, M_rot=M_rot, z=crank.z, **place))
+        F_f0, C_f0 = based_on(F_f0, F_f0, rho), based_on(C_f0, C_f0, rho)
+        F_f = f.remaining_force(F_f0, sums.counterweight_force(kappa=kappa, **common))
+        C_f = f.remaining_couple(C_f0, sums.counterweight_couple(kappa=kappa, z=crank.z, **common))
     return Order(
         force_forward=f.force_length(F=F_f),
         force_forward_phase=f.force_direction(F=F_f),

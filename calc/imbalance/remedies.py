@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..engine.solve import EngineResult
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value
@@ -32,6 +33,8 @@ from ..sheet.units import (
     RadPerSecond,
 )  # fmt: skip
 from ..sheet.value import based_on
+from . import unlike_masses as u
+from .inputs import ImbalanceInputs
 
 SHAFTS = Text("dynamics, rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3)")
 SIGNIFICANT = 1e-6  # of one cylinder's m·r·ω²: below this there is nothing to balance
@@ -99,6 +102,21 @@ M_EQ = Text("Finotti 2013, 2.5.3.1: bob mass of a crankpin, rotating mass and th
 @formula("M_eq", M_EQ, unit="g")
 def equivalent_mass(M_rot: Kilogram, kappa: Number, M_alt: Kilogram) -> Kilogram:
     return M_rot + kappa * M_alt
+
+
+@formula("M_eq", Text("{m_eq}; κ_rot the share of the rotating mass", m_eq=M_EQ), unit="g", names={"rho": "κ_rot"})
+def equivalent_mass_of_shares(rho: Number, M_rot: Kilogram, kappa: Number, M_alt: Kilogram) -> Kilogram:
+    return rho * M_rot + kappa * M_alt
+
+
+def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Any:
+    """What the crank's counterweights carry of each cylinder: one mass for all, or one for each where they differ, (…, cylinders)."""
+    M_rot: Any = e.rotating_mass if e.unlike is None else e.unlike.rotating
+    M_alt: Any = e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating
+    rho, kappa = imbalance.rotating_balance_fraction, imbalance.crank_balance_fraction
+    if np.any(rho != 1):
+        return equivalent_mass_of_shares(rho=rho, M_rot=M_rot, kappa=kappa, M_alt=M_alt)
+    return equivalent_mass(M_rot=based_on(M_rot, M_rot, rho), kappa=kappa, M_alt=M_alt)
 
 
 @formula("U_cr", "mathematics: sum of the crankpins' equivalent masses (Finotti 2013, 2.4)", unit="kg·mm")
@@ -247,10 +265,15 @@ def remedies(
     return found
 
 
-def counterweights(M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre) -> dict[str, Counterweight]:
-    """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins."""
-    U = crank_unbalance(M_eq=M_eq, r=r, theta_0=theta_0, phi=phi)
-    P = crank_product(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi)
+def counterweights(
+    unlike: bool, M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre
+) -> dict[str, Counterweight]:
+    """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins.
+
+    `unlike`: `M_eq` has one for each.
+    """
+    U = (u.crank_unbalance if unlike else crank_unbalance)(M_eq=M_eq, r=r, theta_0=theta_0, phi=phi)
+    P = (u.crank_product if unlike else crank_product)(M_eq=M_eq, r=r, theta_0=theta_0, z=z, phi=phi)
     found = {}
     for name, side in (("front", -1.0), ("rear", 1.0)):
         with about(Text("{name} counterweight", name=name)):

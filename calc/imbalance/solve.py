@@ -18,12 +18,13 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
+from . import unlike_masses
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
-from .remedies import Counterweight, Remedy, counterweights, equivalent_mass, remedies
+from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
 from .webs import WebsResult, bob_table, webs
 
 LISTED = 6  # cylinders up to which all firing orders are tried in every solution
@@ -69,10 +70,10 @@ def values(
         if not np.any(c_n) and n not in ALWAYS:
             continue
         with about(Text("order {n}", n=n)):
-            solved = order(n, c_n, kappa, engine, e)
+            solved = order(n, c_n, imbalance, engine, e)
         if n <= 2:
             with about(Text("order {n}, two terms", n=n)):
-                solved = replace(solved, two_term=order(n, e.two_term[n - 1], kappa, engine, e))
+                solved = replace(solved, two_term=order(n, e.two_term[n - 1], imbalance, engine, e))
         orders[f"order_{n}"] = solved
     first, second = orders["order_1"], orders["order_2"]
     with about(Text("counter-shaft")):
@@ -84,21 +85,33 @@ def values(
         by_tooth = f.couple_per_tooth(C_S=length, z=based_on(float(shaft_teeth), shaft_teeth)) if shaft_teeth else None
         forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else {}
     crank: Any = e.crank
+    sums: Any = f if e.unlike is None else unlike_masses
     one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     one_couple = one_force * engine.cylinder_pitch
     one_force = based_on(one_force, e.reciprocating_mass, engine.crank_radius, e.angular_speed)
     one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
     with untraced():
         common: dict[str, Any] = dict(
-            kappa=1.0, omega=e.angular_speed, m=e.reciprocating_mass, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi
+            kappa=1.0,
+            omega=e.angular_speed,
+            m=e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating,
+            r=engine.crank_radius,
+            theta_0=crank.theta_0,
+            phi=crank.phi,
         )
-        whole = f.counterweight_force(**common), f.counterweight_couple(z=crank.z, **common)
+        whole = sums.counterweight_force(**common), sums.counterweight_couple(z=crank.z, **common)
     whole = based_on(whole[0], *common.values()), based_on(whole[1], crank.z, *common.values())
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
-        M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=kappa, M_alt=e.reciprocating_mass)
         weights = counterweights(
-            M_eq, engine.crank_radius, crank.theta_0, crank.phi, crank.z, imbalance.counterweight_span, imbalance.counterweight_radius
+            e.unlike is not None,
+            crank_masses(imbalance, e),
+            engine.crank_radius,
+            crank.theta_0,
+            crank.phi,
+            crank.z,
+            imbalance.counterweight_span,
+            imbalance.counterweight_radius,
         )
     return ImbalanceResult(
         orders=orders,

@@ -39,8 +39,9 @@ from ..sheet.units import (
 )  # fmt: skip
 from ..sheet.value import based_on
 from . import formulas as f
+from . import unlike_masses as u
 from .inputs import ImbalanceInputs
-from .remedies import equivalent_mass
+from .remedies import crank_masses
 
 TABLE = Text("Finotti 2013, 2.6: table of webs and pins, here for any throws")
 MACHINE = 2 * math.pi * 400 / 60  # rad/s of the balancing machine (Finotti 2013, 2.6)
@@ -205,13 +206,16 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
         pin = pin_of_cylinder(engine, crank)
         first = distinct(pin)[1]
         with about(Text("pulley and flywheel")):
-            M_eq = equivalent_mass(M_rot=e.rotating_mass, kappa=imbalance.crank_balance_fraction, M_alt=e.reciprocating_mass)
+            M_eq = crank_masses(imbalance, e)
+            product_of, unbalance_of = (
+                (lacking_product, lacking_unbalance) if e.unlike is None else (u.lacking_product, u.lacking_unbalance)
+            )
             place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=bob)
-            P = lacking_product(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
-            U = lacking_unbalance(phi_p=crank.phi[..., first], **place)
+            P = product_of(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
+            U = unbalance_of(phi_p=crank.phi[..., first], **place)
             wanted = wanted_couple(P=P, omega=omega)
             found |= {
-                "equivalent_mass": M_eq,
+                "equivalent_mass": M_eq if e.unlike is None else None,
                 "missing_forward_couple": f.couple_length(C=wanted),
                 "missing_forward_couple_phase": f.couple_direction(C=wanted),
                 "missing_forward_force": f.force_length(F=wanted_force(U=U, omega=omega)),

@@ -204,7 +204,7 @@ def variants(case: Case) -> list[Variant]:
     own = case.bearings
     lubricants = {name: Lubricant(own.in_bearings(oil), own.viscosity_law) for name, oil in case.oils.items()}
     others = own.viscosity is None  # else every oil has the same viscosity
-    oils = [n for n in lubricants if n == own.oil or others and (n in case.own_oils or ENGINE_OIL.match(n))]
+    oils = [n for n in lubricants if n == own.oil or (others and (n in case.own_oils or ENGINE_OIL.match(n)))]
     oils.sort(key=lambda name: (name != own.oil, -lubricants[name].at(own.supply_temperature).mu))
     supplies = [own.supply, *(s for s, width in SUPPLIES.items() if s != own.supply and getattr(own, width) is not None)]
     return [Variant(name, fed, lubricants[name]) for fed in supplies for name in oils]
