@@ -28,6 +28,14 @@ def transverse_module(m_n: Metre, beta: Radian) -> Metre:
     return m_n / cos(beta)
 
 
+@formula("m_n", Text("{iso}: normal module from the transverse one", iso=ISO), unit="mm")
+def normal_module(m_t: Metre, beta: Radian) -> Metre:
+    """>>> normal_module(m_t=0.002155789, beta=0.3825)
+    0.00199999...
+    """
+    return m_t * cos(beta)
+
+
 @formula("α_t", Text("{iso}: transverse pressure angle", iso=ISO))
 def transverse_pressure_angle(alpha_n: Radian, beta: Radian) -> Radian:
     """>>> transverse_pressure_angle(alpha_n=0.3491, beta=0.3825)

@@ -7,7 +7,7 @@ Axes of positions: the first is up, the second 90° further in the sense of cran
 import math
 from collections.abc import Iterable
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, keys, quantity, series, tables, text
 from ..sheet.text import Text
 from .mesh_inputs import Contributor, Mesh
 from .wheel_inputs import Wheel
@@ -41,8 +41,10 @@ class Wall:
 class GearsInputs:
     """The tool, the wheels and the meshes along the flow of power."""
 
-    normal_module: float = quantity("Normal module", "mm", above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5), source=THUMB,
-        help="Pitch over π, normal to the teeth.")  # fmt: skip
+    normal_module: float | None = quantity("Normal module", "mm", default=None, above=0, high=100, symbol="m_n", step=0.25, usual=(1, 5),
+        source=THUMB, help="Pitch over π, normal to the teeth. Left out: by transverse_module_mm.")  # fmt: skip
+    transverse_module: float | None = quantity("Transverse module", "mm", default=None, above=0, high=100, symbol="m_t", step=0.25,
+        usual=(1, 5), source=THUMB, help="Pitch over π, square to the axes; instead of the normal one.")  # fmt: skip
     pressure_angle: float = quantity("Pressure angle (normal)", "°", low=10, high=35, symbol="alpha_n", default=math.radians(20),
         usual=(14.5, 25), source=THUMB, help="Of the tool, normal to the teeth; 20° is common.")  # fmt: skip
     helix_angle: float = quantity("Helix angle", "°", low=0, high=35, symbol="beta", default=0.0, usual=(0, 30), source=THUMB,
@@ -108,7 +110,19 @@ class GearsInputs:
         help="Screws, oil galleries: the wheels must clear them.")  # fmt: skip
     walls: tuple[Wall, ...] = tables("Walls", Wall, default=(), help="Covers, ribs: the wheels must clear them.")
 
+    @property
+    def module(self) -> float:
+        """The normal module, given or by the transverse one."""
+        if self.normal_module is not None:
+            return self.normal_module
+        return (self.transverse_module or math.nan) * math.cos(self.helix_angle)
+
     def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.normal_module is None and self.transverse_module is None:
+            allowed = keys(GearsInputs)["normal_module_mm"].about.allowed()
+            yield "normal_module_mm", Text("is missing; needs {allowed}, or transverse_module_mm instead", allowed=allowed)
+        if self.normal_module is not None and self.transverse_module is not None:
+            yield "transverse_module_mm", Text("normal_module_mm gives it already, with the helix angle; leave one of the two out")
         if self.iso_6336_edition not in (2006, 2019):
             yield "iso_6336_edition", Text("must be 2006 or 2019")
         if not self.meshes:

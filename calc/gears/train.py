@@ -21,8 +21,12 @@ CONTRADICTION = 1e-3  # two given shifts that differ by no more from those witho
 
 
 def tooth_system(gears: GearsInputs) -> ToothSystem:
-    m_n, alpha_n, beta = gears.normal_module, gears.pressure_angle, gears.helix_angle
+    alpha_n, beta = gears.pressure_angle, gears.helix_angle
     with about(Text("tooth system")):
+        m_n = gears.normal_module
+        if m_n is None:
+            assert gears.transverse_module is not None
+            m_n = f.normal_module(m_t=gears.transverse_module, beta=beta)
         m_t = f.transverse_module(m_n, beta)
         alpha_t = f.transverse_pressure_angle(alpha_n, beta)
         h_fP = f.finished_dedendum(gears.tool_addendum, gears.stock, m_n, alpha_n)

@@ -83,4 +83,4 @@ def _change(row: Row, gears: GearsInputs) -> float:
     """From the design: the sum of the changes of all given shifts and, in modules, of all tip cuts; rule of this program."""
     shifts = sum(abs(float(row.states.shifts[w.name][0]) - w.profile_shift) for w in gears.wheels if w.profile_shift is not None)
     cuts = {wheel.name: wheel.tip_shortening for wheel in gears.wheels}
-    return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.normal_module
+    return shifts + sum(abs(k - cuts[name]) for name, k in row.cuts.items()) / gears.module
