@@ -167,7 +167,7 @@ class _Reader:
         values: Table = {}
         for key in data:
             if key not in known:
-                self.error(_join(prefix, key), None, _unknown(key, known))
+                self.error(_join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or _unknown(key, known))
         for key, about in known.items():
             if key in data:
                 values[about.attribute] = self.value(about.about, data[key], _join(prefix, key), _join(address, key))
@@ -216,7 +216,8 @@ class _Reader:
             return self.error(key, value, Text("must be {allowed}, and finite", allowed=about.allowed()), "number")
         low, high, above = about.low, about.high, about.above
         if (low is not None and value < low) or (high is not None and value > high) or (above is not None and value <= above):
-            return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "number")
+            why = Text("; {negative}", negative=about.negative) if about.negative and value < 0 else ""
+            return self.error(key, value, Text("must be {allowed}{why}", allowed=about.allowed(), why=why), "number")
         return value if whole else about.units.inside(float(value))
 
     def series(self, about: Quantity, value: Any, key: str) -> Any:

@@ -5,6 +5,7 @@ from collections.abc import Iterable
 
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, tables, text
 from ..sheet.text import Text
+from .wheel_inputs import INTERNAL
 
 
 @inputs
@@ -26,7 +27,7 @@ class Mesh:
     driver: str = text("Driver", help="The wheel nearer to the crank.")
     driven: str = text("Driven", help="The wheel that it drives.")
     centre_distance: float | None = quantity("Centre distance", "mm", default=None, above=0, high=5000, symbol="a_w", source="ISO 21771",
-        help="Distance of the two axes. Left out: without backlash, from the profile shifts.")  # fmt: skip
+        negative=INTERNAL, help="Distance of the two axes. Left out: without backlash, from the profile shifts.")  # fmt: skip
     tolerance: float | None = quantity("Tolerance of the centre distance (±)", "µm", default=None, low=0, high=5000, symbol="T_a",
         usual=(10, 100), source=THUMB, help="Half the field, to either side.")  # fmt: skip
     contributors: tuple[float, ...] | None = series("Contributors to the tolerance", "mm", default=None, low=0, high=10, usual=(0.01, 0.1),

@@ -2,17 +2,25 @@
 """What a wheel of the train is described by: its teeth, their allowances, what was measured on them, its body and material."""
 
 from collections.abc import Iterable
+from typing import ClassVar
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, text
 from ..sheet.text import Text
+
+INTERNAL = Text(
+    "internal gears are not computed: contact, interference, the form of the root and its strength are those of two external wheels here; "
+    "external wheels have 5 teeth or more and a positive centre distance"
+)
 
 
 @inputs
 class Wheel:
     """One wheel of the train."""
 
+    REFUSED: ClassVar[dict[str, Text]] = {key: INTERNAL for key in ("internal", "internal_teeth", "ring")}  # keys that others have for them
+
     name: str = text("Name")
-    teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB,
+    teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB, negative=INTERNAL,
         help="Number of teeth; few of them are undercut.")  # fmt: skip
     profile_shift: float | None = quantity("Profile shift coefficient", default=None, low=-3, high=3, symbol="x", step=0.01,
         usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip

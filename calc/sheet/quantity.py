@@ -36,6 +36,7 @@ class Quantity:
     count: tuple[int, int] | None = None  # how many elements a series may have
     table: type | None = None
     optional: bool = False
+    negative: Text = EMPTY  # why what a negative number would mean is refused
     step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
     help: Text = EMPTY
     source: Text = EMPTY  # where the usual range, or the meaning, comes from
@@ -82,7 +83,7 @@ NOUNS = {
 
 
 def _make(kind: str, label: str, unit: str, default: Any, **said: Any) -> Any:
-    sentences = {key: Text(said.pop(key)) for key in ("help", "source") if type(said.get(key)) is str}
+    sentences = {key: Text(said.pop(key)) for key in ("help", "source", "negative") if type(said.get(key)) is str}
     what = Quantity(kind, Text(label), unit, optional=default is not MISSING, **(said | sentences))
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
