@@ -8,6 +8,7 @@ from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, qua
 from ..sheet.text import EMPTY, Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
+from .torque_inputs import TorquePoint, diagram_problems
 
 CRANK_RATIO = (0.22, 0.30)  # usual λ; Finotti 2013, 2.1, and the mechanics textbook, 48.3.3; Finotti 2013, 2.2.4, has 0.2 to 0.3
 
@@ -132,6 +133,14 @@ class EngineInputs:
     bench: tuple[BenchPoint, ...] = tables("Bench run", BenchPoint, default=(), help="Oil in the main gallery over speed.")
 
     gas: GasInputs | None = table("Gas", GasInputs, default=None, help="Pressure in the cylinders: torque over the cycle.")
+    torque: tuple[TorquePoint, ...] = tables(
+        "Torque over the crank angle", TorquePoint, default=(),
+        help="The turning-moment diagram of the whole engine, in place of the gas; straight lines between its rows.",
+    )  # fmt: skip
+    torque_period: float | None = quantity(
+        "Period of the torque", "°", default=None, above=0, high=1440, symbol="epsilon_T",
+        help="After which the diagram repeats itself. Left out: the cycle, 720° of a four-stroke engine.",
+    )  # fmt: skip
     throw: ThrowInputs | None = table("Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.")
 
     @property
@@ -145,6 +154,7 @@ class EngineInputs:
         yield from self._mass_problems()
         if self.strokes == 3:
             yield "strokes", Text("must be 2 or 4")
+        yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
         if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:

@@ -21,7 +21,7 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from . import torque
+from . import torque, torque_diagram
 from .crank import Crank, column, crank, firing, pin_of_cylinder
 from .cycle import WIDE, widest_gap
 from .firing import DUST, TURN, Firing
@@ -165,6 +165,8 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
         with about(Text("torque")):
             turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
+            if engine.torque:
+                turning, curves, notes = _given_torque(engine, e, turning, curves[0], notes[0])
         with about(Text("harmonics of the piston's acceleration")):
             named = _harmonics(e)
         stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
@@ -178,6 +180,16 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip
+
+
+def _given_torque(
+    engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult, turned: Curve, note: Text
+) -> tuple[torque.TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
+    """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
+    cycle = based_on(engine.strokes * np.pi, engine.strokes)
+    period = engine.torque_period if engine.torque_period is not None else cycle
+    found, curve, repeats = torque_diagram.solve(engine.torque, period, e.angular_speed, engine.flywheel_inertia)
+    return replace(turning, **found), (curve, replace(turned, id="inertia_torque")), (note, repeats)
 
 
 def _throw(

@@ -31,7 +31,6 @@ from ..sheet.units import (
     Pascal,
     PhasorNewtonMetre,
     Radian,
-    RadPerSecond,
     Watt,
 )
 from ..sheet.value import based_on
@@ -39,6 +38,7 @@ from . import cycle as c
 from . import formulas as f
 from .cycle import TURN, Cycle
 from .gas import GasInputs
+from .torque_formulas import amount, highest, indicated_power, lowest, speed_irregularity
 
 if TYPE_CHECKING:
     from .inputs import EngineInputs
@@ -105,23 +105,6 @@ def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
     return -T + d * F_I
 
 
-@formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
-def highest(T: NewtonMetre) -> NewtonMetre:
-    found: Any = T
-    return float(found.max())
-
-
-@formula("T_lo", "mathematics: smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
-def lowest(T: NewtonMetre) -> NewtonMetre:
-    found: Any = T
-    return float(found.min())
-
-
-@formula("|T|", "mathematics: amount of the torque at the crank angle where it is largest")
-def amount(T: NewtonMetre) -> NewtonMetre:
-    return modulus(T)
-
-
 @formula(
     "t_n",
     "mathematics, Fourier analysis of one cylinder's inertia torque, each cylinder turned by its firing angle "
@@ -176,11 +159,6 @@ def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
     return N * W_i / (pi * strokes)
 
 
-@formula("P_i", "definition of power", unit="kW")
-def indicated_power(T_m: NewtonMetre, omega: RadPerSecond) -> Watt:
-    return T_m * omega
-
-
 @formula(
     "ΔE", "dynamics, flywheel: largest fluctuation of the energy about its mean course",
     shows="max − min over the cycle of ∫(T − T_m)dε",
@@ -188,11 +166,6 @@ def indicated_power(T_m: NewtonMetre, omega: RadPerSecond) -> Watt:
 def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
     energy = c.running(epsilon, T - T_m)
     return c.highest(epsilon, energy)[1] + c.highest(epsilon, -energy)[1]
-
-
-@formula("δ_s", "dynamics: speed irregularity (ω_max − ω_min)/ω_m of a flywheel, ΔE = J·ω²·δ_s")
-def speed_irregularity(Delta_E: NewtonMetre, J: KilogramMetre2, omega: RadPerSecond) -> Number:
-    return Delta_E / (J * omega**2)
 
 
 # --- torque at any crank angles ---------------------------------------------------------------------------------------------
