@@ -6,6 +6,7 @@ thinning of multigrade oils at high shear rate is not part of these laws.
 """
 
 from bisect import bisect_right
+from itertools import pairwise
 from typing import Any, cast
 
 import numpy as np
@@ -83,7 +84,13 @@ def pressure_viscosity_constant(alpha_40: PerPascal, mu_40: PascalSecond, s: Num
     return alpha_40 / power(mu_40 / MILLIPASCAL_SECOND, s)
 
 
-@formula("μ", "viscosity as given, the same at every temperature", shows="μ as given, at every T", unit="mPa·s", names={"mu": "μ_given"})
+@formula(
+    "μ",
+    "definition: viscosity as given, the same at every temperature",
+    shows="μ as given, at every T",
+    unit="mPa·s",
+    names={"mu": "μ_given"},
+)
 def constant_viscosity(mu: PascalSecond, T: Celsius) -> PascalSecond:
     return cast(PascalSecond, np.full_like(T, mu)) if isinstance(T, np.ndarray) else mu
 
@@ -123,12 +130,12 @@ def row_viscosity(mu_i: PascalSecond, rho_15: KilogramPerMetre3, T_i: Celsius) -
     return mu_i / (rho_15 * (1 - SLOPE * (T_i - REFERENCE)))
 
 
-@formula("C_1", "slope of the viscosity line between two rows of the oil's own table (ASTM D341 between its two points)")
+@formula("C_1", "mathematics: slope of the viscosity line between two rows of the oil's own table")
 def slope_between(nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius, c: Number) -> Number:
     return (log10(log10(nu_2 / CENTISTOKE + c)) - log10(log10(nu_1 / CENTISTOKE + c))) / log10((T_2 + ZERO_CELSIUS) / (T_1 + ZERO_CELSIUS))
 
 
-@formula("C_2", "intercept of the viscosity line through a row of the oil's own table")
+@formula("C_2", "mathematics: intercept of the viscosity line through a row of the oil's own table")
 def intercept_through(nu_1: SquareMetrePerSecond, T_1: Celsius, c: Number, C_1: Number) -> Number:
     return log10(log10(nu_1 / CENTISTOKE + c)) - C_1 * log10((T_1 + ZERO_CELSIUS) / ONE_KELVIN)
 
@@ -163,7 +170,7 @@ class Lubricant:
             self.C_2 = viscosity_intercept(nu_40=oil.nu40, c=self.c, C_1=self.C_1)
         elif oil.viscosities:
             rows = [(row_viscosity(mu_i=row.viscosity, rho_15=oil.rho15, T_i=row.temperature), row.temperature) for row in oil.viscosities]
-            self.lines = tuple(self._line(*one, *other) for one, other in zip(rows, rows[1:]))
+            self.lines = tuple(self._line(*one, *other) for one, other in pairwise(rows))
 
     def _line(self, nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius) -> tuple[Number, Number]:
         C_1 = slope_between(nu_1=nu_1, T_1=T_1, nu_2=nu_2, T_2=T_2, c=self.c)

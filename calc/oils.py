@@ -21,7 +21,7 @@ KEPT = 0.05  # how far a printed viscosity may lie from the law
 CONFIDENCES = ("given", "high", "medium", "low")  # from sure to unsure; "given": by the user, who answers for it
 GIVEN = Text("given")
 NO_VALUES = ("name", "source", "printed", "viscosities")
-BEYOND_ROWS = Text("beyond its rows the viscosity is that of the outermost line carried on")
+BEYOND_ROWS = Text("rule of this program: beyond its rows the viscosity is that of the outermost line carried on")
 MORE_ROWS = Text("Give rows of viscosity that reach so far, or another temperature.")
 SPECIFIC_HEAT = Quantity("number", Text("Specific heat; the program takes one law for all oils"), "J/(kg·K)", "c_p")
 
@@ -77,8 +77,8 @@ def _own(oil: Oil) -> Iterator[JudgedValue]:
         yield _judged(key, about.about, value, claims.get(key, own))
     row = keys(ViscosityRow)["viscosity_mPas"].about
     for one in oil.viscosities:
-        label = Text("Dynamic viscosity at {T} °C", T=Amount(one.temperature, form="g"))
-        yield JudgedValue("viscosities", label, symbol(row.symbol), row.units.shown(one.viscosity), row.unit, GIVEN, Name(oil.source))
+        here = replace(row, label=Text("Dynamic viscosity at {T} °C", T=Amount(one.temperature, form="g")))
+        yield _judged("viscosities", here, one.viscosity, Claim("viscosities", one.viscosity, GIVEN, Name(oil.source)))
     if (claim := claims.get("specific_heat_J_kgK")) is not None:
         yield _judged(claim.key, SPECIFIC_HEAT, claim.value, claim)
 

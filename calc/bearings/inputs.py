@@ -58,10 +58,6 @@ class BearingsInputs:
     """Oil, supply and temperatures of both bearings, and the bearings."""
 
     oil: str = text("Oil", help="A name from the table of oils or from [[oil]].")
-    viscosity: float | None = quantity(
-        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu_given",
-        help="Constant, as in textbooks, in the bearings only. Left out: by the oil's own law.",
-    )  # fmt: skip
     supply_temperature: float = quantity(
         "Supply temperature", "°C", low=-40, high=200, symbol="T_in", step=1, usual=(70, 130), source=THUMB,
         help="Of the oil in the gallery before the bearing.")  # fmt: skip
@@ -141,6 +137,10 @@ class BearingsInputs:
     viscosity_law: str = choice(
         "Viscosity law", "walther", "d341", default="walther", help="walther: ν + 0.6, as in the source. d341: ν + 0.7, ASTM D341."
     )
+    viscosity: float | None = quantity(
+        "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu_given",
+        help="Constant, as in textbooks, in the bearings only. Left out: by the oil's own law.",
+    )  # fmt: skip
     slope: tuple[float, ...] | None = series(
         "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
         source="Finotti 2013, 4.6 (in chapter 6)",

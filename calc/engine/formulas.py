@@ -49,22 +49,22 @@ def rotating_mass(M_shell: Kilogram, M_B: Kilogram, M_ra: Kilogram) -> Kilogram:
     return M_shell + M_B - M_ra
 
 
-@formula("M_alt", "reciprocating mass per cylinder, as given", unit="g")
+@formula("M_alt", "definition: reciprocating mass per cylinder, as given", unit="g")
 def given_reciprocating_mass(M_given: Kilogram) -> Kilogram:
     return M_given
 
 
-@formula("M_rot", "rotating mass per cylinder, as given", unit="g")
+@formula("M_rot", "definition: rotating mass per cylinder, as given", unit="g")
 def given_rotating_mass(M_given: Kilogram) -> Kilogram:
     return M_given
 
 
-@formula("M_alt", "mean over cylinders whose reciprocating masses differ", unit="g")
+@formula("M_alt", "mathematics: mean over cylinders whose reciprocating masses differ", unit="g")
 def mean_reciprocating_mass(M_k: Kilogram, N: Number) -> Kilogram:
     return total(M_k) / N
 
 
-@formula("M_rot", "mean over cylinders whose rotating masses differ", unit="g")
+@formula("M_rot", "mathematics: mean over cylinders whose rotating masses differ", unit="g")
 def mean_rotating_mass(M_k: Kilogram, N: Number) -> Kilogram:
     return total(M_k) / N
 

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 
 ORDERS = range(1, 9)
 IRREGULAR = 0.05
+TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the whole is given
 EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
 
 
@@ -189,7 +190,7 @@ def _given_torque(
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
     found, curve, repeats = torque_diagram.solve(engine.torque, period, e.angular_speed, engine.flywheel_inertia)
-    return replace(turning, **found), (curve, replace(turned, id="inertia_torque")), (note, repeats)
+    return replace(turning, **found), (curve, replace(turned, id=TURNED)), (note, repeats)
 
 
 def _throw(

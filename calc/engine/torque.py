@@ -125,13 +125,13 @@ def _turned_harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewt
     return cast(PhasorNewtonMetre, found)
 
 
-@formula("μ_k", "reciprocating mass of each cylinder over the mean")
+@formula("μ_k", "mathematics: reciprocating mass of each cylinder over the mean")
 def relative_masses(M_k: Kilogram, M_alt: Kilogram) -> Number:
     return M_k / M_alt
 
 
 @formula(
-    "t_n", "Fourier analysis of the inertia torque of a cylinder of the mean mass, each cylinder turned by its firing angle, by its mass",
+    "t_n", "mathematics: Fourier analysis of the inertia torque of a cylinder of the mean mass, each turned by its firing, by its mass",
     shows="t_1 … t_8 of T_k over one turn, times Σ μ_k·e^(−i·n·f_k)", names={"fires": "f", "mu": "μ_k"},
 )  # fmt: skip
 def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:

@@ -15,7 +15,7 @@ from ..sheet.units import KilogramMetre2, NewtonMetre, Radian, RadPerSecond
 from . import torque_formulas as t
 from .torque_inputs import TorquePoint
 
-AREA = Text("area of the torque diagram over its period, straight lines between its rows")
+AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
 
 
 @formula("T_m", AREA, shows="∮T dε over the period")
@@ -36,7 +36,7 @@ def fluctuation(angles: Radian, T: NewtonMetre, T_m: NewtonMetre, period: Radian
     return float(energy.max() - energy.min())
 
 
-@formula("ε_max", "row of the torque diagram with the largest amount of torque", shows="its crank angle")
+@formula("ε_max", "mathematics: row of the torque diagram with the largest amount of torque", shows="its crank angle")
 def place(epsilon: Radian) -> Radian:
     return epsilon
 

@@ -66,24 +66,24 @@ def counterweight_couple(
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("F_rot", "centrifugal force of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
+@formula("F_rot", "dynamics: centrifugal force of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
 def rotating_force(rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("C_rot", "couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
+@formula("C_rot", "dynamics: couple of what the crank's counterweights leave of the rotating masses", names={"rho": "κ_rot"})
 def rotating_couple(
     rho: Number, omega: RadPerSecond, M_rot: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:
     return (1 - rho) * omega**2 * M_rot * r * cis(theta_0) * resultant(z * cis(phi))
 
 
-@formula("F_0⁺", "sum of the turning vectors of reciprocating and rotating masses", names={"F_1": "F_1⁺"})
+@formula("F_0⁺", "mathematics: sum of the turning vectors of reciprocating and rotating masses", names={"F_1": "F_1⁺"})
 def with_rotating_force(F_1: PhasorNewton, F_rot: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_rot)
 
 
-@formula("C_0⁺", "sum of the turning vectors of reciprocating and rotating masses", names={"C_1": "C_1⁺"})
+@formula("C_0⁺", "mathematics: sum of the turning vectors of reciprocating and rotating masses", names={"C_1": "C_1⁺"})
 def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_rot)
 

@@ -47,8 +47,8 @@ class ImbalanceInputs:
         help="Of the reciprocating mass; at ½ one shaft takes the rest.",
     )  # fmt: skip
     rotating_balance_fraction: float = quantity(
-        "Share of the rotating masses balanced on the crank", default=1.0, low=0, high=2, symbol="kappa_rot", step=0.05, usual=(0.5, 1),
-        source=THUMB, help="At 1 they leave nothing; what is missing turns forward, in the first order.",
+        "Rotating share balanced", default=1.0, low=0, high=2, symbol="kappa_rot", step=0.05, usual=(0.5, 1),
+        source=THUMB, help="Of the rotating masses, by the crank's own counterweights; what is missing turns forward, in the first order.",
     )  # fmt: skip
     kinematics: str = choice(
         "Kinematics",

@@ -266,7 +266,7 @@ def remedies(
 
 
 def counterweights(
-    unlike: bool, M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre
+    M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre, unlike: bool = False
 ) -> dict[str, Counterweight]:
     """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins.
 

@@ -103,16 +103,8 @@ def values(
     whole = based_on(whole[0], *common.values()), based_on(whole[1], crank.z, *common.values())
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
-        weights = counterweights(
-            e.unlike is not None,
-            crank_masses(imbalance, e),
-            engine.crank_radius,
-            crank.theta_0,
-            crank.phi,
-            crank.z,
-            imbalance.counterweight_span,
-            imbalance.counterweight_radius,
-        )
+        pins = crank_masses(imbalance, e), engine.crank_radius, crank.theta_0, crank.phi, crank.z
+        weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
     return ImbalanceResult(
         orders=orders,
         required_couple=length,

@@ -23,7 +23,7 @@ from ..sheet.units import (
 FORWARD = Text("Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vectors, here for any order, throws, banks and masses")
 SHARE = Text("Finotti 2013, 2.3.3: the share κ of the reciprocating masses, each carried by a counterweight opposite its pin")
 PINS = Text("Finotti 2013, 2.4: sum over the crankpins, here each with its own mass")
-BOBS = Text("what the bobs lack of the equivalent masses (Finotti 2013, 2.6), here each with its own")
+BOBS = Text("Finotti 2013, 2.6: what the bobs lack of the equivalent masses, here each with its own")
 
 
 @formula("F_n⁺", FORWARD)
