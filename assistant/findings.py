@@ -75,4 +75,7 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
 
 
 def _wrapped(text: str, start: str = INDENT) -> list[str]:
-    return textwrap.wrap(text, LINE, initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)
+    """A number keeps its per cent on its line."""
+    close = text.replace(" %", "\N{NO-BREAK SPACE}%")
+    lines = textwrap.wrap(close, LINE, initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)
+    return [line.replace("\N{NO-BREAK SPACE}%", " %") for line in lines]
