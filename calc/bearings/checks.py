@@ -87,7 +87,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     ):
         yield on(key, title, r.length_ratio, "in", ratios, "", source, Text("Change length or diameter."),
             remedies=within(place, bearing, ratios))  # fmt: skip
-    yield on("film_band", Text("Film between least friction and largest load"), r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD,
+    yield on("film_band", Text("Place of the film in its band"), r.film_band, "in", (0.0, 1.0), "%", RAIMONDI_BOYD,
         Text("Below 0 less clearance carries more and rubs less at the same film; above 100 % more clearance does."))  # fmt: skip
     yield on("transition", Text("Speed above mixed friction"), r.duty.effective_speed, ">=", r.least_speed, "rpm",
         Text(f.least_speed.source), Text("A thicker or cooler oil, or a lower specific load."))  # fmt: skip
