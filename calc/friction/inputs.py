@@ -204,8 +204,8 @@ class FrictionInputs:
     )  # fmt: skip
     solid_friction: float | None = quantity(
         "Friction of the peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
-        source="lubricated steel 0.065 to 0.1 (Arana, Larrañaga and Ulacia 2018; Robbe-Valloire 2002); gear friction thesis, 4.2: 0.135",
-        help="Coefficient where the flanks touch. Left out: 0.08, and 0.135 in the friction source's model.",
+        source="gear friction thesis, 4.2: 0.08 to 0.135; Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07, lubricated",
+        help="Coefficient where flanks touch. Left out: 0.08; 0.135 in the source's model.",
     )  # fmt: skip
     pressure_law: str | None = choice(
         "Viscosity under pressure", "barus", "roelands", default=None,

@@ -14,8 +14,9 @@ from calc.countershaft.sizing import formulas as sizing
 from calc.countershaft.supports import reactions
 
 pieces = st.lists(st.tuples(st.floats(0.02, 0.4), st.floats(1e2, 1e6), st.floats(1e6, 1e9), st.floats(0.5, 50)), min_size=1, max_size=5)
-pins = st.tuples(st.floats(0, 0.4), st.floats(0.6, 1))
-place = st.floats(0, 1)
+hundredths = st.integers(0, 100).map(lambda n: n / 100)  # places closer than a micrometre are one node
+pins = st.tuples(hundredths.map(lambda x: 0.4 * x), hundredths.map(lambda x: 0.6 + 0.4 * x))
+place = hundredths
 
 
 def shaft(pieces, pins, *, q=0.0, forces=((), ()), masses=((), ()), length=1.0, stiffness=1.0, mass=1.0, more=()):

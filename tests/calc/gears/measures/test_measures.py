@@ -18,7 +18,8 @@ from ..trains import SPEED, mesh, pair_1, train, wheel
 def of(gears, name, **said):
     found = geometry(gears, SPEED).result
     given = next(w for w in gears.wheels if w.name == name)
-    return measures(found.system, replace(given, **said), found.wheels[name], working(found, name))
+    values, notes, table = measures(found.system, replace(given, **said), found.wheels[name], working(found, name))
+    return values, notes, table()
 
 
 def working(found, name):
