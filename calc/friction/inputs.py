@@ -203,9 +203,9 @@ class FrictionInputs:
         help="How much of the load rides on the peaks where the film is thin. The friction source's model always takes the thesis'.",
     )  # fmt: skip
     solid_friction: float | None = quantity(
-        "Friction of the peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
+        "Friction of peaks", default=None, low=0, high=1, symbol="mu_s", step=0.005, usual=(0.05, 0.15),
         source="gear friction thesis, 4.2: 0.08 to 0.135; Arana, Larrañaga and Ulacia 2018: 0.065 to 0.07, lubricated",
-        help="Coefficient where flanks touch. Left out: 0.08; 0.135 in the source's model.",
+        help="Where flanks touch. Left out: 0.08; the source's 0.135.",
     )  # fmt: skip
     pressure_law: str | None = choice(
         "Viscosity under pressure", "barus", "roelands", default=None,

@@ -48,7 +48,7 @@ class ImbalanceInputs:
     )  # fmt: skip
     rotating_balance_fraction: float = quantity(
         "Rotating share balanced", default=1.0, low=0, high=2, symbol="kappa_rot", step=0.05, usual=(0.5, 1),
-        source=THUMB, help="Of the rotating masses, by the crank's own counterweights; what is missing turns forward, in the first order.",
+        source=THUMB, help="Of the rotating masses, by the crank's counterweights.",
     )  # fmt: skip
     kinematics: str = choice(
         "Kinematics",
