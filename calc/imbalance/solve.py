@@ -21,6 +21,7 @@ from . import formulas as f
 from . import unlike_masses
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
+from .drilling import UNDRILLED
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
@@ -168,6 +169,8 @@ def solve(
         found = values(imbalance, engine, e, shaft_teeth, axis)
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
+    undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
+
     def cranks() -> Iterator[Table]:
         if 2 < engine.cylinders <= LISTED:
             yield cranks_table(firing_orders(imbalance, engine, e), engine)
@@ -183,7 +186,7 @@ def solve(
         ),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
-        notes=Later(lambda: (*bobs()[1], *NOTES)),
+        notes=Later(lambda: (*bobs()[1], *((UNDRILLED,) if undrilled else ()), *NOTES)),
     )
 
 
