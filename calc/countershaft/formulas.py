@@ -65,6 +65,11 @@ def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonM
     return omega**2 * m * e * abs(z)
 
 
+@formula("N_p", "sum over the list of parts")
+def part_count(n: Number) -> Number:
+    return total(n)
+
+
 @formula("ω_S", "kinematics: speed of the shaft", names={"i": "i"})
 def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
     """>>> shaft_speed(i=-1, omega=272.3)

@@ -103,6 +103,8 @@ class CountershaftResult:
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
     alternative: "dict[str, MaterialResult] | None" = group(default=None)
+    part_count: Number | None = value("Parts of the assembly", "", default=None)
+    part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex

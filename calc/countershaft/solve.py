@@ -73,7 +73,7 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             to.notes.append(SLOPES_GIVEN)
         result = _with_supports(shaft, masses, journals, result, bent, to)
-        making(shaft, todo, masses, result, R, materials, to)
+        making(shaft, todo, masses, result, R, materials, journals, to)
     result = replace(result, **to.values)
     return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
         curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
