@@ -32,7 +32,7 @@ POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon 
 @formula("F_c", "Finotti 2013, 2.2.3: centrifugal force of a mass on the crankpin")
 def centrifugal(m: Kilogram, omega: RadPerSecond, r: Metre) -> Newton:
     """>>> centrifugal(m=0.74467, omega=272.2714, r=0.0535)
-    2953.38...
+    2953.39...
     """
     return m * omega**2 * r
 
