@@ -169,7 +169,8 @@ def systems_table(result: "ImbalanceResult", engine: EngineInputs, e: EngineResu
         tuple(
             (
                 name, amount if is_force else None, None if is_force else amount,
-                Text("balanced") if amount <= SMALL * one else Text("not balanced"), why if amount <= SMALL * one else why_not,
+                Text("balanced by themselves") if amount <= SMALL * one else Text("not balanced"),
+                why if amount <= SMALL * one else why_not,
             )
             for name, amount, one, is_force, why, why_not in rows
         ),
