@@ -1,27 +1,25 @@
 # SPDX-License-Identifier: Apache-2.0
 """The figures of the crank train: the piston's way, speed and acceleration over a turn, and the forces of one cylinder."""
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.trace import untraced
+from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
 from . import formulas as f
-from .inputs import EngineInputs
-
-if TYPE_CHECKING:
-    from .solve import EngineResult
 
 ANGLE = axis_label("crank angle α", "°")
 
 
-def curves(engine: EngineInputs, e: "EngineResult") -> tuple[Curve, ...]:
-    """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the block."""
+def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]) -> tuple[Curve, ...]:
+    """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the block.
+
+    `harmonics`: of a/(ω²·r), from order 1.
+    """
     alpha: Any = np.radians(np.arange(0.0, 361.0))
-    lam, delta = e.lambda_, e.delta
-    r, omega = engine.crank_radius, e.angular_speed
     with untraced():
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
         motions: Any = (
@@ -44,13 +42,12 @@ def curves(engine: EngineInputs, e: "EngineResult") -> tuple[Curve, ...]:
         Curve(id, title, ANGLE, label, (Series(Text("exact"), degrees, exact * scale), Series(Text("two terms"), degrees, terms * scale)))
         for id, title, label, scale, exact, terms in motions
     ]
-    return (*drawn, _forces(alpha, motions[0][4], engine, e))
+    return (*drawn, _forces(alpha, motions[0][4], M_alt * r * omega**2, harmonics))
 
 
-def _forces(alpha: Any, relative: Any, engine: EngineInputs, e: "EngineResult") -> Curve:
+def _forces(alpha: Any, relative: Any, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:
     """The inertia force of one cylinder's reciprocating mass on the block: the first two orders, and all of them."""
-    scale = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
-    orders = (Series(Text("order {n}", n=n), np.degrees(alpha), scale * (e.harmonics[n - 1] * np.exp(1j * n * alpha)).real) for n in (1, 2))
+    orders = (Series(Text("order {n}", n=n), np.degrees(alpha), scale * (harmonics[n - 1] * np.exp(1j * n * alpha)).real) for n in (1, 2))
     return Curve(
         "cylinder_forces", Text("Inertia forces of one cylinder over one turn"), ANGLE, axis_label("force on the block, outwards", "N"),
         (*orders, Series(Text("all orders"), np.degrees(alpha), scale * relative)),

@@ -15,7 +15,7 @@ from ..sheet.functions import modulus, pi
 from ..sheet.later import Later
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated, group, result, value
-from ..sheet.step import Outcome, Table
+from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
@@ -193,9 +193,13 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed,
         harmonic=named,
     )  # fmt: skip
+
+    def drawn() -> tuple[Curve, ...]:
+        return train.curves(engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics)
+
     return Outcome(
         "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines),
-        curves=Later(lambda: (*train.curves(engine, e), *curves)),
+        curves=Later(lambda: (*drawn(), *curves)),
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip

@@ -198,7 +198,7 @@ def solve(
     }
     result = ThrowResult(cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span, **factors, **found)
     material = materials.get(throw.material)
-    tired = judged(crank, shared, in_front, _over_the_cycle(crank), material)
+    tired = judged(_forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load)
     result = replace(result, fatigue=tired)
     fatigue_check = () if tired is None else (check_of(tired, PLACES[tired.place]),)
     return result, (*_checks(crank, worst, material), *fatigue_check), _notes(crank, result, shared[k], material), _tables(result, worst)
@@ -208,6 +208,14 @@ def _over_the_cycle(crank: _Throw) -> Array:
     """Crank angles of the whole cycle."""
     epsilon: Array = c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
     return epsilon
+
+
+def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> tuple[Any, Any, Any]:
+    """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
+    with untraced():
+        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
+    tangential: Any = rods["tangential_force"]
+    return tangential @ shared.T, rods["radial_force"] @ shared.T, tangential @ in_front.T * crank.engine.crank_radius
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:

@@ -5,26 +5,25 @@ In the frame that turns with the throw the radial and the tangential force keep 
 of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at once, which is on the safe side.
 """
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from .. import fatigue
 from ..catalogue import Material
-from ..sheet.arrays import Array, BoolArray
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import sqrt
 from ..sheet.quantity import result, value
 from ..sheet.text import Text
 from ..sheet.trace import about, untraced
-from ..sheet.units import Number, Pascal
+from ..sheet.units import Metre, Number, Pascal
 from ..sheet.value import based_on
 from . import throw_formulas as t
+from .throw_inputs import ThrowInputs
 
-if TYPE_CHECKING:
-    from .throw import _Throw
-
+Forces = tuple[Any, Any, Any]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
+Notch = dict[str, tuple[Number, Number, Number]]
 AROUND = 24  # points of a fillet over half of its circumference; the other half has the same with the other sign
 
 
@@ -52,18 +51,23 @@ class ThrowFatigue:
     wanted: Number
 
 
-def judged(crank: "_Throw", shared: BoolArray, in_front: BoolArray, epsilon: Array, material: Material | None) -> ThrowFatigue | None:
-    """The worst fillet; None where no fillet is given or the material's strength is not known."""
-    if not crank.notch or material is None:
+def judged(
+    forces: Forces, notch: Notch, throw: ThrowInputs, r: Metre, material: Material | None, load: tuple[Any, ...]
+) -> ThrowFatigue | None:
+    """The worst fillet; None where no fillet is given or the material's strength is not known.
+
+    `notch`: of each place ρ/d and the factors of bending and torsion; `load`: what the forces come from.
+    """
+    if not notch or material is None:
         return None
     with about(Text("fatigue of the throws")):
         bears = fatigue.strength(material)
         if bears is None:
             return None
         with untraced():
-            found = [_worst(crank, place, shared, in_front, epsilon, bears.sensitivity) for place in crank.notch]
+            found = [_worst(place, factors, forces, throw, r, bears.sensitivity) for place, factors in notch.items()]
         _, place, k, parts = max(found, key=lambda one: one[0])
-        sigma_a, tau_a, sigma_m, tau_m = (based_on(part, *crank.load, crank.throw) for part in parts)
+        sigma_a, tau_a, sigma_m, tau_m = (based_on(part, *load, throw) for part in parts)
         a, m = amplitude(sigma=sigma_a, tau=tau_a), mean(sigma=sigma_m, tau=tau_m)
         equal = fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=bears.sensitivity)
         return ThrowFatigue(
@@ -73,20 +77,17 @@ def judged(crank: "_Throw", shared: BoolArray, in_front: BoolArray, epsilon: Arr
 
 
 def _worst(
-    crank: "_Throw", place: str, shared: BoolArray, in_front: BoolArray, epsilon: Array, M: Number
+    place: str, factors: tuple[Number, Number, Number], forces: Forces, throw: ThrowInputs, r: Metre, M: Number
 ) -> tuple[float, str, int, tuple[float, float, float, float]]:
     """Of one place: the largest equivalent amplitude, its cylinder from 0, and amplitudes and means of bending and torsion there."""
-    throw, r = crank.throw, crank.engine.crank_radius
-    rods = crank.rod(crank.fires, epsilon[:, None])
-    F_t: Any = rods["tangential_force"] @ shared.T  # (angles, cylinders)
-    F_r: Any = rods["radial_force"] @ shared.T
-    T_v: Any = rods["tangential_force"] @ in_front.T * r
-    arm, d = (throw.journal_length / 2 + throw.web_thickness, throw.pin_diameter) if place == "pin" else (
-        throw.journal_length / 2, throw.journal_diameter)  # fmt: skip
-    _, K_b, K_t = crank.notch[place]
+    F_t, F_r, T_v = forces
+    pin = place == "pin"
+    arm = throw.journal_length / 2 + (throw.web_thickness if pin else 0.0)
+    d = throw.pin_diameter if pin else throw.journal_diameter
+    _, K_b, K_t = factors
     radial: Any = K_b * t.bending_stress(M=F_r / 2 * arm, d=d)
     tangential: Any = K_b * t.bending_stress(M=F_t / 2 * arm, d=d)
-    torsion: Any = t.pin_torsion(F_t=F_t, r=r, T_v=T_v) if place == "pin" else t.journal_torsion(F_t=F_t, r=r, T_v=T_v)
+    torsion: Any = t.pin_torsion(F_t=F_t, r=r, T_v=T_v) if pin else t.journal_torsion(F_t=F_t, r=r, T_v=T_v)
     tau: Any = K_t * t.torsion_stress(T=torsion, d=d)
     around = np.arange(AROUND) * np.pi / AROUND
     sigma: Any = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)

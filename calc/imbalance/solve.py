@@ -182,7 +182,10 @@ def solve(
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
         tables=Later(
-            lambda: (remedy_table(found, imbalance.crank_balance_fraction), systems_table(found, engine, e), *bobs()[0], *cranks())
+            lambda: (
+                remedy_table(found, imbalance.crank_balance_fraction),
+                systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e), *bobs()[0], *cranks(),
+            )
         ),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),

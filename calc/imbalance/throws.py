@@ -5,8 +5,8 @@ Vectors as in `formulas`: real up, imaginary 90° further in the sense of crank 
 lies in the plane of its throw; turned by 90° it is the vector of the moment that the textbooks draw.
 """
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Mapping
+from typing import Any
 
 import numpy as np
 
@@ -19,11 +19,8 @@ from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
 from ..sheet.text import Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
-from .orders import DUST
+from .orders import DUST, Order
 from .remedies import equivalent_mass
-
-if TYPE_CHECKING:
-    from .solve import ImbalanceResult
 
 SMALL = 0.05  # of one throw's force, and of its couple over one pitch
 POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")
@@ -134,10 +131,12 @@ def checks(found: Throws, engine: EngineInputs) -> Iterator[Check]:
     )  # fmt: skip
 
 
-def systems_table(result: "ImbalanceResult", engine: EngineInputs, e: EngineResult) -> Table:
+def systems_table(
+    found: Throws, orders: Mapping[str, Order], one_force: Newton, one_couple: NewtonMetre, engine: EngineInputs, e: EngineResult
+) -> Table:
     """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and why."""
-    found, crank = result.throw, e.crank
-    first, second = result.orders["order_1"].unbalanced, result.orders["order_2"].vectors
+    crank: Any = e.crank
+    first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
     closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
     inline = not np.ptp(crank.psi)
     as_throws = Text("like those of the rotating masses") if inline else Text("by throws and banks together")
@@ -151,14 +150,14 @@ def systems_table(result: "ImbalanceResult", engine: EngineInputs, e: EngineResu
             Text("the throws mirror each other about mid-engine") if mirrored else Text("the polygon of their couples closes"),
             Text("the throws have no plane of symmetry across the axis") if closed else Text("about mid-engine; a force is left as well"),
         ),
-        (Text("forces of order 1"), abs(first[0]) + abs(first[1]), result.one_force, True, as_throws, as_throws),
-        (Text("couples of order 1"), abs(first[2]) + abs(first[3]), result.one_couple, False, as_throws, as_throws),
+        (Text("forces of order 1"), abs(first[0]) + abs(first[1]), one_force, True, as_throws, as_throws),
+        (Text("couples of order 1"), abs(first[2]) + abs(first[3]), one_couple, False, as_throws, as_throws),
         (
-            Text("forces of order 2"), abs(second[0]) + abs(second[1]), e.lambda_ * result.one_force, True,
+            Text("forces of order 2"), abs(second[0]) + abs(second[1]), e.lambda_ * one_force, True,
             Text("the polygon of the doubled angles closes"), Text("the polygon of the doubled angles stays open"),
         ),
         (
-            Text("couples of order 2"), abs(second[2]) + abs(second[3]), e.lambda_ * result.one_couple, False,
+            Text("couples of order 2"), abs(second[2]) + abs(second[3]), e.lambda_ * one_couple, False,
             Text("the polygon of couples at the doubled angles closes"),
             Text("the polygon of couples at the doubled angles stays open"),
         ),
