@@ -26,8 +26,7 @@ from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
-from .throws import Throws, polygons, systems_table, throws
-from .throws import checks as throws_checks
+from .throws import Throws, polygons, systems_table, throws, verdict
 from .webs import WebsResult, bob_table, webs
 
 LISTED = 6  # cylinders up to which all firing orders are tried in every solution
@@ -178,7 +177,7 @@ def solve(
     return Outcome(
         "imbalance",
         result=found,
-        checks=(*checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft), *throws_checks(found.throw, engine)),
+        checks=checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
         tables=Later(
@@ -189,7 +188,7 @@ def solve(
         ),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
-        notes=Later(lambda: (*bobs()[1], *((UNDRILLED,) if undrilled else ()), *NOTES)),
+        notes=Later(lambda: (verdict(found.throw, engine), *bobs()[1], *((UNDRILLED,) if undrilled else ()), *NOTES)),
     )
 
 

@@ -5,19 +5,18 @@ Vectors as in `formulas`: real up, imaginary 90° further in the sense of crank 
 lies in the plane of its throw; turned by 90° it is the vector of the moment that the textbooks draw.
 """
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
-from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
 from ..sheet.step import Curve, Series, Table
-from ..sheet.text import Text
+from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
 from .orders import DUST, Order
 from .remedies import equivalent_mass
@@ -117,17 +116,26 @@ def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, Any]]) -> 
     )
 
 
-def checks(found: Throws, engine: EngineInputs) -> Iterator[Check]:
+def verdict(found: Throws, engine: EngineInputs) -> Text:
     """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating masses."""
-    rule = Text("rule of this program: 5 % of one throw's force, the couple over one pitch (Finotti 2013, 2.3.1: 0)")
-    yield check(
-        "imbalance.throws.static", Text("Static balance of the bare throws: centrifugal forces together"), found.force_together, "<=",
-        SMALL * found.force, "N", rule, Text("Counterweights opposite the throws take it."),
-    )  # fmt: skip
-    yield check(
-        "imbalance.throws.dynamic", Text("Dynamic balance of the bare throws: centrifugal couple"), found.couple_together, "<=",
-        SMALL * found.force * engine.cylinder_pitch, "N·m", rule,
-        Text("Counterweights at the ends of the crank take it; throws that mirror each other about mid-engine have none."),
+    force, couple = Amount(found.force_together), Amount(found.couple_together)
+    static = found.force_together <= SMALL * found.force
+    dynamic = found.couple_together <= SMALL * found.force * engine.cylinder_pitch
+    if static and dynamic:
+        return Text("The bare throws are balanced statically and dynamically: their rotating masses need no counterweights.")
+    if static:
+        return Text(
+            "The bare throws are balanced statically, not dynamically: counterweights must take a couple of {couple} N·m of the rotating "
+            "masses, and are taken to do so.", couple=couple,
+        )  # fmt: skip
+    if dynamic:
+        return Text(
+            "The bare throws are not balanced statically: counterweights must take a force of {force} N of the rotating masses, and are "
+            "taken to do so.", force=force,
+        )  # fmt: skip
+    return Text(
+        "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of {force} N and a couple of "
+        "{couple} N·m of the rotating masses, and are taken to do so.", force=force, couple=couple,
     )  # fmt: skip
 
 
