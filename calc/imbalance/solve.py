@@ -183,7 +183,9 @@ def solve(
         tables=Later(
             lambda: (
                 remedy_table(found, imbalance.crank_balance_fraction),
-                systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e), *bobs()[0], *cranks(),
+                systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e),
+                *bobs()[0],
+                *cranks(),
             )
         ),
         errata=_errata(imbalance, found) if shaft else (),
