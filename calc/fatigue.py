@@ -13,7 +13,7 @@ from .sheet.record import record
 from .sheet.text import Text
 from .sheet.units import Number, Pascal, PerPascal
 
-FKM = Text("FKM guideline, from memory")
+FKM = Text("FKM guideline (from memory)")
 ROUGHNESS = 6.3  # µm: Rz of a turned fillet, rule of this program
 
 
@@ -74,7 +74,11 @@ def equivalent_amplitude(sigma_a: Pascal, sigma_m: Pascal, M: Number) -> Pascal:
     return smallest(sigma_a + M * sigma_m, (sigma_a + M / 3 * sigma_m) * (1 + M) / (1 + M / 3))
 
 
-@formula("σ_a", "every run-up from standstill is a cycle: amplitude and mean are half of the stress at full speed", unit="MPa")
+@formula(
+    "σ_a",
+    "rule of this program: every run-up from standstill is a cycle: amplitude and mean are half of the stress",
+    unit="MPa",
+)
 def run_up_amplitude(sigma_k: Pascal) -> Pascal:
     return sigma_k / 2
 

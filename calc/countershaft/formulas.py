@@ -65,7 +65,7 @@ def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonM
     return omega**2 * m * e * abs(z)
 
 
-@formula("N_p", "sum over the list of parts")
+@formula("N_p", "mathematics: sum over the list of parts")
 def part_count(n: Number) -> Number:
     return total(n)
 

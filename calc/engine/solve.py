@@ -133,7 +133,7 @@ def _fastest(y: Any) -> tuple[Any, Any]:
     return np.where(first, down, up), np.where(first, at_down, at_up)
 
 
-@formula("max", "largest magnitude over the turn", shows="the largest magnitude of the points, refined on their Fourier series")
+@formula("max", "mathematics: largest magnitude over the turn", shows="the largest magnitude of the points, refined on their series")
 def turn_fastest(y: Number) -> Number:
     return cast(Number, _fastest(y)[0])
 

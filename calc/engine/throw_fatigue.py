@@ -27,12 +27,12 @@ Notch = dict[str, tuple[Number, Number, Number]]
 AROUND = 24  # points of a fillet over half of its circumference; the other half has the same with the other sign
 
 
-@formula("σ_a", "bending and torsion by von Mises", shows="√(σ_a² + 3·τ_a²) of the amplitudes over the cycle, worst point", unit="MPa")
+@formula("σ_a", "statics: bending and torsion by von Mises", shows="√(σ_a² + 3·τ_a²) of the amplitudes, worst point", unit="MPa")
 def amplitude(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)
 
 
-@formula("σ_m", "bending and torsion by von Mises; pressure counts as none", shows="√(σ_m² + 3·τ_m²) of the means there", unit="MPa")
+@formula("σ_m", "statics: bending and torsion by von Mises; pressure counts as none", shows="√(σ_m² + 3·τ_m²) there", unit="MPa")
 def mean(sigma: Pascal, tau: Pascal) -> Pascal:
     return sqrt(sigma**2 + 3 * tau**2)
 

@@ -62,12 +62,12 @@ def drilled(U: PhasorKilogramMetre, r_d: Metre) -> Kilogram:
     return modulus(U) / r_d
 
 
-@formula("Σm_k", "sum over the webs", unit="g")
+@formula("Σm_k", "mathematics: sum over the webs", unit="g")
 def in_all(m_k: Kilogram) -> Kilogram:
     return total(m_k)
 
 
-@formula("∠U_k", "direction of the hole, while the throw that the list of bodies names stands up")
+@formula("∠U_k", "mathematics: direction of the hole, while the throw that the list of bodies names stands up")
 def direction(U: PhasorKilogramMetre) -> Radian:
     return argument(U)
 

@@ -27,7 +27,7 @@ def mass_for(m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: M
 
 @formula(
     "m_S'",
-    "sectors, the rest by its density, and the largest journal's growth",
+    "rule of this program: sectors, the rest by its density, and the largest journal's growth",
     names={"m_new": "Σm'", "m": "Σm", "rho_m": "ρ'", "d_m": "d'"},
 )
 def whole_mass(
@@ -37,12 +37,12 @@ def whole_mass(
     return m_new + (m_S - m) * rho_m / rho + rho_m * pi / 4 * (d_m**2 - d**2) * l
 
 
-@formula("Δm", "whole shaft in this material less the design's own; below zero: lighter", unit="g", names={"m_new": "m_S'"})
+@formula("Δm", "mathematics: whole shaft in this material less the design's own; below zero: lighter", unit="g", names={"m_new": "m_S'"})
 def mass_difference(m_new: Kilogram, m_S: Kilogram) -> Kilogram:
     return m_new - m_S
 
 
-@formula("d'", "the journal grows with its seat", unit="mm", names={"dD": "ΔD"})
+@formula("d'", "geometry: the journal grows with its seat", unit="mm", names={"dD": "ΔD"})
 def grown(d: Metre, dD: Metre) -> Metre:
     return d + dD
 
