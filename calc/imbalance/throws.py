@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from ..engine.crank import column
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
 from ..sheet.formula import formula
@@ -35,12 +36,13 @@ def centrifugal(m: Kilogram, omega: RadPerSecond, r: Metre) -> Newton:
 
 @formula("ΣF_c", POLYGON)
 def together(F_c: Newton, phi: Radian) -> Newton:
-    return F_c * modulus(resultant(cis(phi)))
+    """`F_c` of every throw, or the one that all have."""
+    return modulus(resultant(F_c * cis(phi)))
 
 
 @formula("ΣM_c", POLYGON)
 def couple_together(F_c: Newton, z: Metre, phi: Radian) -> NewtonMetre:
-    return F_c * modulus(resultant(z * cis(phi)))
+    return modulus(resultant(F_c * z * cis(phi)))
 
 
 @formula("M_rot,ne", "Finotti 2013, 2.5.3.1: rotating mass not balanced: what the crank carries beyond the rotating mass", unit="g")
@@ -73,10 +75,16 @@ def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
     one, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
+    each, rest = column(one), column(more)
+    if e.unlike is not None:  # `one` and `more` are then those of the mean masses
+        M_r: Any = e.unlike.rotating
+        M_a: Any = e.unlike.reciprocating
+        each = centrifugal(m=M_r, omega=omega, r=r)
+        rest = centrifugal(m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r), omega=omega, r=r)
     return Throws(
-        force=one, force_together=together(F_c=one, phi=crank.phi), couple_together=couple_together(F_c=one, z=crank.z, phi=crank.phi),
+        force=one, force_together=together(F_c=each, phi=crank.phi), couple_together=couple_together(F_c=each, z=crank.z, phi=crank.phi),
         rotating_not_balanced=beyond, reciprocating_not_balanced=reciprocating_not_balanced(M_alt=M_alt, M_rot=M_rot, M_eq=M_eq),
-        force_not_balanced=more, couple_not_balanced=couple_together(F_c=more, z=crank.z, phi=crank.phi),
+        force_not_balanced=more, couple_not_balanced=couple_together(F_c=rest, z=crank.z, phi=crank.phi),
     )  # fmt: skip
 
 
@@ -86,10 +94,12 @@ def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curv
     if engine.cylinders < 2 or not found.force:
         return ()
     psi: Any = crank.psi
-    first = found.force * np.exp(1j * (crank.theta_0 + crank.phi))
+    rotating: Any = found.force if e.unlike is None else found.force * np.asarray(e.unlike.rotating) / e.rotating_mass
+    reciprocating: Any = e.reciprocating_mass if e.unlike is None else np.asarray(e.unlike.reciprocating)
+    first = rotating * np.exp(1j * (crank.theta_0 + crank.phi))
     kinds = [(Text("throws: rotating masses, and order 1"), first)]
     if not np.ptp(psi) and e.harmonics[1]:
-        second = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2 * e.harmonics[1]
+        second = reciprocating * engine.crank_radius * e.angular_speed**2 * e.harmonics[1]
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"

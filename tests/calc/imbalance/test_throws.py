@@ -74,3 +74,13 @@ def test_the_cause_is_that_of_the_engine():
     rows = next(t for t in outcome(**FOUR).tables if t.id == "systems").rows
     assert [str(row[3]) for row in rows] == ["balanced by themselves"] * 4 + ["not balanced", "balanced by themselves"]
     assert "mirror" in str(rows[1][4]) and "open" in str(rows[4][4])
+
+
+def test_unlike_cylinders_leave_the_polygon_open():
+    """Rotating masses 0.8, 0.7 and 0.7 kg: the 0.1 kg too much on throw 1 is left as a force, and as its couple over one pitch more."""
+    inputs, e, found = solved(rotating_masses=(0.8, 0.7, 0.7), crankpin_bearing_mass=0.0)
+    force = found.throw.force_together
+    assert force == pytest.approx(0.1 * 272.2714**2 * 0.0535, rel=1e-6)
+    curve = polygons(inputs, e, found.throw)[0]
+    (left,) = [s for s in curve.series if s.label == "resultant" and s.variant == curve.variants[0]]
+    assert np.hypot(left.x[-1], left.y[-1]) == pytest.approx(force)
