@@ -17,7 +17,7 @@ from .sheet.value import linked
 
 T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
-BESIDE = ("specific_heat_J_kgK",)  # keys of a table's row that stand there for the reader only
+BESIDE = ("specific_heat_J_kgK", "elongation_percent", "hardness_HB")  # keys of a table's row that stand there for the reader only
 
 
 @record
@@ -161,6 +161,10 @@ class Material:
     expansion: float = quantity("Thermal expansion", "10⁻⁶/K", low=0, high=100, symbol="alpha")
     proof_stress: float | None = quantity("Proof stress", "MPa", default=None, above=0, high=10000, symbol="R_p", help="Rp0.2, tension.")
     tensile_strength: float | None = quantity("Tensile strength", "MPa", default=None, above=0, high=10000, symbol="R_m")
+    kind: str = choice("Kind", "steel", "ductile iron", "grey iron", "aluminium", "other", default="other",
+        help="For its fatigue; other: it is not judged.")  # fmt: skip
+    alternating_strength: float | None = quantity("Alternating strength", "MPa", default=None, above=0, high=10000, symbol="sigma_W",
+        help="Of a smooth, polished specimen, endless life. Left out: by its kind from the tensile strength.")  # fmt: skip
     source: str = text("Source", default="the user")
 
 

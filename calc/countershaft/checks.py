@@ -4,7 +4,7 @@
 import math
 from collections.abc import Iterator
 
-from .. import notch
+from .. import fatigue, notch
 from ..catalogue import Material
 from ..journal_rules import HEAT_INDEX, SLOPE, SPECIFIC_LOAD
 from ..sheet.check import Check, check
@@ -131,10 +131,14 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
     advice = Text("A larger core where the moment is largest, or a shorter span.")
     if proof is not None:
         yield check("countershaft.bending_stress", Text("Largest bending stress, nominal"), bent.bending_stress, "<=", proof, "MPa",
-            Text("{source}; fatigue is not judged: the stress stands still in the turning shaft", source=source), advice)  # fmt: skip
+            Text("{source}; the stress stands still in the turning shaft", source=source), advice)  # fmt: skip
     if proof is not None and bent.notch_stress is not None:
         yield check("countershaft.notch_stress", Text("Bending stress at the fillet of a shoulder"), bent.notch_stress, "<=", proof, "MPa",
             Text("{source}: above it the fillet yields locally", source=source),
+            Text("A larger fillet. {advice}", advice=advice))  # fmt: skip
+    if bent.fatigue_safety is not None and (bears := fatigue.strength(material)) is not None:
+        yield check("countershaft.fatigue", Text("Safety of the fillet against fatigue"), bent.fatigue_safety, ">=", bears.safety, "",
+            Text("{fkm}: endless life, every run-up a cycle; weight and tooth force, which alternate, are left out", fkm=fatigue.FKM),
             Text("A larger fillet. {advice}", advice=advice))  # fmt: skip
     if bent.step_over_fillet is not None:
         yield check("countershaft.fillet", Text("Height of the governing shoulder over its fillet radius"), bent.step_over_fillet, "in",

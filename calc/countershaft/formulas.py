@@ -55,6 +55,21 @@ def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Ra
     return omega**2 * resultant(m * e * z * cis(gamma))
 
 
+@formula("M_i", TABLE_4_1)
+def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonMetre:
+    """The moment of one mass about mid-shaft.
+
+    >>> mass_moment(omega=272.2714, m=2.691, e=0.018676, z=-0.077671)
+    289.37...
+    """
+    return omega**2 * m * e * abs(z)
+
+
+@formula("N_p", "mathematics: sum over the list of parts")
+def part_count(n: Number) -> Number:
+    return total(n)
+
+
 @formula("ω_S", "kinematics: speed of the shaft", names={"i": "i"})
 def shaft_speed(i: Number, omega: RadPerSecond) -> RadPerSecond:
     """>>> shaft_speed(i=-1, omega=272.3)

@@ -8,7 +8,7 @@ from itertools import pairwise
 from ..journal_rules import LENGTH_RATIO
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
-from .making.inputs import Bolts, Cost, OilDrain, Support
+from .making.inputs import Bolts, Cost, OilDrain, Part, Support
 
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
@@ -152,6 +152,7 @@ class CountershaftInputs:
     support: Support | None = table("Support", Support, default=None)
     oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None)
     cost: Cost | None = table("Cost", Cost, default=None)
+    parts: tuple[Part, ...] = tables("Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.")
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         if any(b <= a for a, b in pairwise(self.bearing_positions)):

@@ -3,7 +3,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..sheet.quantity import group, result, value
+from ..sheet.quantity import Stated, group, result, value
 from ..sheet.units import (
     Kilogram,
     KilogramMetre,
@@ -64,6 +64,7 @@ class CountershaftResult:
 
     couple: NewtonMetre = value("Couple of the shaft as designed", "N·m", "C_S")
     couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
+    mass_moment: dict[str, Stated] = group()
     residual_order_1_couple: NewtonMetre | None = value("First-order couple left over", "N·m", "C_left", default=None)
     residual_order_1_force: Newton | None = value("First-order force left over", "N", "F_left", default=None)
     residual_order_2_couple: NewtonMetre | None = value("Second-order couple left over", "N·m", "C_left", default=None)
@@ -102,6 +103,8 @@ class CountershaftResult:
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
     alternative: "dict[str, MaterialResult] | None" = group(default=None)
+    part_count: Number | None = value("Parts of the assembly", "", default=None)
+    part_kinds: Number | None = value("Kinds of parts", "", default=None)
     couple_against: NewtonMetre  # what turns the other way, with a twin shaft what that leaves of it
     force_vector: complex  # F_S and C_S, cylinder 1 at TDC
     couple_vector: complex

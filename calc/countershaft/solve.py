@@ -14,8 +14,9 @@ from ..sheet.arrays import column
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.linked_array import elements, item
+from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome
-from ..sheet.text import Amount, Text
+from ..sheet.text import Amount, Name, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, NewtonMetre, RadPerSecond
 from ..sheet.value import based_on
@@ -72,7 +73,7 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             to.notes.append(SLOPES_GIVEN)
         result = _with_supports(shaft, masses, journals, result, bent, to)
-        making(shaft, todo, masses, result, R, materials, to)
+        making(shaft, todo, masses, result, R, materials, journals, to)
     result = replace(result, **to.values)
     return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
         curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
@@ -212,6 +213,19 @@ def _of(parts: tuple[Any, ...], omega: RadPerSecond) -> tuple[complex, complex]:
     return f.shaft_force(omega=omega, m=m, e=e, gamma=gamma), C
 
 
+def _moments(masses: tuple[EccentricMass, ...], omega: RadPerSecond) -> dict[str, Stated]:
+    """What each mass gives of the couple; of masses that share a name each has its number behind it."""
+    names = [mass.name for mass in masses]
+    return {
+        mass.name if names.count(mass.name) == 1 else f"{mass.name}-{n}": Stated(
+            Described(Text("Moment of the mass {name} about mid-shaft", name=Name(mass.name)), "N·m", f"M_{n}"),
+            f.mass_moment(omega=omega, m=mass.mass, e=mass.radius, z=mass.z),
+        )
+        for n, mass in enumerate(masses, 1)
+        if mass.z
+    }
+
+
 def _balance(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], F_S: complex, C_S: complex,
     omega: RadPerSecond) -> CountershaftResult:  # fmt: skip
     """What the shaft supplies, what is left, and what two supports carry."""
@@ -227,8 +241,9 @@ def _balance(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
     R_r = f.reaction_rear(C_S=C_S, z_f=z_f, F_S=F_S, z_r=z_r)
     R_f = f.reaction_front(F_S=F_S, R_r=R_r)
     first = todo.order == 1
-    return CountershaftResult(couple=couple, couple_phase=phase, residual_order_1_couple=C_left if first else None,
-        residual_order_1_force=F_left if first else None, residual_order_2_couple=None if first else C_left,
+    return CountershaftResult(couple=couple, couple_phase=phase, mass_moment=_moments(masses, omega),
+        residual_order_1_couple=C_left if first else None, residual_order_1_force=F_left if first else None,
+        residual_order_2_couple=None if first else C_left,
         residual_order_2_force=None if first else F_left, static_unbalance=f.static_unbalance(F_S=force, omega=omega), force=force,
         reaction_front=f.reaction(R=R_f), reaction_rear=f.reaction(R=R_r), support={}, couple_against=based_on(abs(C_against), C_against),
         eccentric_mass=f.eccentric_mass(m=column(masses, "mass")),

@@ -124,9 +124,24 @@ def rod_angle(lam: Number, alpha: Radian, delta: Number) -> Radian:
     return asin(lam * sin(alpha) - delta)
 
 
+@formula("x/r", "the piston's way from TDC, exact (Finotti 2013, eq. 2.7, which misplaces δ; here with the offset)")
+def relative_path(alpha: Radian, beta: Radian, lam: Number, delta: Number) -> Number:
+    return (sqrt((1 + lam) ** 2 - delta**2) - cos(beta)) / lam - cos(alpha)
+
+
+@formula("x_2/r", "the way whose derivative is the two-term speed (Finotti 2013, eq. 2.9)")
+def relative_path_two_term(alpha: Radian, lam: Number, delta: Number) -> Number:
+    return 1 - cos(alpha) - delta * sin(alpha) + lam / 4 * (1 - cos(2 * alpha))
+
+
 @formula("v/(ω·r)", "kinematics: first derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
 def relative_speed(alpha: Radian, beta: Radian) -> Number:
     return sin(alpha) + cos(alpha) * tan(beta)
+
+
+@formula("v_2/(ω·r)", "Finotti 2013, eq. 2.9: the two-term form, with the offset's share")
+def relative_speed_two_term(alpha: Radian, lam: Number, delta: Number) -> Number:
+    return sin(alpha) - delta * cos(alpha) + lam / 2 * sin(2 * alpha)
 
 
 @formula("a/(ω²·r)", "kinematics: second derivative of the piston's way, exact (Finotti 2013, 2.1, with offset)")
@@ -141,6 +156,11 @@ def relative_acceleration_two_term(alpha: Radian, lam: Number, delta: Number) ->
 
 @formula("α_min", "mathematics: crank angle of the smallest acceleration", shows="where a/(ω²·r) is smallest; at λ > ¼ before BDC")
 def angle_of_smallest(a_rel: Number, alpha: Radian) -> Radian:
+    return alpha
+
+
+@formula("α_v", "crank angle of the largest speed (Finotti 2013, 2.1: there of two terms)", shows="where |v|/(ω·r) is largest")
+def angle_of_fastest(v_rel: Number, alpha: Radian) -> Radian:
     return alpha
 
 

@@ -15,11 +15,12 @@ from ..sheet.functions import modulus, pi
 from ..sheet.later import Later
 from ..sheet.linked_array import elements
 from ..sheet.quantity import Described, Stated, group, result, value
-from ..sheet.step import Curve, Outcome, Series, Table, axis_label
+from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Amount, Text
-from ..sheet.trace import about, trace, untraced
+from ..sheet.trace import about, trace
 from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
 from ..sheet.value import based_on
+from . import curves as train
 from . import formulas as f
 from . import torque, torque_diagram
 from .crank import Crank, column, crank, firing, pin_of_cylinder
@@ -51,6 +52,7 @@ class EngineResult:
     displacement: CubicMetre = value("Displacement", "cm³", "V_h")
     mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
     piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
+    piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
     acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
     acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
     acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
@@ -122,6 +124,20 @@ def turn_highest(y: Number) -> Number:
     return cast(Number, _peak(y)[0])
 
 
+def _fastest(y: Any) -> tuple[Any, Any]:
+    """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes the quicker."""
+    (down, at_down), (up, at_up) = _peak(y), _peak(-y)
+    first = down >= up * (1 - 1e-12)
+    if y.ndim == 1:
+        return (down, at_down) if first else (up, at_up)
+    return np.where(first, down, up), np.where(first, at_down, at_up)
+
+
+@formula("max", "mathematics: largest magnitude over the turn", shows="the largest magnitude of the points, refined on their series")
+def turn_fastest(y: Number) -> Number:
+    return cast(Number, _fastest(y)[0])
+
+
 @formula("min", "mathematics: smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
 def turn_lowest(y: Number) -> Number:
     return cast(Number, -_peak(-y)[0])
@@ -141,15 +157,17 @@ def values(engine: EngineInputs) -> EngineResult:
     beta: Any = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
     speed: Any = f.relative_speed(alpha=alpha, beta=beta)
     exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
-    fastest = f.piston_speed(v_rel=turn_highest(y=speed), omega=omega, r=engine.crank_radius)
+    fastest = f.piston_speed(v_rel=turn_fastest(y=speed), omega=omega, r=engine.crank_radius)
+    at_fastest = f.angle_of_fastest(v_rel=speed, alpha=based_on(_fastest(speed)[1], speed))
     a_max = f.acceleration(a_rel=turn_highest(y=exact), omega=omega, r=engine.crank_radius)
     a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
     at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(-exact)[1], exact))
     spectrum: Any = harmonics(exact)
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
-        stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest, acceleration_max=a_max,
-        acceleration_min=a_min, acceleration_min_angle=at_lowest, crank=crank(engine, phi_0), unlike=unlike,
+        stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest,
+        piston_speed_max_angle=at_fastest, acceleration_max=a_max, acceleration_min=a_min, acceleration_min_angle=at_lowest,
+        crank=crank(engine, phi_0), unlike=unlike,
         harmonics=elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
         two_term=(based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2))),
     )  # fmt: skip
@@ -175,9 +193,13 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed,
         harmonic=named,
     )  # fmt: skip
+
+    def drawn() -> tuple[Curve, ...]:
+        return train.curves(engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics)
+
     return Outcome(
         "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines),
-        curves=Later(lambda: (_acceleration(engine, e), *curves)),
+        curves=Later(lambda: (*drawn(), *curves)),
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
         notes=(*_notes(engine, e, fires), *notes, *more),
     )  # fmt: skip
@@ -292,18 +314,6 @@ def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult)
             advice,
         ),
     )
-
-
-def _acceleration(engine: EngineInputs, e: EngineResult) -> Curve:
-    alpha: Any = np.radians(np.arange(0.0, 361.0))
-    with untraced():
-        exact: Any = f.relative_acceleration(alpha=alpha, beta=f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta), lam=e.lambda_)
-        two_term: Any = f.relative_acceleration_two_term(alpha=alpha, lam=e.lambda_, delta=e.delta)
-    scale, degrees = e.angular_speed**2 * engine.crank_radius, np.degrees(alpha)
-    return Curve(
-        "acceleration", Text("Piston acceleration over one turn"), axis_label("crank angle α", "°"), axis_label("a", "m/s²"),
-        (Series(Text("exact"), degrees, exact * scale), Series(Text("two terms"), degrees, two_term * scale)),
-    )  # fmt: skip
 
 
 def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, ...]:

@@ -8,6 +8,7 @@ towards the crank axis.
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from ..sheet.check import Check, check
 from ..sheet.linked_array import item
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Table
-from ..sheet.text import Name, Text
+from ..sheet.text import EMPTY, Name, Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
 from ..sheet.value import based_on
@@ -28,6 +29,7 @@ from . import throw_formulas as t
 from .crank import sharing
 from .cycle import TURN, Cycle
 from .gas import GasInputs
+from .throw_fatigue import ThrowFatigue, check_of, judged
 from .throw_inputs import ThrowInputs
 
 if TYPE_CHECKING:
@@ -84,6 +86,7 @@ class ThrowResult:
     notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
     largest_tangential: Position = group()
     top_dead_centre: Position = group()
+    fatigue: ThrowFatigue | None = group(spread=True, default=None)
 
 
 class _Throw:
@@ -195,15 +198,29 @@ def solve(
     }
     result = ThrowResult(cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span, **factors, **found)
     material = materials.get(throw.material)
-    return result, _checks(crank, worst, material), _notes(crank, result, shared[k], material), _tables(result, worst)
+    tired = judged(_forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load)
+    result = replace(result, fatigue=tired)
+    fatigue_check = () if tired is None else (check_of(tired, PLACES[tired.place]),)
+    return result, (*_checks(crank, worst, material), *fatigue_check), _notes(crank, result, shared[k], material), _tables(result, worst)
+
+
+def _over_the_cycle(crank: _Throw) -> Array:
+    """Crank angles of the whole cycle."""
+    epsilon: Array = c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
+    return epsilon
+
+
+def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> tuple[Any, Any, Any]:
+    """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
+    with untraced():
+        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
+    tangential: Any = rods["tangential_force"]
+    return tangential @ shared.T, rods["radial_force"] @ shared.T, tangential @ in_front.T * crank.engine.crank_radius
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:
     """The crank angles of the two positions (first axis) for each cylinder."""
-    if crank.cycle:
-        epsilon = c.points(crank.cycle, crank.fires)
-    else:
-        epsilon = np.linspace(0.0, TURN, 721)
+    epsilon = _over_the_cycle(crank)
     tangential: Any = crank.rod(crank.fires, epsilon[:, None])["tangential_force"] @ shared.T
     size: Any = c.amounts(tangential)
     between: Any = np.array([c.highest(epsilon, column)[0] for column in size.T])
@@ -264,7 +281,7 @@ def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Che
                 check(
                     f"engine.throw.stress_{place}", Text("Von Mises stress of the {part}, nominal", part=part), nominal, "<=", limit,
                     "MPa",
-                    Text("{proof}; fatigue is not judged", proof=proof), Text("A larger diameter: the stress falls with its cube."),
+                    proof, Text("A larger diameter: the stress falls with its cube."),
                 )
             )  # fmt: skip
         if limit is not None and place in crank.notch:
@@ -310,7 +327,9 @@ def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Mate
         Text(
             "Throw: solid round sections between two simple supports; shear, the webs and the neighbouring throws' stiffness are left out."
         ),
-        Text("Throw: fatigue is not judged."),
+        EMPTY
+        if result.fatigue is not None
+        else Text("Throw: fatigue is not judged: it takes a fillet, and the material's kind and tensile strength."),
     ]
     if crank.notch:
         notes.append(
@@ -319,7 +338,7 @@ def _notes(crank: _Throw, result: ThrowResult, shared: BoolArray, material: Mate
                 "below ρ/d 0.03 published fits of them lie 10 % and more apart."
             )
         )
-    return tuple(notes)
+    return tuple(note for note in notes if note)
 
 
 def _tables(result: ThrowResult, worst: Array) -> tuple[Table, ...]:

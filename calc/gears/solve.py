@@ -143,7 +143,8 @@ def without(outcome: Outcome[TrainResult], part: TrainPart, reason: Text) -> Out
 
 def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
     """The same outcome without its safeties, which no power is known for."""
-    open_ = check("gears.train.rating", Text("Safeties of the teeth"), math.nan, ">=", 0.0, "", Text("without a torque no tooth is rated"),
+    open_ = check("gears.train.rating", Text("Safeties of the teeth"), math.nan, ">=", 0.0, "",
+        Text("rule of this program: without a torque no tooth is rated"),
         why, missing=("gears.power_kW",))  # fmt: skip
     return replace(outcome, checks=(*outcome.checks, open_), notes=(*outcome.notes, why))
 

@@ -30,7 +30,9 @@ class FiringOrder:
     """An order, its crank angles [rad], and the peaks it leaves with the share on the crank that the design has.
 
     `left` is what the orders are ranked by: the peaks of the forces, and of the couples over one pitch, of all harmonic orders together
-    with half of the reciprocating mass on the crank, which takes of order 1 what it can.
+    with half of the reciprocating mass on the crank, which takes of order 1 what it can.  `neighbours`: how often two cylinders beside each
+    other, which load the same main bearing, fire in turn; `same_half`: how often two of one half of the engine (of one bank) do, which draw
+    from the same end of a manifold.
     """
 
     order: tuple[int, ...]
@@ -41,10 +43,14 @@ class FiringOrder:
     force_2: Newton
     couple_2: NewtonMetre
     left: Newton
+    neighbours: int
+    same_half: int
 
 
 def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> list[FiringOrder]:
-    """Every order that begins with cylinder 1, as an evenly firing crank of this layout, ranked; orders of equal cranks stand together.
+    """Every order that begins with cylinder 1, as an evenly firing crank of this layout.
+
+    Ranked by what is left, then by bearings and intake; orders of one crank stand together.
 
     From ten to twelve cylinders only the cranks that are built are tried: symmetrical inline ones, and common or opposed pins of two banks.
     Raises NoSolution for more.
@@ -66,15 +72,36 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     left: Any = sum((o.force_peak + o.couple_peak / engine.cylinder_pitch for o in best.values()), np.zeros(len(first)))
     one: Any = found[1]
     two: Any = found[2]
-    ranked = sorted(range(len(orders)), key=lambda i: (float(f"{left[which[i]]:.6e}"), which[i], tuple(orders[i])))
+    beside, half = _in_turn(engine, orders)
+    mild = [(int(b), int(h)) for b, h in zip(beside, half)]
+    mildest = dict(sorted(zip(which.tolist(), mild), reverse=True))  # of the orders of each crank
+    ranked = sorted(
+        range(len(orders)), key=lambda i: (float(f"{left[which[i]]:.6e}"), mildest[which[i]], which[i], mild[i], tuple(orders[i]))
+    )
     return [
         FiringOrder(
             order=tuple(orders[i].tolist()), crank_angles=angles[j], force_1=float(one.force_peak[j]),
             couple_1_forward=float(one.couple_forward[j]), couple_1_backward=float(one.couple_backward[j]),
             force_2=float(two.force_peak[j]), couple_2=float(two.couple_peak[j]), left=float(left[j]),
+            neighbours=int(beside[i]), same_half=int(half[i]),
         )
         for i, j in ((i, which[i]) for i in ranked)
     ]  # fmt: skip
+
+
+def _in_turn(engine: EngineInputs, orders: Array) -> tuple[Array, Array]:
+    """Of each order, how often neighbours, and cylinders of one half or bank, fire one after the other (Finotti 2013, 2.3.4)."""
+    fired: Any = orders - 1
+    if engine.cylinders < 2:
+        return np.zeros(len(fired), int), np.zeros(len(fired), int)
+    place: Any = places(engine)[fired]
+    after = np.roll(place, -1, axis=1)
+    if engine.layout == "inline":
+        side, side_after = (np.sign(2 * x - np.max(place)) for x in (place, after))  # the middle one of an odd number is of neither
+    else:
+        bank = np.array(engine.bank_of_cylinder or tuple(c % 2 for c in range(engine.cylinders)))[fired]
+        side, side_after = 2 * bank - 1, np.roll(2 * bank - 1, -1, axis=1)
+    return np.sum(np.abs(place - after) <= 1, 1), np.sum((side == side_after) & (side != 0), 1)
 
 
 def _orders(engine: EngineInputs) -> Iterable[tuple[int, ...]]:
@@ -156,10 +183,13 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
 
 COLUMNS = (
     (Text("order"), ""), (Text("crank angles"), "°"), (Text("pins"), ""), (Text("F order 1"), "N"), (Name("C₁⁺"), "N·m"),
-    (Name("C₁⁻"), "N·m"), (Text("F order 2"), "N"), (Text("C order 2"), "N·m"),
+    (Name("C₁⁻"), "N·m"), (Text("F order 2"), "N"), (Text("C order 2"), "N·m"), (Text("neighbours"), ""), (Text("same half"), ""),
 )  # fmt: skip
 TITLE = Text("Evenly firing orders, the one that leaves least first")
-RANKED = Text("Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank.")
+RANKED = Text(
+    "Ranked by the forces, and the couples over one pitch, of all orders with half of the reciprocating mass on the crank; of equal ones "
+    "first where neighbours (their main bearing), then where cylinders of one half or bank (their intake), fire in turn least often."
+)
 
 
 def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engine: EngineInputs) -> Table:
@@ -171,9 +201,9 @@ def orders_table(found: list[FiringOrder], most: int, design: FiringOrder, engin
 
 
 def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12) -> Table:
-    """The best cranks, each with the first by number of the orders that it can fire in."""
+    """The best cranks, each with the best of the orders that it can fire in."""
     cranks = [one for n, one in enumerate(found) if n == 0 or not np.allclose(found[n - 1].crank_angles, one.crank_angles)]
-    note = Text("{n} orders on {cranks} different cranks; of each crank the first order by number.", n=len(found), cranks=len(cranks))
+    note = Text("{n} orders on {cranks} different cranks; of each crank the best order.", n=len(found), cranks=len(cranks))
     return Table("firing_orders", TITLE, COLUMNS, tuple(_row(one, engine) for one in cranks[:most]), SPACE.join((note, RANKED)))
 
 
@@ -183,16 +213,19 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
     with untraced():
         found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
     one, two = found[1], found[2]
+    fires = firing(engine, e.crank).order
+    beside, half = _in_turn(engine, np.array([fires]))
     return FiringOrder(
-        order=firing(engine, e.crank).order, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,
+        order=fires, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,
         couple_1_backward=one.couple_backward, force_2=two.force_peak, couple_2=two.couple_peak, left=float("nan"),
+        neighbours=int(beside[0]), same_half=int(half[0]),
     )  # fmt: skip
 
 
 def _row(one: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
     throws = crank(replace(engine, crank_angles=tuple(one.crank_angles.tolist()), firing_order=None), 0.0)
     pins = float(pin_of_cylinder(engine, throws).max() + 1)
-    peaks = one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2, one.couple_2
+    peaks = one.force_1, one.couple_1_forward, one.couple_1_backward, one.force_2, one.couple_2, float(one.neighbours), float(one.same_half)
     return ("-".join(map(str, one.order)), crank_words(one.crank_angles), pins, *peaks)
 
 

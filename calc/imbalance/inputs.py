@@ -81,6 +81,10 @@ class ImbalanceInputs:
         "Bob mass as stated", "kg", default=None, low=0, high=100, symbol="m_b", source="Finotti 2013, 2.6",
         help="On each pin, on the balancing machine; left out, it is computed.",
     )  # fmt: skip
+    drill_radius: float | None = quantity(
+        "Radius of the balancing holes", "mm", default=None, above=0, high=1000, symbol="r_d", source="Finotti 2013, 2.6",
+        help="From the crank's axis to the middle of what is drilled out of a web: given, the webs to drill are found.",
+    )  # fmt: skip
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",
         Unbalance,

@@ -21,10 +21,12 @@ from . import formulas as f
 from . import unlike_masses
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
+from .drilling import UNDRILLED
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
+from .throws import Throws, polygons, systems_table, throws, verdict
 from .webs import WebsResult, bob_table, webs
 
 LISTED = 6  # cylinders up to which all firing orders are tried in every solution
@@ -48,6 +50,7 @@ class ImbalanceResult:
     mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
     remedy: dict[str, Remedy] = group()
     counterweight: dict[str, Counterweight] | None = group(default=None)
+    throw: Throws = group()
     webs: WebsResult | None = group(spread=True, default=None)
     required: complex  # the vector
     whole: tuple[complex, complex]  # force and couple of counterweights for the whole reciprocating mass
@@ -105,6 +108,8 @@ def values(
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
         pins = crank_masses(imbalance, e), engine.crank_radius, crank.theta_0, crank.phi, crank.z
         weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
+    with about(Text("throws by themselves")):
+        bare = throws(kappa, engine, e)
     return ImbalanceResult(
         orders=orders,
         required_couple=length,
@@ -115,6 +120,7 @@ def values(
         **forces,
         remedy=remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis),
         counterweight=weights,
+        throw=bare,
         webs=webs(imbalance, engine, e),
         required=required,
         whole=whole,
@@ -162,6 +168,8 @@ def solve(
         found = values(imbalance, engine, e, shaft_teeth, axis)
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
+    undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
+
     def cranks() -> Iterator[Table]:
         if 2 < engine.cylinders <= LISTED:
             yield cranks_table(firing_orders(imbalance, engine, e), engine)
@@ -171,11 +179,18 @@ def solve(
         result=found,
         checks=checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         lines=tuple(lines),
-        curves=Later(lambda: pictures(found)),
-        tables=Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction), *bobs()[0], *cranks())),
+        curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
+        tables=Later(
+            lambda: (
+                remedy_table(found, imbalance.crank_balance_fraction),
+                systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e),
+                *bobs()[0],
+                *cranks(),
+            )
+        ),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
-        notes=Later(lambda: (*bobs()[1], *NOTES)),
+        notes=Later(lambda: (verdict(found.throw, engine), *bobs()[1], *((UNDRILLED,) if undrilled else ()), *NOTES)),
     )
 
 
@@ -183,7 +198,8 @@ def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: Imbal
     """The same outcome, its figures and its table of remedies with the design's own counter-shaft: force and couple, cylinder 1 at TDC."""
     found = outcome.solution
     tables = Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction, shaft), *outcome.tables[1:]))
-    return replace(outcome, curves=Later(lambda: pictures(found, shaft)), tables=tables)
+    others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
+    return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)
 
 
 def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:

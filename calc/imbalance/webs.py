@@ -40,6 +40,7 @@ from ..sheet.units import (
 from ..sheet.value import based_on
 from . import formulas as f
 from . import unlike_masses as u
+from .drilling import WebDrilling, drilling
 from .inputs import ImbalanceInputs
 from .remedies import crank_masses
 
@@ -178,6 +179,8 @@ class WebsResult:
 
     bob_mass: dict[str, Stated] | None = group(default=None)
     crank: dict[str, CrankState] | None = group(default=None)
+    drill: dict[str, WebDrilling] | None = group(default=None)
+    drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
     pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
@@ -272,11 +275,13 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
     states = {"bare": _state(*machine.bare, imbalance, e)}
     if imbalance.bob_mass is not None:
         with about(Text("crank with the bobs as stated")):
-            states["stated"] = _state(
-                *machine.with_bobs(based_on(np.full(machine.pins.size, imbalance.bob_mass), imbalance.bob_mass)), imbalance, e
-            )
+            turned_with = machine.with_bobs(based_on(np.full(machine.pins.size, imbalance.bob_mass), imbalance.bob_mass))
+            states["stated"] = _state(*turned_with, imbalance, e)
     with about(Text("crank with the bobs found")):
-        states["balanced"] = _state(*machine.with_bobs(masses), imbalance, e)
+        balanced = machine.with_bobs(masses)
+        states["balanced"] = _state(*balanced, imbalance, e)
+    if imbalance.bob_mass is None:
+        turned_with = balanced
     crank: Any = e.crank
     throw = based_on(crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc)
     first = distinct(pin_of_cylinder(engine, crank))[1]
@@ -285,7 +290,8 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
         str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}"), bob)
         for j, bob in enumerate(elements(masses))
     }
-    return {"crank": states, "bob_mass": bobs, "masses": masses, "pin_deviation": deviation}
+    found = {"crank": states, "bob_mass": bobs, "masses": masses, "pin_deviation": deviation}
+    return found | drilling(imbalance, *turned_with, machine.p, machine.z)
 
 
 def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:

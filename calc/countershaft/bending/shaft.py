@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ... import fatigue
 from ...catalogue import Material
 from ...journal_rules import SLOPE
 from ...sheet.arrays import Array, ComplexArray, column, each, many
@@ -52,6 +53,9 @@ class Bending:
     notch_factor: Number | None = value("Notch factor of the shoulder that governs", "", "K_t", default=None)
     notch_stress: Pascal | None = value("Bending stress at its fillet", "MPa", "σ_k", default=None)
     notch_z: Metre | None = value("its place from mid-shaft", "mm", "z_k", default=None)
+    fatigue_amplitude: Pascal | None = value("Alternating stress there that equals a run-up", "MPa", "σ_eq", default=None)
+    fatigue_strength: Pascal | None = value("Alternating stress that the fillet bears", "MPa", "σ_A", default=None)
+    fatigue_safety: Number | None = value("Safety of that fillet against fatigue", "", "j", default=None)
     effectiveness_at_limit: Number | None = value("Stiffness share at which a slope reaches its limit", "", "η_lim", default=None)
     slopes: Array  # of the journals, front to rear
     slopes_stiff: Array
@@ -123,6 +127,7 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         M_max = f.largest_moment(**shaft.given(EI_s), u=bent)
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
         stressed = stresses(outline, bent, M_max, fillet_radius)
+        stressed |= _fatigue(stressed.get("notch_stress"), material)
         at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max())))
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
@@ -131,6 +136,19 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
         reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
         deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
+
+
+def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, Any]:
+    """The fillet that governs, from standstill to full speed and back; the stress stands still in the turning shaft."""
+    bears = fatigue.strength(material) if notch_stress is not None else None
+    if bears is None or not notch_stress:
+        return {}
+    half = fatigue.run_up_amplitude(sigma_k=notch_stress)
+    equal = fatigue.equivalent_amplitude(sigma_a=half, sigma_m=half, M=bears.sensitivity)
+    return {
+        "fatigue_amplitude": equal, "fatigue_strength": bears.bearable,
+        "fatigue_safety": fatigue.safety(sigma_A=bears.bearable, sigma_eq=equal),
+    }  # fmt: skip
 
 
 def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> None:

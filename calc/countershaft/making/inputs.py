@@ -109,6 +109,14 @@ class Support:
 
 
 @inputs
+class Part:
+    """Parts of one kind in the assembly."""
+
+    part: str = text("Part", help="What it is, in any words.")
+    count: int = integer("Number", default=1, low=1, high=10000, help="How many of them the assembly has.")
+
+
+@inputs
 class Alternative:
     """What the shaft costs in one material."""
 

@@ -35,8 +35,8 @@ class Gathered:
 
 
 def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
-    materials: Mapping[str, Material], to: Gathered) -> None:  # fmt: skip
-    """Everything but the bending; `R`: outer radius of the sectors, where it is known."""
+    materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> None:  # fmt: skip
+    """Everything but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
     rho = materials[shaft.material].density
     _permitted(shaft, todo, result, to)
     if shaft.holes is not None:
@@ -44,9 +44,12 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
     if shaft.scatter is not None:
         _scatter(shaft, todo, masses, result, to)
     if shaft.cost is not None or shaft.mode == "size":
-        from ..sizing.alternatives import compared, compared_table
+        from ..sizing.alternatives import Seat, compared, compared_table
 
-        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass)
+        loads = (result.reaction_front, result.reaction_rear)
+        seats = [Seat(d, l, load) for (d, l), load in zip((journals[0], journals[-1]), loads)] if journals else []
+        seat = max(seats, key=lambda one: one.diameter, default=None)
+        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
         to.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
@@ -57,6 +60,11 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
         to.notes += bolts.notes(shaft.bolts, bolted)
     if shaft.support is not None and support is not None:
         to.checks += _support(shaft.support, support)
+    if shaft.parts:
+        to.values |= {
+            "part_count": f.part_count(n=column(shaft.parts, "count")),
+            "part_kinds": based_on(float(len(shaft.parts)), shaft.parts),
+        }
     if shaft.oil_drain is not None:
         from . import drain
 

@@ -2,7 +2,7 @@
 """What another material changes: the sectors' radius, mass and wall, and the cost."""
 
 from ...sheet.formula import formula
-from ...sheet.functions import power
+from ...sheet.functions import pi, power
 from ...sheet.text import Text
 from ...sheet.units import Euro, Kilogram, KilogramPerMetre3, Metre, Number
 
@@ -23,6 +23,28 @@ def bore_growth(R_m: Metre, R: Metre) -> Metre:
 @formula("Σm'", "geometry, same length and half-angle: as density and squared radii", names={"m": "Σm", "rho_m": "ρ'", "R_m": "R'"})
 def mass_for(m: Kilogram, rho: KilogramPerMetre3, rho_m: KilogramPerMetre3, R: Metre, R_m: Metre, r_0: Metre) -> Kilogram:
     return m * rho_m * (R_m**2 - r_0**2) / (rho * (R**2 - r_0**2))
+
+
+@formula(
+    "m_S'",
+    "rule of this program: sectors, the rest by its density, and the largest journal's growth",
+    names={"m_new": "Σm'", "m": "Σm", "rho_m": "ρ'", "d_m": "d'"},
+)
+def whole_mass(
+    m_new: Kilogram, m_S: Kilogram, m: Kilogram, rho_m: KilogramPerMetre3, rho: KilogramPerMetre3, d_m: Metre, d: Metre, l: Metre
+) -> Kilogram:
+    """`m_new`, `m`: the sectors in the other and in the design's own material; d', d and l: the journal in the seat that grows."""
+    return m_new + (m_S - m) * rho_m / rho + rho_m * pi / 4 * (d_m**2 - d**2) * l
+
+
+@formula("Δm", "mathematics: whole shaft in this material less the design's own; below zero: lighter", unit="g", names={"m_new": "m_S'"})
+def mass_difference(m_new: Kilogram, m_S: Kilogram) -> Kilogram:
+    return m_new - m_S
+
+
+@formula("d'", "geometry: the journal grows with its seat", unit="mm", names={"dD": "ΔD"})
+def grown(d: Metre, dD: Metre) -> Metre:
+    return d + dD
 
 
 @formula("w'", "geometry: the support's outside stays, its seat grows", unit="mm", names={"R_m": "R'"})

@@ -11,8 +11,8 @@ from ..words import mm
 from .room import Clearance
 
 USUAL_CLEARANCE: Metre = 1e-3  # rule of this program
-SWEPT = Text("tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold")
-TWO_CIRCLES = Text("two circles about the fixed axes, with the working centre distances")
+SWEPT = Text("geometry: tip circle with its upper deviation, half the runout and the tolerance of the axis, at rest and cold")
+TWO_CIRCLES = Text("geometry: two circles about the fixed axes, with the working centre distances")
 
 
 def reach_check(id: str, what: Text, first: str, second: str, c: Metre, low: Metre, high: Metre, tolerance: Metre) -> Check:

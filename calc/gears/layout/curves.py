@@ -64,7 +64,7 @@ def tables(train: TrainResult, placing: Placing, result: LayoutResult, teeth: Ph
     )  # fmt: skip
     covers = tuple(f"gears.{name}.{part}" for name in placing.p for part in ("position_", "clearance_", "tooth_angle"))
     note = Text("From the crank's axis; side: 90° on in its rotation.")
-    tables = [Table("layout", Text("Places of the wheels"), columns, tuple(rows), note, covers)]
+    tables = [Table("places", Text("Places of the wheels"), columns, tuple(rows), note, covers)]
     if placing.solutions:
         both = tuple(
             (wheel, between, p.real / 1e-3, p.imag / 1e-3, g / 1e-3 if math.isfinite(g) else None, Text("yes") if chosen else Text("no"))

@@ -46,6 +46,42 @@ def test_largest_speed_of_the_piston():
     assert e.piston_speed_max / (e.angular_speed * 0.24 * 0.163) == pytest.approx(1.02848, abs=5e-6)
 
 
+def test_where_the_piston_is_fastest():
+    """Two terms: cos α + λ cos 2α = 0 (Finotti 2013, 2.1), 73.88° at λ = 0.3282; exact: half a degree before, where the way turns over."""
+    e = result()
+    lam = e.lambda_
+    terms = math.degrees(math.acos((math.sqrt(1 + 8 * lam**2) - 1) / (4 * lam)))
+    assert math.degrees(e.piston_speed_max_angle) == pytest.approx(terms, abs=0.6)
+    alpha = e.piston_speed_max_angle
+    way = lambda a: math.cos(a) + math.sqrt(1 / lam**2 - math.sin(a) ** 2)  # noqa: E731
+    assert abs(way(alpha + 1e-3) - 2 * way(alpha) + way(alpha - 1e-3)) < 1e-8
+
+
+@pytest.mark.parametrize("offset", [0.0, 0.006])
+def test_way_speed_and_acceleration_are_each_other_s_slopes(offset):
+    """The way runs from 0 at TDC over one stroke; both kinds of each curve are the slope of the one before."""
+    outcome = solve(EngineInputs(**{**R753, "cylinder_offset": offset}))
+    drawn = {curve.id: curve for curve in outcome.curves}
+    e, step = outcome.result, math.radians(1.0) / outcome.result.angular_speed
+    assert np.ptp(drawn["path"].series[0].y) == pytest.approx(e.stroke * 1e3, rel=1e-4)
+    assert drawn["path"].series[0].y.min() == pytest.approx(0, abs=0.01)
+    assert np.abs(drawn["speed"].series[0].y).max() == pytest.approx(e.piston_speed_max, rel=1e-3)
+    for k in range(2):
+        x, v, a = (drawn[id].series[k].y for id in ("path", "speed", "acceleration"))
+        assert np.gradient(x, step)[1:-1] / 1e3 == pytest.approx(v[1:-1], abs=0.01)
+        assert np.gradient(v, step)[1:-1] == pytest.approx(a[1:-1], abs=3)
+
+
+def test_forces_of_one_cylinder():
+    """Finotti 2013, 2.2.3: M_alt·ω²·r of first order, λ of it at twice the frequency; their sum is M_alt·a but for the higher orders."""
+    outcome = solve(EngineInputs(**R753))
+    e = outcome.result
+    first, second, whole = next(curve for curve in outcome.curves if curve.id == "cylinder_forces").series
+    assert first.y[0] == pytest.approx(1.48935 * 272.2714**2 * 0.0535, rel=1e-6)
+    assert second.y[[0, 45, 90]] == pytest.approx(np.array([1, 0, -1]) * e.harmonics[1].real * first.y[0])
+    assert whole.y.max() == pytest.approx(e.reciprocating_mass * e.acceleration_max)
+
+
 @pytest.mark.parametrize("lam", [0.15, 0.2, 0.25, 0.328220858895706])
 def test_harmonics_against_their_series(lam):
     """A₂, A₄, A₆ of the slider-crank as power series in λ (Biezeno & Grammel)."""

@@ -218,3 +218,17 @@ def test_orders_that_are_taken_because_they_leave_least_do_so(strokes, cylinders
     found = firing_orders(ImbalanceInputs(), inputs, e)
     taken = next(one for one in found if one.order == usual_order(cylinders, strokes))
     assert taken.left == pytest.approx(found[0].left, abs=1e-5 * e.reciprocating_mass * 0.0535 * e.angular_speed**2)
+
+
+def test_of_equal_orders_the_one_that_spares_bearings_and_intake_leads():
+    """Finotti 2013, 2.3.4: of the six's four orders 1-5-3-6-2-4 is best for main bearings and intake; the two of the four are alike."""
+    six = EngineInputs(**{**R753, "cylinders": 6, "firing_order": (1, 5, 3, 6, 2, 4)})
+    found = firing_orders(ImbalanceInputs(), six, engine.values(six))
+    by_order = {one.order: (one.neighbours, one.same_half) for one in found}
+    assert found[0].order == (1, 5, 3, 6, 2, 4) and by_order[1, 5, 3, 6, 2, 4] == (0, 0)
+    assert by_order[1, 2, 4, 6, 5, 3] == (2, 4)
+    assert by_order[1, 2, 3, 6, 5, 4] == (4, 4)
+    assert by_order[1, 5, 4, 6, 2, 3] == (2, 4)
+    four = EngineInputs(**{**R753, "cylinders": 4, "firing_order": (1, 3, 4, 2)})
+    best, second = firing_orders(ImbalanceInputs(), four, engine.values(four))[:2]
+    assert (best.neighbours, best.same_half) == (second.neighbours, second.same_half) == (2, 2)

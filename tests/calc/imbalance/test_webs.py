@@ -156,3 +156,40 @@ def test_a_crank_that_its_bobs_leave_out_of_balance_is_named():
     inputs, e, _ = solved()
     outcome = solve(replace(GAMMA.imbalance, crank_bodies=heavier), inputs, e)
     assert {c.id: c.verdict for c in outcome.checks}["imbalance.crank.force"] == "warn"
+
+
+def drilled(found, bodies, radius):
+    """The bodies with what is drilled out of them, as bodies of negative mass."""
+    at = {body.name: body.z for body in bodies}
+    return tuple(
+        CrankBody(name=f"{name}-hole", mass=-web.mass, x=radius * math.cos(web.angle), y=radius * math.sin(web.angle), z=at[name])
+        for name, web in found.items()
+    )
+
+
+@pytest.mark.parametrize("bob", [0.4274, None])
+def test_drilled_webs_leave_the_crank_balanced_on_its_bobs(bob):
+    """Finotti 2013, 2.6: which webs, and how many grams; here the residue of the source's crank, 0.74 kg·mm, at a radius of 65 mm."""
+    given = replace(GAMMA.imbalance, drill_radius=0.065, bob_mass=bob)
+    found = solved(given)[2].webs
+    bobs = [bob] * 3 if bob else [stated.number for stated in found.bob_mass.values()]
+    pins = {body.pin: body for body in given.crank_bodies if body.pin}
+    hung = tuple(replace(pins[k + 1], name=f"bob-{k}", mass=m, pin=None) for k, m in enumerate(bobs))
+    state = solved(replace(given, crank_bodies=(*given.crank_bodies, *hung, *drilled(found.drill, given.crank_bodies, 0.065)),
+        bob_mass=None))[2].webs.crank["bare"]  # fmt: skip
+    assert state.force < 1e-6 and state.couple < 1e-6
+    assert found.drilled_mass == pytest.approx(sum(web.mass for web in found.drill.values()))
+    assert found.drilled_mass > 0.7 * found.crank["stated" if bob else "balanced"].unbalance / 0.065
+    for name, web in found.drill.items():  # away from the pin
+        body = next(b for b in given.crank_bodies if b.name == name)
+        pin = min(pins.values(), key=lambda one: abs(one.z - body.z))
+        assert math.cos(web.angle - math.atan2(pin.y, pin.x)) < -math.cos(math.radians(75.01))
+
+
+def test_what_drilling_can_not_take_is_said():
+    """One web can not take a couple, wherever it is drilled."""
+    inputs, e, _ = solved()
+    light = tuple(body for body in GAMMA.imbalance.crank_bodies if body.pin or body.name == "web-1")
+    outcome = solve(replace(GAMMA.imbalance, crank_bodies=light, bob_mass=None, drill_radius=0.065), inputs, e)
+    assert outcome.solution.webs.drilled_mass is None
+    assert any("Which webs to drill is not found" in note for note in outcome.notes)

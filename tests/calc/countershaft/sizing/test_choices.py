@@ -10,7 +10,7 @@ from calc.catalogue import Material
 from calc.countershaft.inputs import Journal
 from calc.countershaft.making.inputs import Alternative, Cost, Support
 from calc.countershaft.sizing import cost_formulas as f
-from calc.countershaft.sizing.alternatives import compared, compared_table, key
+from calc.countershaft.sizing.alternatives import Seat, compared, compared_table, key
 from calc.countershaft.sizing.choices import Envelope, asked, candidates, changes, choices, choices_table, envelope
 from calc.countershaft.sizing.front import front_curve
 from calc.countershaft.sizing.sectors import TooSmall, pair, size
@@ -88,6 +88,22 @@ def test_another_material_keeps_the_couple(case):
     assert found.bore_growth == pytest.approx(2 * (found.outer_radius - 0.0405))
     assert found.wall_left == pytest.approx(5.5e-3 - found.bore_growth / 2)
     assert found.wall_left < case[0].support.least_wall  # why the source rejected it
+
+
+def test_the_whole_shaft_in_another_material(case):
+    """9.03 kg of steel, 5.379 of it sectors: in iron 5.254 and 3.348 kg and a ring of 0.056 kg around the journal; the source saves 350 g."""
+    seat = Seat(0.081, 0.0265, 1713.6)
+    found = compared(case[0], MATERIALS, 0.0405, 0.015, 5.379, 9.03351, seat)
+    ring = ADI * math.pi / 4 * (0.083284**2 - 0.081**2) * 0.0265
+    assert found["ADI"].journal * 1e3 == pytest.approx(83.284, abs=5e-4)
+    assert found["ADI"].shaft_mass == pytest.approx(found["ADI"].eccentric_mass + (9.03351 - 5.379) * ADI / STEEL + ring, abs=1e-4)
+    assert found["ADI"].mass_difference * 1e3 == pytest.approx(-350, abs=30)
+    assert found["ADI"].specific_load * 0.083284 * 0.0265 == pytest.approx(1713.6, rel=1e-5)
+    assert (found["steel"].journal, found["steel"].shaft_mass, found["steel"].mass_difference) == (
+        0.081,
+        pytest.approx(9.03351),
+        pytest.approx(0),
+    )
 
 
 def test_what_is_not_known_is_left_out(case):

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The figures of the crank train: the piston's way, speed and acceleration over a turn, and the forces of one cylinder."""
+
+from typing import Any
+
+import numpy as np
+
+from ..sheet.step import Curve, Series, axis_label
+from ..sheet.text import Text
+from ..sheet.trace import untraced
+from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
+from . import formulas as f
+
+ANGLE = axis_label("crank angle α", "°")
+
+
+def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]) -> tuple[Curve, ...]:
+    """Way, speed and acceleration, exact beside the two terms of the textbooks, and what one cylinder puts on the block.
+
+    `harmonics`: of a/(ω²·r), from order 1.
+    """
+    alpha: Any = np.radians(np.arange(0.0, 361.0))
+    with untraced():
+        beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
+        motions: Any = (
+            (
+                "acceleration", Text("Piston acceleration over one turn"), axis_label("a", "m/s²"), r * omega**2,
+                f.relative_acceleration(alpha=alpha, beta=beta, lam=lam),
+                f.relative_acceleration_two_term(alpha=alpha, lam=lam, delta=delta),
+            ),
+            (
+                "speed", Text("Piston speed over one turn"), axis_label("v", "m/s"), r * omega,
+                f.relative_speed(alpha=alpha, beta=beta), f.relative_speed_two_term(alpha=alpha, lam=lam, delta=delta),
+            ),
+            (
+                "path", Text("Way of the piston from TDC over one turn"), axis_label("x", "mm"), r * 1e3,
+                f.relative_path(alpha=alpha, beta=beta, lam=lam, delta=delta), f.relative_path_two_term(alpha=alpha, lam=lam, delta=delta),
+            ),
+        )  # fmt: skip
+    degrees = np.degrees(alpha)
+    drawn = [
+        Curve(id, title, ANGLE, label, (Series(Text("exact"), degrees, exact * scale), Series(Text("two terms"), degrees, terms * scale)))
+        for id, title, label, scale, exact, terms in motions
+    ]
+    return (*drawn, _forces(alpha, motions[0][4], M_alt * r * omega**2, harmonics))
+
+
+def _forces(alpha: Any, relative: Any, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:
+    """The inertia force of one cylinder's reciprocating mass on the block: the first two orders, and all of them."""
+    orders = (Series(Text("order {n}", n=n), np.degrees(alpha), scale * (harmonics[n - 1] * np.exp(1j * n * alpha)).real) for n in (1, 2))
+    return Curve(
+        "cylinder_forces", Text("Inertia forces of one cylinder over one turn"), ANGLE, axis_label("force on the block, outwards", "N"),
+        (*orders, Series(Text("all orders"), np.degrees(alpha), scale * relative)),
+    )  # fmt: skip

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The throws by themselves: the centrifugal force of each, their polygons of forces and couples, and the balance of six systems.
+
+Vectors as in `formulas`: real up, imaginary 90° further in the sense of crank rotation, cylinder 1 at TDC, z from mid-engine.  A couple
+lies in the plane of its throw; turned by 90° it is the vector of the moment that the textbooks draw.
+"""
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from ..engine.crank import column
+from ..engine.inputs import EngineInputs
+from ..engine.solve import EngineResult
+from ..sheet.formula import formula
+from ..sheet.functions import cis, modulus, resultant
+from ..sheet.quantity import result, value
+from ..sheet.step import Curve, Series, Table
+from ..sheet.text import Amount, Text
+from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
+from .orders import DUST, Order
+from .remedies import equivalent_mass
+
+SMALL = 0.05  # of one throw's force, and of its couple over one pitch
+POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")
+
+
+@formula("F_c", "Finotti 2013, 2.2.3: centrifugal force of a mass on the crankpin")
+def centrifugal(m: Kilogram, omega: RadPerSecond, r: Metre) -> Newton:
+    """>>> centrifugal(m=0.74467, omega=272.2714, r=0.0535)
+    2953.39...
+    """
+    return m * omega**2 * r
+
+
+@formula("ΣF_c", POLYGON)
+def together(F_c: Newton, phi: Radian) -> Newton:
+    """`F_c` of every throw, or the one that all have."""
+    return modulus(resultant(F_c * cis(phi)))
+
+
+@formula("ΣM_c", POLYGON)
+def couple_together(F_c: Newton, z: Metre, phi: Radian) -> NewtonMetre:
+    return modulus(resultant(F_c * z * cis(phi)))
+
+
+@formula("M_rot,ne", "Finotti 2013, 2.5.3.1: rotating mass not balanced: what the crank carries beyond the rotating mass", unit="g")
+def rotating_not_balanced(M_eq: Kilogram, M_rot: Kilogram) -> Kilogram:
+    return M_eq - M_rot
+
+
+@formula("M_alt,ne", "Finotti 2013, 2.5.3.1: reciprocating mass not balanced", unit="g")
+def reciprocating_not_balanced(M_alt: Kilogram, M_rot: Kilogram, M_eq: Kilogram) -> Kilogram:
+    return M_alt + M_rot - M_eq
+
+
+@result
+class Throws:
+    """The throws with nothing balanced, and with what the crank carries of the reciprocating masses."""
+
+    force: Newton = value("Centrifugal force of one throw's rotating mass", "N", "F_c")
+    force_together: Newton = value("Centrifugal forces of all throws together", "N", "ΣF_c")
+    couple_together: NewtonMetre = value("Centrifugal couple of all throws", "N·m", "ΣM_c")
+    rotating_not_balanced: Kilogram = value("Mass that a throw's counterweight has beyond the rotating one", "g", "M_rot,ne")
+    reciprocating_not_balanced: Kilogram = value("Reciprocating mass that the crank leaves, per cylinder", "g", "M_alt,ne")
+    force_not_balanced: Newton = value("Centrifugal force of that mass, one throw", "N", "F_C")
+    couple_not_balanced: NewtonMetre = value("Centrifugal couple of that mass, all throws", "N·m", "ΣM_C")
+
+
+def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
+    """Forces and couples of the throws.  Numbers of the engine may be arrays, an engine each."""
+    crank: Any = e.crank
+    r, omega, M_rot, M_alt = engine.crank_radius, e.angular_speed, e.rotating_mass, e.reciprocating_mass
+    M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
+    beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
+    one, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
+    each, rest = column(one), column(more)
+    if e.unlike is not None:  # `one` and `more` are then those of the mean masses
+        M_r: Any = e.unlike.rotating
+        M_a: Any = e.unlike.reciprocating
+        each = centrifugal(m=M_r, omega=omega, r=r)
+        rest = centrifugal(m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r), omega=omega, r=r)
+    return Throws(
+        force=one, force_together=together(F_c=each, phi=crank.phi), couple_together=couple_together(F_c=each, z=crank.z, phi=crank.phi),
+        rotating_not_balanced=beyond, reciprocating_not_balanced=reciprocating_not_balanced(M_alt=M_alt, M_rot=M_rot, M_eq=M_eq),
+        force_not_balanced=more, couple_not_balanced=couple_together(F_c=rest, z=crank.z, phi=crank.phi),
+    )  # fmt: skip
+
+
+def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curve, ...]:
+    """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at double angles."""
+    crank: Any = e.crank
+    if engine.cylinders < 2 or not found.force:
+        return ()
+    psi: Any = crank.psi
+    rotating: Any = found.force if e.unlike is None else found.force * np.asarray(e.unlike.rotating) / e.rotating_mass
+    reciprocating: Any = e.reciprocating_mass if e.unlike is None else np.asarray(e.unlike.reciprocating)
+    first = rotating * np.exp(1j * (crank.theta_0 + crank.phi))
+    kinds = [(Text("throws: rotating masses, and order 1"), first)]
+    if not np.ptp(psi) and e.harmonics[1]:
+        second = reciprocating * engine.crank_radius * e.angular_speed**2 * e.harmonics[1]
+        kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
+    forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
+    couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
+    drawn = _polygon(*forces, [(name, vectors) for name, vectors in kinds]), _polygon(*couples, [(n, v * crank.z) for n, v in kinds])
+    return tuple(curve for curve in drawn if curve.series)
+
+
+def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, Any]]) -> Curve:
+    """Each cylinder's vector from the end of the one before; the resultant from the start to the end of the last."""
+    series = []
+    for variant, vectors in kinds:
+        tips = np.concatenate([[0j], np.cumsum(vectors)])
+        size = float(np.max(np.abs(vectors)))
+        for k, vector in enumerate(vectors):
+            if abs(vector) > DUST * size > 0:
+                ends = tips[k : k + 2]
+                series.append(Series(Text("cylinder {n}", n=k + 1), ends.imag, ends.real, variant))
+        if abs(tips[-1]) > DUST * size:
+            ends = tips[[0, -1]]
+            series.append(Series(Text("resultant"), ends.imag, ends.real, variant))
+    variants = tuple(variant for variant, _ in kinds) if len(kinds) > 1 else ()
+    return Curve(
+        id, title, Text("horizontal, {unit}", unit=unit), Text("vertical, {unit}", unit=unit), tuple(series), equal=True, variants=variants
+    )
+
+
+def verdict(found: Throws, engine: EngineInputs) -> Text:
+    """Static and dynamic balance of the throws by themselves: whether the crank needs counterweights for its rotating masses."""
+    force, couple = Amount(found.force_together), Amount(found.couple_together)
+    static = found.force_together <= SMALL * found.force
+    dynamic = found.couple_together <= SMALL * found.force * engine.cylinder_pitch
+    if static and dynamic:
+        return Text("The bare throws are balanced statically and dynamically: their rotating masses need no counterweights.")
+    if static:
+        return Text(
+            "The bare throws are balanced statically, not dynamically: counterweights must take a couple of {couple} N·m of the rotating "
+            "masses, and are taken to do so.", couple=couple,
+        )  # fmt: skip
+    if dynamic:
+        return Text(
+            "The bare throws are not balanced statically: counterweights must take a force of {force} N of the rotating masses, and are "
+            "taken to do so.", force=force,
+        )  # fmt: skip
+    return Text(
+        "The bare throws are balanced neither statically nor dynamically: counterweights must take a force of {force} N and a couple of "
+        "{couple} N·m of the rotating masses, and are taken to do so.", force=force, couple=couple,
+    )  # fmt: skip
+
+
+def systems_table(
+    found: Throws, orders: Mapping[str, Order], one_force: Newton, one_couple: NewtonMetre, engine: EngineInputs, e: EngineResult
+) -> Table:
+    """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and why."""
+    crank: Any = e.crank
+    first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
+    closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
+    inline = not np.ptp(crank.psi)
+    as_throws = Text("like those of the rotating masses") if inline else Text("by throws and banks together")
+    rows = (
+        (
+            Text("centrifugal forces"), found.force_together, found.force, True,
+            Text("the polygon of their vectors closes"), Text("the polygon of their vectors stays open"),
+        ),
+        (
+            Text("couples of the centrifugal forces"), found.couple_together, found.force * engine.cylinder_pitch, False,
+            Text("the throws mirror each other about mid-engine") if mirrored else Text("the polygon of their couples closes"),
+            Text("the throws have no plane of symmetry across the axis") if closed else Text("about mid-engine; a force is left as well"),
+        ),
+        (Text("forces of order 1"), abs(first[0]) + abs(first[1]), one_force, True, as_throws, as_throws),
+        (Text("couples of order 1"), abs(first[2]) + abs(first[3]), one_couple, False, as_throws, as_throws),
+        (
+            Text("forces of order 2"), abs(second[0]) + abs(second[1]), e.lambda_ * one_force, True,
+            Text("the polygon of the doubled angles closes"), Text("the polygon of the doubled angles stays open"),
+        ),
+        (
+            Text("couples of order 2"), abs(second[2]) + abs(second[3]), e.lambda_ * one_couple, False,
+            Text("the polygon of couples at the doubled angles closes"),
+            Text("the polygon of couples at the doubled angles stays open"),
+        ),
+    )  # fmt: skip
+    return Table(
+        "systems", Text("The six systems with nothing balanced"),
+        ((Text("system"), ""), (Text("force"), "N"), (Text("couple"), "N·m"), (Text("state"), ""), (Text("because"), "")),
+        tuple(
+            (
+                name, amount if is_force else None, None if is_force else amount,
+                Text("balanced by themselves") if amount <= SMALL * one else Text("not balanced"),
+                why if amount <= SMALL * one else why_not,
+            )
+            for name, amount, one, is_force, why, why_not in rows
+        ),
+        Text("Peaks over the turn; balanced: within 5 % of one cylinder's, the couple over one pitch."),
+    )  # fmt: skip
+
+
+def _mirrored(crank: Any) -> bool:
+    """Whether every throw has one at the same angle on the other side of mid-engine."""
+    vectors = np.exp(1j * crank.phi)
+    return all(np.any((np.abs(crank.z + z) < 1e-9) & (np.abs(vectors - v) < 1e-9)) for z, v in zip(crank.z, vectors))
