@@ -30,7 +30,7 @@ class LinkedArray(np.ndarray):
         if isinstance(index, (int, np.integer)):
             return linked(part, self.parts[index])
         parts = np.fromiter(self.parts, object)[index]
-        return linked_array(part, joined_links(parts), tuple(parts) if parts.ndim == 1 else ())
+        return linked_array(part, joined_links(parts.ravel()), tuple(parts) if parts.ndim == 1 else ())
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         return array[()] if return_scalar else array

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """An oil by one dynamic viscosity, or by rows of temperature and viscosity, beside the two kinematic ones."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -99,6 +100,16 @@ def test_the_oils_of_the_thesis_run_as_printed(name, T):
     keys = {key for link in Chains(results).of("friction.crank_pump.loss") for key in link.inputs}
     row = list(PRINTED[name]).index(T)
     assert f"oil.{name} as printed.viscosities.{row}.viscosity_mPas" in keys
+
+
+def test_figures_and_tables_of_such_an_oil_are_made_too():
+    """What is made later asks for the oil at many points at once."""
+    text = (DESIGNS / "timing_pair.toml").read_text(encoding="utf-8")
+    name = re.search(r'^oil = "(.*)"$', text, re.MULTILINE)[1]
+    text = text.replace(f'oil = "{name}"', 'oil = "10W40 as printed"') + written("10W40", PRINTED["10W40"])
+    results = solve(design(parse(text.encode(), "d.toml")))
+    drawn = results.outcomes["friction"].drawn
+    assert drawn.tables and drawn.curves and not [note for note in drawn.notes if "Not everything" in note]
 
 
 def test_the_bearings_take_a_viscosity_of_their_own():
