@@ -18,7 +18,7 @@ from . import DEEDS, Do, deed, over, still, text, to_curve, wide
 # --- curves and tables
 def number(pilot: Pilot[int]) -> str:
     """Which curve of how many, as its title says."""
-    found = re.search(r"(\d+) of 8", text(pilot))
+    found = re.search(r"(\d+) of 11", text(pilot))
     return found[1] if found else ""
 
 
@@ -40,10 +40,10 @@ async def curve_back(pilot: Pilot[int], do: Do) -> None:
     await to_curve(pilot)
     await do()
     await still(pilot)
-    assert number(pilot) == "8" and "All values" in text(pilot)
+    assert number(pilot) == "11" and "All values" in text(pilot)
     await do()
     await still(pilot)
-    assert number(pilot) == "7"
+    assert number(pilot) == "10"
 
 
 @deed
