@@ -40,6 +40,7 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
         for place, r in results.items():
             yield from (_pressure(place, r), _clearance(place, r), _length(place, r), _raimondi_boyd(place, r), _duty(place, r))
         yield _oils(next(iter(results.values())))
+        yield from _bench(next(iter(results.values())))
 
 
 def _pressure(place: str, r: BearingResult) -> Curve:
@@ -139,3 +140,25 @@ def _oils(r: BearingResult) -> Curve:
     series = tuple(Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items())
     title = Text("Viscosity of the oil over its temperature")
     return Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
+
+
+def _bench(r: BearingResult) -> Iterator[Curve]:
+    """The oil supplied over the speed, of the engine's bench run."""
+    if r.sweep.bench:
+        rpm = np.array(r.sweep.speeds) * 60
+        parts = (
+            (
+                "oil_temperature_over_speed",
+                Text("Oil supplied over the speed, by the bench run"),
+                axis_label("T_in", "°C"),
+                r.sweep.temperatures,
+            ),
+            (
+                "oil_pressure_over_speed",
+                Text("Pressure of the oil supplied, by the bench run"),
+                axis_label("p_s", "bar"),
+                np.array(r.sweep.pressures) / 1e5,
+            ),
+        )
+        for id, title, label, y in parts:
+            yield Curve(id, title, axis_label("speed", "rpm"), label, (Series(Text("bench run"), rpm, np.array(y)),))

@@ -61,6 +61,7 @@ class WheelResult:
     tooth_depth: Metre = value("Tooth depth", "mm", "h")
     reference_thickness: Metre = value("Tooth thickness at the reference circle, transverse", "mm", "s_t")
     tip_thickness: Metre = value("Tooth thickness at the tip, transverse", "mm", "s_at")
+    form_thickness: Metre = value("Tooth thickness at the form circle, transverse", "mm", "s_Ff")
     tip_thickness_normal: Metre = value("Tooth thickness at the tip, normal", "mm", "s_an")
     tip_thickness_normal_min: Metre | None = value("Tooth thickness at the tip, normal, thinnest tooth", "mm", "s_an", default=None)
     speed: RevPerSecond = value("Speed (+: in the sense of the first driver)", "rpm", "n")

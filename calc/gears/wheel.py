@@ -45,6 +45,7 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         s_t = f.reference_thickness(system.m_n, x, alpha_n, system.beta)
         s_at = f.thickness_at(d_a, s_t, d, alpha_t, f.pressure_angle_at(d_b, d_a))
         s_an = f.normal_thickness_at(s_at, system.beta, d_a, d)
+        s_f = f.thickness_at(d_Ff, s_t, d, alpha_t, f.pressure_angle_at(d_b, d_Ff))
         alpha_m = _mid_flank(bare, d_a, d_Ff)
         chord = m.virtual_teeth(wheel.teeth, system.beta)
         psi = m.half_tooth_angle(chord, x, alpha_n)
@@ -60,7 +61,8 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         return WheelResult(
             tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
             base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f, form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an,
-            speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal, preferred_ball=preferred, ball_diameter=ball,
+            form_thickness=s_f, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal,
+            preferred_ball=preferred, ball_diameter=ball,
             ball_given=gears.ball_diameter is not None, over_balls=_over_balls(wheel.teeth, place, ball),
             chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,

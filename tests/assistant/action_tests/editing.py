@@ -80,7 +80,11 @@ async def go_on(pilot: Pilot[int], do: Do) -> None:
     await type_in(pilot, "0,4")
     await do()
     await still(pilot)
-    assert "[0.4      ]" in text(pilot) and pilot.app.focused is not box and work(pilot).form.here() == ("imbalance", "rotating_balance_fraction")
+    assert (
+        "[0.4      ]" in text(pilot)
+        and pilot.app.focused is not box
+        and work(pilot).form.here() == ("imbalance", "rotating_balance_fraction")
+    )
     await to_checks(pilot)
     await do()
     await over(pilot, Explain)
