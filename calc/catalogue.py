@@ -87,6 +87,11 @@ class Oil:
         "Dynamic viscosity over temperature", ViscosityRow, default=(),
         help="Rows of rising temperature, instead of the viscosities at 40 and 100 °C. Walther's line joins each to the next.",
     )  # fmt: skip
+    pumping_limit: float | None = quantity(
+        "Borderline pumping temperature", "°C", default=None, low=-80, high=50, symbol="T_BP",
+        help="Below it a pump does not get the oil to the bearings.",
+    )  # fmt: skip
+    pour_point: float | None = quantity("Pour point", "°C", default=None, low=-80, high=50, symbol="T_PP", help="Below it the oil stands.")
     printed: tuple[PrintedViscosity, ...] = tables("Viscosities printed elsewhere", PrintedViscosity, default=())
     source: str = text("Source", default="the user")
     claims: tuple[Claim, ...] = ()  # of an oil of the table: where each value comes from

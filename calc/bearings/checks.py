@@ -5,6 +5,7 @@ import math
 from collections.abc import Callable, Iterator
 from functools import partial
 
+from ..catalogue import Oil
 from ..fits import clearance_limits, parse
 from ..journal_rules import (
     DESIGN_FACTOR,
@@ -24,7 +25,7 @@ from ..journal_rules import (
 from ..oils import BEYOND_ROWS, MORE_ROWS
 from ..sheet.check import Check, check
 from ..sheet.remedy import Remedy, by_key, down, up
-from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.text import EMPTY, SEMICOLON, Amount, Name, Text
 from . import formulas as f
 from .film.optimum import RAIMONDI_BOYD
 from .inputs import IN_WORDS, BearingInputs, BearingsInputs
@@ -42,6 +43,15 @@ def least_film(d: float, u: float) -> float | None:
     """h_lim of a journal from 24 to 160 mm; None outside."""
     column = sum(u > limit for limit in SPEEDS)
     return next((row[column] for up_to, row in LEAST_FILM if d <= up_to), None) if d >= 0.024 else None
+
+
+def oil_checks(inputs: BearingsInputs, oil: Oil) -> Iterator[Check]:
+    """What the oil itself bears: it has to flow at a cold start."""
+    limits = [T for T in (oil.pumping_limit, oil.pour_point) if T is not None]
+    if limits:
+        source = Text("given in the design") if oil.source == "the user" else Name(oil.source)
+        yield check("bearings.oil_pumping", Text("Lowest temperature, oil still pumped"), inputs.lowest_temperature, ">=", max(limits),
+            "°C", source, Text("An oil of a lower winter grade, or no start so cold."))  # fmt: skip
 
 
 def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:

@@ -22,7 +22,7 @@ from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from .checks import checks
+from .checks import checks, oil_checks
 from .corners import corner_points, corners, corners_table
 from .curves import curves
 from .film import optimum
@@ -72,6 +72,7 @@ def solve(
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
     every = [c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r))]
     every += _slopes_given(bearings, shaft)
+    every += oil_checks(bearings, solids.oil)
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),

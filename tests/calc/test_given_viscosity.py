@@ -184,3 +184,16 @@ load_speed_ratio = 0.0
     assert values["bearings.front.reynolds.sommerfeld"] == pytest.approx(0.135, rel=1e-3)
     assert values["bearings.front.reynolds.film"] / c == pytest.approx(0.42, rel=0.02)
     assert values["bearings.front.reynolds.friction_variable"] == pytest.approx(3.50, rel=0.02)
+
+
+@pytest.mark.parametrize("lowest, verdict", [(-20.0, "pass"), (-24.0, "pass"), (-25.0, "warn")])
+def test_an_oil_has_to_be_pumped_at_a_cold_start(lowest, verdict):
+    """Q8 T905: borderline pumping temperature −24 °C, pour point −27 °C (Finotti 2013, Fig. 5.20, read)."""
+    document = read(DESIGNS / "r753ie4_gamma.toml").with_value("bearings.lowest_temperature_C", lowest)
+    found = next(c for c in solve(design(document)).checks() if c.id == "bearings.oil_pumping")
+    assert found.limit == -24.0 and found.verdict == verdict and found.kind == "caution"
+
+
+def test_an_oil_of_unknown_pumping_limit_is_not_judged():
+    document = read(DESIGNS / "r753ie4_gamma.toml").with_value("bearings.oil", "SAE 30")
+    assert not [c for c in solve(design(document)).checks() if c.id == "bearings.oil_pumping"]
