@@ -39,6 +39,7 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
     with untraced():
         for place, r in results.items():
             yield from (_pressure(place, r), _clearance(place, r), _length(place, r), _raimondi_boyd(place, r), _duty(place, r))
+            yield from _further_charts(place, r)
         yield _oils(next(iter(results.values())))
         yield from _bench(next(iter(results.values())))
 
@@ -106,6 +107,27 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Curve:
     series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
     title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
     return Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
+
+
+def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
+    """The other charts of 1958: friction, flow, side flow and pressure over S, with the design's point on the line of its length."""
+    own = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
+    where = dict(place=IN_WORDS[place])
+    parts = (
+        ("friction", Text("f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
+        ("flow", Text("Q/(r·c·n·l)"), Text("Raimondi and Boyd: flow, {place} bearing", **where)),
+        ("side_flow_ratio", Text("Q_s/Q"), Text("Raimondi and Boyd: side flow, {place} bearing", **where)),
+        ("pressure_ratio", Text("p/p_max"), Text("Raimondi and Boyd: pressure, {place} bearing", **where)),
+    )
+    films = {ratio: film_at(ECCENTRICITIES, ratio) for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))}
+    for name, label, title in parts:
+        shown = {ratio: film.sommerfeld < 3 if name == "friction" else np.full(ECCENTRICITIES.shape, True) for ratio, film in films.items()}
+        lines = [
+            Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld[shown[ratio]]), getattr(film, name)[shown[ratio]])
+            for ratio, film in films.items()
+        ]
+        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([getattr(own, name)])))
+        yield Curve(f"raimondi_boyd_{name}_{place}", title, LG_S, label, tuple(lines))
 
 
 @cache

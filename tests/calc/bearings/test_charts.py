@@ -7,6 +7,7 @@ import pytest
 from calc.bearings.film.optimum import share_of_largest_load, share_of_least_friction
 from calc.bearings.film.table import film_at
 from calc.design_file import design, read
+from calc.sheet.number import short
 from calc.shipped import DESIGNS
 from calc.solve import solve
 
@@ -53,6 +54,10 @@ def test_every_chart_passes_through_the_design(gamma, drawn, place):
             assert np.interp(name, at, share) == pytest.approx(1.0, abs=0.02), (x, label)
     S, share = drawn[f"raimondi_boyd_chart_{place}"]["as designed"]
     assert 10 ** S[0] == pytest.approx(v("sommerfeld")) and share[0] == pytest.approx(1 - v("eccentricity"))
+    for name in ("friction", "flow", "side_flow_ratio", "pressure_ratio"):
+        (at,), (y,) = drawn[f"raimondi_boyd_{name}_{place}"]["as designed"]
+        x, line = drawn[f"raimondi_boyd_{name}_{place}"][f"l/d = {short(v('length_ratio'))}"]
+        assert 10**at == pytest.approx(v("sommerfeld")) and np.interp(at, x[::-1], line[::-1]) == pytest.approx(y, rel=1e-2), name
     duty, friction = drawn[f"stribeck_{place}"]["full film"]
     assert np.interp(v("mckee_number"), duty[::-1], friction[::-1]) == pytest.approx(v("friction_coefficient"), rel=5e-3)
 
