@@ -74,6 +74,9 @@ class ImbalanceInputs:
         "Axis of the backward balance shaft", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_b",
         help="[up, side] from the crank's: of the shaft of a pair that turns against the crank.",
     )  # fmt: skip
+    shaft_pair_order: int = integer(
+        "Order of the pair", default=2, low=1, high=2, help="Of the two shafts at these axes: 1 turns at ±1, 2 at ±2 times crank speed."
+    )
     crank_bodies_throw_at_tdc: int = integer(
         "Throw up in the list of bodies",
         default=1,

@@ -22,8 +22,7 @@ from ..sheet.value import based_on
 from .inputs import ImbalanceInputs
 from .remedies import Remedy, supplied_force
 
-RULE = Text("rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces")
-PAIRS = ((1, "first_order_pair", "forward", "backward"), (2, "second_order_shafts", "forward_2", "backward_2"))
+PAIRS = {1: ("first_order_pair", "forward", "backward"), 2: ("second_order_shafts", "forward_2", "backward_2")}
 
 
 @formula("F_S", "dynamics: amount of the force of one shaft", names={"F": "F_S"})
@@ -97,23 +96,19 @@ class ShaftPair:
     height_difference_of_least_roll: Metre | None = value("Height difference of the least roll", "mm", "Δh_0", default=None)
 
 
-def shaft_pairs(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Remedy], omega: RadPerSecond) -> dict[str, ShaftPair] | None:
-    """The pairs against first and second order that carry a force, at the places given; None where none is given."""
-    forward, backward = imbalance.forward_shaft_axis, imbalance.backward_shaft_axis
-    if forward is None or backward is None or e.torque is None:
+def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Remedy]) -> ShaftPair | None:
+    """The pair against the order asked for, at the places given; None where none is given, or where the pair carries no force."""
+    forward, backward, n = imbalance.forward_shaft_axis, imbalance.backward_shaft_axis, imbalance.shaft_pair_order
+    name, *sides = PAIRS[n]
+    if forward is None or backward is None or e.torque is None or name not in remedy:
         return None
-    p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
-    found = {}
-    for n, name, *sides in PAIRS:
-        shafts: Any = remedy[name].shafts if name in remedy else {}
-        with about(Text("two shafts at ±{n}", n=n)):
-            F_f, F_b = (_force(shafts.get(side), omega) for side in sides)
-            if not F_f and not F_b:
-                continue
-            found[f"order_{n}"] = _pair(
-                p_f, F_f, p_b, F_b, height_difference(h_f=forward[0], h_b=backward[0]), e.torque.reaction_harmonics[n - 1]
-            )
-    return found
+    with about(Text("two shafts at ±{n}", n=n)):
+        F_f, F_b = (based_on(_force(remedy[name].shafts.get(side), e.angular_speed), n) for side in sides)
+        if not F_f and not F_b:
+            return None
+        p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
+        Dh = height_difference(h_f=forward[0], h_b=backward[0])
+        return _pair(p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n))
 
 
 def _force(shaft: Any, omega: RadPerSecond) -> Any:
@@ -139,49 +134,44 @@ def _pair(p_f: Any, F_f: Any, p_b: Any, F_b: Any, Dh: Metre, t_n: Any) -> ShaftP
     )
 
 
-def roll_checks(pairs: dict[str, ShaftPair] | None) -> Iterator[Check]:
+def roll_checks(pair: ShaftPair | None) -> Iterator[Check]:
     """Whether the places of the shafts make the roll worse than it is without them."""
-    for name, pair in (pairs or {}).items():
+    if pair is not None:
         yield check(
-            f"imbalance.shaft_pair.{name}.roll", Text("Roll with the pair of shafts, order {n}", n=name[-1]), pair.roll_left, "<=",
-            pair.reaction, "N·m", RULE,
+            "imbalance.shaft_pair.roll", Text("Roll with the pair of shafts"), pair.roll_left, "<=", pair.reaction, "N·m",
+            Text("rule of this program: the places of the shafts should not add to the torque reaction of the inertia forces"),
             Text("At equal heights and distances the pair adds nothing; the shaft that turns with the crank belongs higher than the other "
                 "where the height difference of the least roll is positive."),
         )  # fmt: skip
 
 
-def roll_notes(pairs: dict[str, ShaftPair] | None) -> tuple[Text, ...]:
+def roll_notes(imbalance: ImbalanceInputs, pair: ShaftPair | None) -> tuple[Text, ...]:
     """What is said of the roll about the crank's axis."""
-    if pairs:  # the table tells it
+    if pair is not None:  # the table tells it
         return ()
     reaction = Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it.")
-    if pairs is None:
+    if imbalance.forward_shaft_axis is None:
         return (reaction,)
-    return Text("No pair of shafts carries a force here, a couple at most: their places raise no roll torque."), reaction
+    without = Text("No pair of shafts carries a force of order {n} here: their places raise no roll torque.", n=imbalance.shaft_pair_order)
+    return without, reaction
 
 
-def pair_table(pairs: dict[str, ShaftPair], remedy: dict[str, Remedy]) -> Table:
-    """Each pair: its forces and what is left of force and roll."""
-    title = {name: f"±{n}" for n, name, *_ in PAIRS}
-    rows = []
-    for n, name, *_ in PAIRS:
-        if (pair := pairs.get(f"order_{n}")) is None:
-            continue
-        force = remedy[name].order_1_force if n == 1 else remedy[name].order_2_force
-        best = pair.height_difference_of_least_roll
-        rows.append((
-            title[name], pair.force_forward, pair.force_backward, force, pair.height_difference * 1e3, pair.roll_torque,
-            math.degrees(pair.roll_torque_phase), pair.reaction, math.degrees(pair.reaction_phase), pair.roll_left,
-            None if best is None else best * 1e3,
-        ))  # fmt: skip
+def pair_table(pair: ShaftPair, n: int, remedy: dict[str, Remedy]) -> Table:
+    """The pair: its forces, and what is left of force and roll."""
+    whole = remedy[PAIRS[n][0]]
+    best = pair.height_difference_of_least_roll
     return Table(
-        "shaft_pairs", Text("Two balance shafts at their places"),
+        "shaft_pair", Text("Two balance shafts at their places"),
         (
             (Text("shafts at"), ""), (Text("force forward"), "N"), (Text("force backward"), "N"), (Text("force left"), "N"),
             (Text("Δh"), "mm"), (Text("roll of the shafts"), "N·m"), (Text("phase"), "°"),
             (Text("roll of inertia"), "N·m"), (Text("phase"), "°"), (Text("roll left"), "N·m"), (Text("Δh of least roll"), "mm"),
         ),
-        tuple(rows),
+        ((
+            f"±{n}", pair.force_forward, pair.force_backward, whole.order_1_force if n == 1 else whole.order_2_force,
+            pair.height_difference * 1e3, pair.roll_torque, math.degrees(pair.roll_torque_phase),
+            pair.reaction, math.degrees(pair.reaction_phase), pair.roll_left, None if best is None else best * 1e3,
+        ),),
         Text("Roll about the crank's axis on the block, T·cos(n·ε + phase), positive in the sense of rotation; ε from TDC of cylinder 1. "
         "Δh: the shaft that turns with the crank over the other. The gas torque is not in it: what is best under load lies elsewhere."),
         covers=("imbalance.shaft_pair.",),

@@ -26,7 +26,7 @@ from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
-from .shaft_pair import ShaftPair, pair_table, roll_notes, shaft_pairs
+from .shaft_pair import ShaftPair, pair_table, roll_notes, shaft_pair
 from .throws import Throws, polygons, systems_table, throws, verdict
 from .webs import WebsResult, bob_table, webs
 
@@ -50,7 +50,7 @@ class ImbalanceResult:
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
     mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
     remedy: dict[str, Remedy] = group()
-    shaft_pair: dict[str, ShaftPair] | None = group(default=None)
+    shaft_pair: ShaftPair | None = group(default=None)
     counterweight: dict[str, Counterweight] | None = group(default=None)
     throw: Throws = group()
     webs: WebsResult | None = group(spread=True, default=None)
@@ -122,7 +122,7 @@ def values(
         mistiming_per_tooth=by_tooth,
         **forces,
         remedy=found,
-        shaft_pair=shaft_pairs(imbalance, e, found, e.angular_speed),
+        shaft_pair=shaft_pair(imbalance, e, found),
         counterweight=weights,
         throw=bare,
         webs=webs(imbalance, engine, e),
@@ -177,7 +177,7 @@ def solve(
 
     def places() -> Iterator[Table]:
         if found.shaft_pair:
-            yield pair_table(found.shaft_pair, found.remedy)
+            yield pair_table(found.shaft_pair, imbalance.shaft_pair_order, found.remedy)
 
     return Outcome(
         "imbalance",
@@ -197,7 +197,13 @@ def solve(
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
         notes=Later(
-            lambda: (verdict(found.throw, engine), *bobs()[1], *((UNDRILLED,) if undrilled else ()), MIDDLE, *roll_notes(found.shaft_pair))
+            lambda: (
+                verdict(found.throw, engine),
+                *bobs()[1],
+                *((UNDRILLED,) if undrilled else ()),
+                MIDDLE,
+                *roll_notes(imbalance, found.shaft_pair),
+            )
         ),
     )
 
