@@ -103,11 +103,12 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Re
     if forward is None or backward is None or e.torque is None or name not in remedy:
         return None
     with about(Text("two shafts at ±{n}", n=n)):
-        F_f, F_b = (based_on(_force(remedy[name].shafts.get(side), e.angular_speed), n) for side in sides)
+        F_f, F_b = (_force(remedy[name].shafts.get(side), e.angular_speed) for side in sides)
         if not F_f and not F_b:
             return None
         p_f, p_b = (based_on(complex(*place), place) for place in (forward, backward))
-        Dh = height_difference(h_f=forward[0], h_b=backward[0])
+        F_f, F_b = based_on(F_f, F_f, n), based_on(F_b, F_b, n)
+        Dh = height_difference(h_f=based_on(forward[0], forward, n), h_b=backward[0])
         return _pair(p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n))
 
 
