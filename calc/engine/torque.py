@@ -73,6 +73,7 @@ class TorqueResult:
     energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
     speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
     harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
+    reaction_harmonics: tuple[complex, ...]  # the same of its reaction on the block
     cycle: Cycle | None  # the gas of a cylinder, for the crank throw
 
 
@@ -248,7 +249,7 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
     )  # fmt: skip
     return {
         "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": elements(t),
-        "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders,
+        "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders, "reaction_harmonics": elements(t_block),
     }, curve  # fmt: skip
 
 

@@ -9,6 +9,7 @@ from ..sheet.functions import argument
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Number
 from .remedies import BalanceShaft
+from .shaft_pair import roll_checks
 
 if TYPE_CHECKING:
     from .solve import ImbalanceResult
@@ -56,6 +57,7 @@ def checks(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -
         advice("order_1.forward_force", Text("First-order force turning forward"), first.force_forward, FIRST * force, "N", forward),
         advice("order_2.couple", Text("Second-order couple left"), second.couple_peak, SECOND * lam * couple, "N·m", two),
         advice("order_2.force", Text("Second-order force left"), second.force_peak, SECOND * lam * force, "N", two),
+        *roll_checks(result.shaft_pair),
         *_crank_checks(result),
     )
 

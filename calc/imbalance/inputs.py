@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, tables, text
+from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
 
@@ -65,6 +65,18 @@ class ImbalanceInputs:
         "Radius of the counterweights", "mm", default=None, above=0, high=1000, symbol="r_cw", source="Finotti 2013, 2.4",
         help="Radius of their centres of gravity from the crank's axis.",
     )  # fmt: skip
+    forward_shaft_axis: tuple[float, ...] | None = series(
+        "Axis of the forward balance shaft", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_f",
+        help="[up, side] from the crank's, side 90° further in the sense of crank rotation: of the shaft of a pair that turns "
+        "with the crank. At unequal heights the pair raises a roll torque.",
+    )  # fmt: skip
+    backward_shaft_axis: tuple[float, ...] | None = series(
+        "Axis of the backward balance shaft", "mm", default=None, count=(2, 2), low=-5000, high=5000, symbol="p_b",
+        help="[up, side] from the crank's: of the shaft of a pair that turns against the crank.",
+    )  # fmt: skip
+    shaft_pair_order: int = integer(
+        "Order of the pair", default=2, low=1, high=2, help="Of the two shafts at these axes: 1 turns at ±1, 2 at ±2 times crank speed."
+    )
     crank_bodies_throw_at_tdc: int = integer(
         "Throw up in the list of bodies",
         default=1,
@@ -102,6 +114,12 @@ class ImbalanceInputs:
         ):
             if given is None and other is not None:
                 yield key, Text("needed with the other of the two: span and radius give the masses of the counterweights")
+        for key, axis, beside in (
+            ("forward_shaft_axis_mm", self.forward_shaft_axis, self.backward_shaft_axis),
+            ("backward_shaft_axis_mm", self.backward_shaft_axis, self.forward_shaft_axis),
+        ):
+            if axis is None and beside is not None:
+                yield key, Text("needed with the other of the two: the places of both shafts give the roll of the pair")
         pins = [body.pin for body in self.crank_bodies if isinstance(body.pin, int)]
         if self.crank_bodies and not pins:
             yield "crank_bodies", Text("at least one body must say which crankpin it is (pin = 1): the bobs are put there")

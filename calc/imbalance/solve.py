@@ -26,6 +26,7 @@ from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
 from .orders import Order, order
 from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
+from .shaft_pair import ShaftPair, pair_table, roll_notes, shaft_pair
 from .throws import Throws, polygons, systems_table, throws, verdict
 from .webs import WebsResult, bob_table, webs
 
@@ -49,6 +50,7 @@ class ImbalanceResult:
     mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
     mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
     remedy: dict[str, Remedy] = group()
+    shaft_pair: ShaftPair | None = group(default=None)
     counterweight: dict[str, Counterweight] | None = group(default=None)
     throw: Throws = group()
     webs: WebsResult | None = group(spread=True, default=None)
@@ -110,6 +112,7 @@ def values(
         weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
     with about(Text("throws by themselves")):
         bare = throws(kappa, engine, e)
+    found = remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis)
     return ImbalanceResult(
         orders=orders,
         required_couple=length,
@@ -118,7 +121,8 @@ def values(
         mistiming_per_degree=mistiming,
         mistiming_per_tooth=by_tooth,
         **forces,
-        remedy=remedies(e.angular_speed, kappa, first.unbalanced, second.vectors, whole, one_force, one_couple, axis),
+        remedy=found,
+        shaft_pair=shaft_pair(imbalance, e, found),
         counterweight=weights,
         throw=bare,
         webs=webs(imbalance, engine, e),
@@ -142,13 +146,10 @@ def _force_shaft(backward: Any, omega: RadPerSecond, teeth: int | None) -> dict[
     }
 
 
-NOTES = (
-    Text(
-        "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
-        "plane only. A vertical "
-        "couple is a pair of vertical forces, one at either end."
-    ),
-    Text("The torque reaction about the crank's axis can not be balanced by masses: the engine step reports it."),
+MIDDLE = Text(
+    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
+    "plane only. A vertical "
+    "couple is a pair of vertical forces, one at either end."
 )
 
 
@@ -174,6 +175,10 @@ def solve(
         if 2 < engine.cylinders <= LISTED:
             yield cranks_table(firing_orders(imbalance, engine, e), engine)
 
+    def places() -> Iterator[Table]:
+        if found.shaft_pair:
+            yield pair_table(found.shaft_pair, imbalance.shaft_pair_order, found.remedy)
+
     return Outcome(
         "imbalance",
         result=found,
@@ -184,13 +189,22 @@ def solve(
             lambda: (
                 remedy_table(found, imbalance.crank_balance_fraction),
                 systems_table(found.throw, found.orders, found.one_force, found.one_couple, engine, e),
+                *places(),
                 *bobs()[0],
                 *cranks(),
             )
         ),
         errata=_errata(imbalance, found) if shaft else (),
         proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
-        notes=Later(lambda: (verdict(found.throw, engine), *bobs()[1], *((UNDRILLED,) if undrilled else ()), *NOTES)),
+        notes=Later(
+            lambda: (
+                verdict(found.throw, engine),
+                *bobs()[1],
+                *((UNDRILLED,) if undrilled else ()),
+                MIDDLE,
+                *roll_notes(imbalance, found.shaft_pair),
+            )
+        ),
     )
 
 
