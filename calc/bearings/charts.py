@@ -38,8 +38,9 @@ LG_S = Text("lg S")
 def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
     with untraced():
         for place, r in results.items():
-            yield from (_pressure(place, r), _clearance(place, r), _length(place, r), _raimondi_boyd(place, r), _duty(place, r))
-            yield from _further_charts(place, r)
+            yield from (_clearance(place, r), _length(place, r))
+            if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
+                yield from (_pressure(place, r), _raimondi_boyd(place, r), _duty(place, r), *_further_charts(place, r))
         yield _oils(next(iter(results.values())))
         yield from _bench(next(iter(results.values())))
 
@@ -114,19 +115,19 @@ def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
     own = film_at(float(r.eccentricity), float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
     where = dict(place=IN_WORDS[place])
     parts = (
-        ("friction", Text("f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
+        ("friction", Text("lg f*, f* = (r/c)·f"), Text("Raimondi and Boyd: friction, {place} bearing", **where)),
         ("flow", Text("Q/(r·c·n·l)"), Text("Raimondi and Boyd: flow, {place} bearing", **where)),
         ("side_flow_ratio", Text("Q_s/Q"), Text("Raimondi and Boyd: side flow, {place} bearing", **where)),
         ("pressure_ratio", Text("p/p_max"), Text("Raimondi and Boyd: pressure, {place} bearing", **where)),
     )
     films = {ratio: film_at(ECCENTRICITIES, ratio) for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4)))}
     for name, label, title in parts:
-        shown = {ratio: film.sommerfeld < 3 if name == "friction" else np.full(ECCENTRICITIES.shape, True) for ratio, film in films.items()}
+        scale = np.log10 if name == "friction" else np.asarray
         lines = [
-            Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld[shown[ratio]]), getattr(film, name)[shown[ratio]])
+            Series(Text("l/d = {ratio}", ratio=float(ratio)), np.log10(film.sommerfeld), scale(getattr(film, name)))
             for ratio, film in films.items()
         ]
-        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([getattr(own, name)])))
+        lines.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), scale(np.array([getattr(own, name)]))))
         yield Curve(f"raimondi_boyd_{name}_{place}", title, LG_S, label, tuple(lines))
 
 
