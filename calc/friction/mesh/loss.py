@@ -49,11 +49,8 @@ def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -
     return along(s * mu * w * V_s)
 
 
-@formula(
-    "P_R",
-    "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
-    names={"s": "Δs", "r": "[IR]"},
-)
+@formula("P_R", "mathematics, mean over a mesh cycle of the rolling power; [IR]: share of Δs where the rigid isoviscous film governs",
+    names={"s": "Δs", "r": "[IR]"})  # fmt: skip
 def rolling_loss(s: Metre, q_R: WattPerMetre, r: Number) -> Watt:
     return along(s * q_R * r)
 
@@ -232,11 +229,8 @@ class MeshLoss:
     thermal_reduction_min: Number
 
 
-@formula(
-    "Θ_M",
-    "energy, heat of the mesh: the loss warms the teeth, whose oil rubs less",
-    shows="Θ_M at which the mesh's loss warms its teeth to Θ_M",
-)
+@formula("Θ_M", "energy, heat of the mesh: the loss warms the teeth, whose oil rubs less",
+    shows="Θ_M at which the mesh's loss warms its teeth to Θ_M")  # fmt: skip
 def closing_tooth_temperature(T: Celsius) -> Celsius:
     """The temperature itself, found from all that the loss depends on."""
     return T
