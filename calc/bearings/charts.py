@@ -13,7 +13,7 @@ import numpy as np
 
 from ..catalogue import oils
 from ..lubricant import Lubricant
-from ..sheet.arrays import Array, many
+from ..sheet.arrays import many
 from ..sheet.errors import NoSolution
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Name, Text
@@ -21,7 +21,7 @@ from ..sheet.trace import untraced
 from ..sheet.value import unlinked
 from .curves import POINTS, SHARES, over_clearance
 from .film.optimum import ECCENTRICITIES, share_of_largest_load, share_of_least_friction
-from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, solve_film
+from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, FilmSolution, solve_film
 from .film.table import FilmRangeError, eccentricity_from, film_at
 from .inputs import IN_WORDS
 from .result import BearingResult
@@ -40,31 +40,38 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
         for place, r in results.items():
             yield from (_clearance(place, r), _length(place, r))
             if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
-                yield from (_pressure(place, r), _raimondi_boyd(place, r), _duty(place, r), *_further_charts(place, r))
+                yield from (*_pressure(place, r), _raimondi_boyd(place, r), _duty(place, r), *_further_charts(place, r))
         yield _oils(next(iter(results.values())))
         yield from _bench(next(iter(results.values())))
 
 
-def _pressure(place: str, r: BearingResult) -> Curve:
-    """Around the middle plane; with a groove around the middle the two halves carry half of the load each, at half of the length."""
-    series = [Series(AS_DESIGNED, *_around(r, r.eccentricity, r.length_ratio))]
+def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
+    """Around the middle plane, and along where it is largest; with a groove around the middle each half carries half of the load."""
+    films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), 1)}
     if r.seat.inputs.supply != "groove":
         try:
-            half = eccentricity_from(float(r.sommerfeld), r.length_ratio / 2)
-            series.append(Series(Text("parted by a groove around"), *_around(r, half, r.length_ratio / 2)))
+            half = _film(eccentricity_from(float(r.sommerfeld), r.length_ratio / 2), r.length_ratio / 2)
+            films[Text("parted by a groove around")] = half, 2
         except FilmRangeError:
             pass  # so short a half carries this load at no eccentricity of the table
-    title = Text("Film pressure around the {place} bearing, in the plane of its largest", place=IN_WORDS[place])
-    mean = (Text("specific load"), r.specific_load / 1e6)
-    return Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(series), (mean,))
+    scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2 / 1e6
+    mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
+    around, along = [], []
+    for label, (film, parts) in films.items():
+        angle = np.degrees(film.theta - math.pi + film.attitude)  # from the load's direction, in the sense of the journal's rotation
+        around.append(Series(label, angle, film.pressure * scale))
+        z, p = np.append(-film.z[::-1], film.z[1:]), np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale
+        half_length = r.seat.bearing.length * 1e3 / 2 / parts
+        middles = (0.0,) if parts == 1 else (-half_length, half_length)
+        along.append(Series(label, np.concatenate([m + z * half_length for m in middles]), np.tile(p, parts)))
+    title = Text("Film pressure around the {place} bearing, in the plane of its largest", **where)
+    yield Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(around), (mean,))
+    title = Text("Film pressure along the {place} bearing, where it is largest", **where)
+    yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), axis_label("p", "MPa"), tuple(along), (mean,))
 
 
-def _around(r: BearingResult, eccentricity: float, length_ratio: float) -> tuple[Array, Array]:
-    """Angle from the load's direction in the sense of the journal's rotation [°], and pressure [MPa]."""
-    (low, high), (short, long) = ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE
-    film = solve_film(float(np.clip(eccentricity, low, high)), float(np.clip(length_ratio, short, long)))
-    scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2
-    return np.degrees(film.theta - math.pi + film.attitude), film.pressure * scale / 1e6
+def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
+    return solve_film(float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE)))
 
 
 def _clearance(place: str, r: BearingResult) -> Curve:

@@ -63,6 +63,8 @@ class FilmSolution:
     pressure_ratio: float  # P/p_max
     theta: Array  # nodes from the widest film, 0 to 2π
     pressure: Array  # Π there, middle plane, finest grid (about 2e-3 from the limit)
+    z: Array  # nodes from the middle plane, 0, to the edge, 1
+    pressure_along: Array  # Π there, where it is largest around
 
 
 @record
@@ -76,6 +78,7 @@ class _Grid:
     conductance: Array  # 1/∫h⁻³dθ between neighbours around
     drag: Array  # 6·∫h⁻²dθ/∫h⁻³dθ, the flow between neighbours without pressure
     sideways: Array  # (d/l)²·h³·weight over Δz, [node around, gap across]
+    z: Array  # nodes across, from the middle plane to the edge
 
 
 def friction_variable(eccentricity: Value, sommerfeld: Value, sine_of_attitude: Value) -> Value:
@@ -104,6 +107,7 @@ def solve_film(eccentricity: float, length_ratio: float, *, cells: tuple[int, in
         eccentricity=eccentricity, length_ratio=length_ratio, sommerfeld=sommerfeld, attitude=math.atan2(sine, -cosine),
         friction=friction_variable(eccentricity, sommerfeld, sine / integral), flow=flow, side_flow_ratio=side_flow / flow,
         pressure_ratio=0.5 * integral / peak, theta=np.append(grid.theta, 2.0 * math.pi), pressure=np.append(pressure[:, 0], 0.0),
+        z=grid.z, pressure_along=pressure[int(pressure[:, 0].argmax())],
     )  # fmt: skip
 
 
@@ -169,11 +173,11 @@ def _grid(eccentricity: float, length_ratio: float, cells_around: int, cells_acr
     drag = 6.0 * np.diff(square) * conductance
 
     if math.isinf(length_ratio):
-        return _Grid(theta, around, np.array([1.0, 0.0]), film, conductance, drag, np.zeros((theta.size, 1)))
+        return _Grid(theta, around, np.array([1.0, 0.0]), film, conductance, drag, np.zeros((theta.size, 1)), np.array([0.0, 1.0]))
     gap = np.diff(np.tanh(np.linspace(0.0, EDGE_CLUSTERING, cells_across + 1))) / math.tanh(EDGE_CLUSTERING)
     across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
     sideways = (film**3 * around / length_ratio**2)[:, None] / gap
-    return _Grid(theta, around, across, film, conductance, drag, sideways)
+    return _Grid(theta, around, across, film, conductance, drag, sideways, np.append(0.0, np.cumsum(gap)))
 
 
 def _refined(pressure: Array, nodes_across: int) -> Array:

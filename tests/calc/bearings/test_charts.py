@@ -62,6 +62,20 @@ def test_every_chart_passes_through_the_design(gamma, drawn, place):
     assert np.interp(v("mckee_number"), duty[::-1], friction[::-1]) == pytest.approx(v("friction_coefficient"), rel=5e-3)
 
 
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_pressure_along_falls_to_nothing_at_the_edges(gamma, drawn, place):
+    whole, parted = (drawn[f"pressure_along_{place}"][name] for name in ("as designed", "parted by a groove around"))
+    length = gamma.outcomes["bearings"].result.bearings[place].seat.bearing.length * 1e3
+    for z, p in (whole, parted):
+        assert z[0] == pytest.approx(-length / 2) and z[-1] == pytest.approx(length / 2) and p[0] == p[-1] == 0
+    assert whole[1].max() == pytest.approx(gamma.values()[f"bearings.{place}.film_pressure_max"].shown, rel=3e-3)
+    assert (
+        np.interp(0.0, *whole) == whole[1].max()
+        and np.interp(0.0, *parted) == pytest.approx(0, abs=1e-9)
+        and parted[1].max() > whole[1].max()
+    )
+
+
 def test_pressure_carries_the_load_in_the_middle_plane_of_a_long_bearing(gamma, drawn):
     """Around the middle plane the pressure pushes along the load: its sideways part is the smaller one."""
     angle, pressure = drawn["pressure_around_front"]["as designed"]
