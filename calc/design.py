@@ -91,6 +91,9 @@ class Design:
             if is_limit(id):
                 yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
         for n, row in enumerate(self.measured):
+            if row.step not in {step.key for step in STEPS}:
+                steps = ", ".join(step.key for step in STEPS)
+                yield f"measured.{n}.value", Text("must be the id of a value or the key of an input of a step: {steps}", steps=steps)
             if row.speed is not None and self.engine is None:
                 yield f"measured.{n}.speed_rpm", Text("is that of the engine: leave it out where there is no [engine] table")
         for key, name, known in self._names():

@@ -3,6 +3,7 @@
 
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
+from difflib import get_close_matches
 from functools import cache
 from typing import Any
 
@@ -24,6 +25,7 @@ COLUMNS = (
     (Text("Verdict"), ""),
 )
 TITLE = Text("Measured beside predicted")
+NO_VALUE = Text("this design has no such value")
 NOTE = Text(
     "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another speed the design is "
     "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
@@ -42,10 +44,13 @@ class Predicted:
         speed, engine = row.speed, self._design.engine
         if speed is None or engine is None or speed == engine.rated_speed:
             return _predicted(row, self._design, self._values)
+        if row.value not in self._values and _input(self._design, row.value) is not None and not _of_bench(row.value, self._design, speed):
+            return None, Text("is an input of no speed of its own: leave speed_rpm out")
         if speed not in self._solved:
             other = at_speed(self._design, speed, self._values)
             self._solved[speed] = other, self._at(other)
-        return _predicted(row, *self._solved[speed])
+        found, why = _predicted(row, *self._solved[speed])
+        return found, Text("has no solution at this speed") if why == NO_VALUE and row.value in self._values else why
 
     def speed(self, row: Measured) -> float | None:
         """In rpm."""
@@ -92,7 +97,8 @@ def compared_table(a: tuple[Design, Predicted], b: tuple[Design, Predicted], nam
     for row in rows.values():
         sides = [predicted.of(row)[0] for _, predicted in (a, b)]
         shown = [cell for found in sides for cell in (found, _deviation(found, row.is_))]
-        cells.append((Name(row.value), a[1].speed(row), row.is_, Name(row.unit), *shown))
+        speeds = {predicted.speed(row) for _, predicted in (a, b)}
+        cells.append((Name(row.value), speeds.pop() if len(speeds) == 1 else None, row.is_, Name(row.unit), *shown))
     return Table("measured", TITLE, tuple(columns), tuple(cells))
 
 
@@ -113,7 +119,8 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
     found = values.get(row.value)
     given = (found.shown, found.unit) if found is not None else _input(design, row.value)
     if given is None:
-        return None, Text("this design has no such value")
+        near = get_close_matches(row.value, list(values), 1)
+        return None, Text("this design has no such value; did you mean {near}?", near=near[0]) if near else NO_VALUE
     if given[1] != row.unit:
         return None, Text("is shown in {unit}: give it so", unit=given[1] or "1")
     return given[0], EMPTY
@@ -129,6 +136,15 @@ def _input(design: Design, address: str) -> tuple[float, str] | None:
             return None
         here, about = getattr(here, key.attribute), key.about
     return (about.units.shown(here), about.unit) if isinstance(here, (int, float)) else None
+
+
+BENCH = {"bearings.supply_temperature_C": "oil_temperature", "bearings.supply_pressure_bar": "oil_pressure"}
+
+
+def _of_bench(address: str, design: Design, speed: float) -> bool:
+    """Whether the engine's bench run says what an input is at a speed."""
+    bench = design.engine.bench if design.engine is not None else ()
+    return address in BENCH and bool(bench) and min(row.speed for row in bench) <= speed <= max(row.speed for row in bench)
 
 
 def at_speed(design: Design, speed: float, values: Values) -> Design:

@@ -5,9 +5,9 @@ The pressure around, what clearance and length do, the chart of Raimondi and Boy
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 
 import numpy as np
 
@@ -36,13 +36,21 @@ LG_S = Text("lg S")
 
 
 def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
-    with untraced():
-        for place, r in results.items():
-            yield from (_clearance(place, r), _length(place, r))
-            if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
-                yield from (*_pressure(place, r), _raimondi_boyd(place, r), _duty(place, r), *_further_charts(place, r))
-        yield _oils(next(iter(results.values())))
-        yield from _bench(next(iter(results.values())))
+    """Every chart that can be drawn: where a film has no solution its chart is left out, and the others stay."""
+    first = next(iter(results.values()))
+    makers: list[Callable[[], Iterable[Curve]]] = []
+    for place, r in results.items():
+        makers += [partial(_clearance, place, r), partial(_length, place, r)]
+        if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
+            makers += [partial(_pressure, place, r), partial(_raimondi_boyd, place, r)]
+            makers += [partial(_duty, place, r), partial(_further_charts, place, r)]
+    makers += [partial(_oils, first), partial(_bench, first)]
+    for make in makers:
+        try:
+            with untraced():
+                yield from tuple(make())
+        except (NoSolution, ArithmeticError, ValueError):
+            continue
 
 
 def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -74,7 +82,7 @@ def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
     return solve_film(float(np.clip(eccentricity, *ECCENTRICITY_RANGE)), float(np.clip(length_ratio, *LENGTH_RATIO_RANGE)))
 
 
-def _clearance(place: str, r: BearingResult) -> Curve:
+def _clearance(place: str, r: BearingResult) -> Iterator[Curve]:
     over = over_clearance(r)
     first = {name: many(getattr(over, name))[:POINTS] for name in ("film", "temperature_rise", "largest_pressure")}
     parts = (
@@ -83,10 +91,10 @@ def _clearance(place: str, r: BearingResult) -> Curve:
         Series(Text("temperature rise"), r.clearance * SHARES * 1e6, first["temperature_rise"] / r.temperature_rise),
     )
     title = Text("What the clearance of the {place} bearing does", place=IN_WORDS[place])
-    return Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts)
+    yield Curve(f"clearance_effects_{place}", title, axis_label("clearance", "µm"), Text("over that of the design"), parts)
 
 
-def _length(place: str, r: BearingResult) -> Curve:
+def _length(place: str, r: BearingResult) -> Iterator[Curve]:
     """Longer and thinner, shorter and thicker, with the same projected area and relative clearance."""
     bearing, found = r.seat.bearing, []
     area, psi = bearing.diameter * bearing.length, r.clearance / bearing.diameter
@@ -97,16 +105,16 @@ def _length(place: str, r: BearingResult) -> Curve:
             film = balanced(own_warm, replace(unlinked(r.seat), bearing=other, clearance=psi * d), unlinked(r.duty), 1e-6)
             pressure = (film.largest_pressure or 0.0) / r.film_pressure_max
             found.append((ratio, film.film / r.film, pressure, film.temperature_rise / r.temperature_rise))
-        except (NoSolution, ValueError):
+        except (NoSolution, ArithmeticError, ValueError):
             continue  # so short a bearing carries the load at no eccentricity of the table
     ratios, *parts = np.array(found).T if found else np.zeros((4, 0))
     labels = (Text("smallest film"), Text("largest pressure"), Text("temperature rise"))
     title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
     series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
-    return Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
+    yield Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
 
 
-def _raimondi_boyd(place: str, r: BearingResult) -> Curve:
+def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:
     series = []
     for ratio in dict.fromkeys((*PUBLISHED_RATIOS, round(float(r.length_ratio), 4))):
         film = film_at(ECCENTRICITIES, ratio)
@@ -114,7 +122,7 @@ def _raimondi_boyd(place: str, r: BearingResult) -> Curve:
     series += _band()
     series.append(Series(AS_DESIGNED, np.array([math.log10(r.sommerfeld)]), np.array([1 - r.eccentricity])))
     title = Text("Chart of Raimondi and Boyd with the {place} bearing, warm", place=IN_WORDS[place])
-    return Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
+    yield Curve(f"raimondi_boyd_chart_{place}", title, LG_S, Text("h₀/c"), tuple(series))
 
 
 def _further_charts(place: str, r: BearingResult) -> Iterator[Curve]:
@@ -149,7 +157,7 @@ def _band() -> list[Series]:
     return lines
 
 
-def _duty(place: str, r: BearingResult) -> Curve:
+def _duty(place: str, r: BearingResult) -> Iterator[Curve]:
     """f over ZN/P: along the line of this bearing's relative clearance, down to where its film is as thin as its roughness."""
     film = film_at(ECCENTRICITIES, float(np.clip(r.length_ratio, *LENGTH_RATIO_RANGE)))
     thick = (1 - ECCENTRICITIES) * r.clearance_hot / 2 >= r.kreisle_film / 3
@@ -159,17 +167,17 @@ def _duty(place: str, r: BearingResult) -> Curve:
     point = Series(AS_DESIGNED, np.array([r.mckee_number]), np.array([r.friction_coefficient]))
     title = Text("Friction of the {place} bearing over its duty (McKee; Stribeck)", place=IN_WORDS[place])
     bounds = ((Text("thick film up to"), 0.012), (Text("thick film from"), 0.002))
-    return Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
+    yield Curve(f"stribeck_{place}", title, Text("ZN/P, cP·rpm/psi"), Text("f"), (line, point), bounds)
 
 
-def _oils(r: BearingResult) -> Curve:
+def _oils(r: BearingResult) -> Iterator[Curve]:
     """Kinematic viscosity over temperature: the design's oil and usual ones."""
     own, known = r.seat.lubricant, oils()
     T = np.linspace(40.0, 150.0, 23)
     shown = {own.oil.name: own} | {name: Lubricant(known[name]) for name in OILS if name in known}
     series = tuple(Series(Name(name), T, np.log10([oil.at(float(t)).nu * 1e6 for t in T])) for name, oil in shown.items())
     title = Text("Viscosity of the oil over its temperature")
-    return Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
+    yield Curve("viscosity_of_oils", title, axis_label("temperature", "°C"), Text("lg ν, mm²/s"), series)
 
 
 def _bench(r: BearingResult) -> Iterator[Curve]:

@@ -26,7 +26,7 @@ class Wheel:
         usual=(-0.5, 1), source=THUMB, help="In modules. Left out: by centre distance, like wheel, or 0.")  # fmt: skip
     tip_shortening: float = quantity("Tip cut (radial)", "mm", default=0.0, low=0, high=50, symbol="k", source="Finotti 2013, 4.5.1",
         help="Off the tip radius; eases the mate's dedendum.")  # fmt: skip
-    face_width: float | None = quantity("Face width", "mm", default=None, above=0, high=2000, symbol="b",
+    face_width: float | None = quantity("Face width", "mm", default=None, low=0.1, high=2000, symbol="b",
         help="Width of this wheel. Left out: that of the train.")  # fmt: skip
     hand: str | None = choice("Hand of the helix", "left", "right", default=None,
         help="Hands alternate. Left out: the first driver is right-handed.")  # fmt: skip

@@ -94,7 +94,7 @@ class ImbalanceInputs:
         help="On each pin, on the balancing machine; left out, it is computed.",
     )  # fmt: skip
     drill_radius: float | None = quantity(
-        "Radius of the balancing holes", "mm", default=None, above=0, high=1000, symbol="r_d", source="Finotti 2013, 2.6",
+        "Radius of the balancing holes", "mm", default=None, low=5, high=1000, symbol="r_d", source="Finotti 2013, 2.6",
         help="From the crank's axis to the middle of what is drilled out of a web: given, the webs to drill are found.",
     )  # fmt: skip
     unbalances: tuple[Unbalance, ...] = tables(
