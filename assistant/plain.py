@@ -29,11 +29,10 @@ VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one wit
 def print_results(results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False) -> None:
     """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing; `findings`:
     every check that is open in full, and what is made only when asked for: the tables of studies, which take longer than the solve.  Where
-    one `step` is asked for, or something of it was measured, those are there too."""
-    measured = {row.step for row in results.design.measured}
+    one `step` is asked for, those are there too."""
     for key, outcome in results.outcomes.items():
         if outcome.state != "not_asked" and step in (None, key):
-            _print_step(outcome.whole if findings or step is not None or outcome.key in measured else outcome, everything)
+            _print_step(outcome.whole if findings or step is not None else outcome, everything)
     print_summary(results, step, findings)
 
 

@@ -4,13 +4,14 @@
 from collections.abc import Callable
 from dataclasses import is_dataclass, replace
 from difflib import get_close_matches
-from functools import cache
+from functools import partial
 from typing import Any
 
 from .design import Design
 from .measured import Measured
+from .sheet.later import Later
 from .sheet.quantity import Published, keys
-from .sheet.step import Further, Outcome, Table
+from .sheet.step import Outcome, Table
 from .sheet.text import EMPTY, SPACE, Amount, Name, Text
 
 Values = dict[str, Published]
@@ -59,26 +60,17 @@ class Predicted:
         return None if speed is None else speed * 60
 
 
-def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], at: Callable[[Design], Values]) -> dict[str, Outcome[Any]]:
-    """The outcomes, each with a table of what was measured of it, made when it is asked for."""
-
-    @cache
-    def predicted() -> Predicted:
-        return Predicted(design, {id: value for outcome in outcomes.values() for value in outcome.values() for id in value.ids}, at)
-
+def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], predicted: Callable[[], Predicted]) -> dict[str, Outcome[Any]]:
+    """The outcomes, each with a table of what was measured of it, made when it is looked at."""
     for key in {row.step for row in design.measured} & outcomes.keys():
-        rows = [row for row in design.measured if row.step == key]
-        if outcomes[key].state == "solved":
-            outcomes[key] = replace(outcomes[key], further=_more(outcomes[key], rows, predicted))
+        outcome, rows = outcomes[key], [row for row in design.measured if row.step == key]
+        if outcome.state == "solved":
+            outcomes[key] = replace(outcome, tables=Later(partial(_tables, outcome, rows, predicted)))
     return outcomes
 
 
-def _more(outcome: Outcome[Any], rows: list[Measured], predicted: Callable[[], Predicted]) -> Callable[[], Further]:
-    def further() -> Further:
-        made = outcome.further() if outcome.further is not None else Further()
-        return replace(made, tables=(measured_table(rows, predicted()), *made.tables))
-
-    return further
+def _tables(outcome: Outcome[Any], rows: list[Measured], predicted: Callable[[], Predicted]) -> tuple[Table, ...]:
+    return measured_table(rows, predicted()), *outcome.tables
 
 
 def measured_table(rows: list[Measured], predicted: Predicted) -> Table:

@@ -10,7 +10,7 @@ each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain
 
 from collections.abc import Callable, Iterator
 from dataclasses import field, replace
-from functools import partial
+from functools import cache, partial
 from typing import Any
 
 from . import step_inputs as h
@@ -75,7 +75,7 @@ class Results:
 
     def whole(self) -> "Results":
         """The same with all curves, tables and notes, those too that take longer than a keystroke may."""
-        return replace(self, outcomes={key: outcome.drawn for key, outcome in self.outcomes.items()})
+        return replace(self, outcomes={key: outcome.whole for key, outcome in self.outcomes.items()})
 
     @property
     def verdict(self) -> str:
@@ -160,9 +160,8 @@ def _solve(part: Parts, design: Design) -> Results:
     if g.result is not None:
         g = replace(g, curves=g.curves + Later(partial(_gear_curves, g.result)))
     outcomes = accepted((e, i, c, b, g, f), design.accepted)
-    if design.measured:
-        outcomes = with_measured(design, outcomes, lambda other: solve(other).values())
-    return Results(design, outcomes, part.kept)
+    results = Results(design, outcomes, part.kept)
+    return replace(results, outcomes=with_measured(design, outcomes, cache(lambda: results.predicted))) if design.measured else results
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:

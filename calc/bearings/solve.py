@@ -16,7 +16,7 @@ from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.remedy import by_key
-from ..sheet.step import Curve, Outcome, Table
+from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import EMPTY, Text
 from ..sheet.trace import about, trace
 from ..sheet.units import Metre, Number, Radian, RevPerSecond
@@ -77,7 +77,7 @@ def solve(
         curves=Later(lambda: (c for place, r in results.items() for c in curves(place, r))),
         tables=Later(lambda: _tables(bearings, results, speed)),
         errata=tuple(e for place, r in results.items() for e in errata(place, r)),
-        notes=Later(lambda: notes(bearings, shaft, results)), charts=lambda: _charts(results))  # fmt: skip
+        notes=Later(lambda: notes(bearings, shaft, results)), further=lambda: Further(curves=Later(lambda: _charts(results))))  # fmt: skip
 
 
 def _tables(bearings: BearingsInputs, results: dict[str, BearingResult], speed: RevPerSecond) -> Iterator[Table]:

@@ -24,7 +24,7 @@ def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
     if say.code == "en":
         return outcome
     spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in ("result", "lines")}
-    return replace(outcome, **spoken | {"further": None, "charts": None})
+    return replace(outcome, **spoken | {"further": None})
 
 
 def in_language(thing: T, say: Language) -> T:

@@ -126,7 +126,7 @@ class Erratum:
 class Further:
     """Curves, tables and notes that are made when they are asked for."""
 
-    curves: tuple[Curve, ...] = ()
+    curves: Many[Curve] = ()
     tables: tuple[Table, ...] = ()
     notes: tuple[Text, ...] = ()
 
@@ -137,8 +137,7 @@ class Outcome(Generic[R]):
 
     `result` is there where the state is solved, and only there.
 
-    `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.  `charts` makes
-    curves that only a screen or a page shows; who draws them asks for `drawn`.
+    `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
     """
 
     key: str
@@ -153,7 +152,6 @@ class Outcome(Generic[R]):
     notes: Many[Text] = ()  # assumptions, and what the program chose
     reason: Text = EMPTY
     further: Callable[[], Further] | None = None
-    charts: Callable[[], tuple[Curve, ...]] | None = None
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
@@ -175,14 +173,6 @@ class Outcome(Generic[R]):
         return replace(
             self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
         )  # fmt: skip
-
-    @cached_property
-    def drawn(self) -> "Outcome[R]":
-        """The same outcome, whole, with all that is drawn."""
-        whole = self.whole
-        if whole.charts is None or self.state != "solved":
-            return whole
-        return replace(whole, curves=whole.curves + whole.charts(), charts=None)
 
     @property
     def solution(self) -> R:

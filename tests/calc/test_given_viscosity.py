@@ -108,7 +108,7 @@ def test_figures_and_tables_of_such_an_oil_are_made_too():
     name = re.search(r'^oil = "(.*)"$', text, re.MULTILINE)[1]
     text = text.replace(f'oil = "{name}"', 'oil = "10W40 as printed"') + written("10W40", PRINTED["10W40"])
     results = solve(design(parse(text.encode(), "d.toml")))
-    drawn = results.outcomes["friction"].drawn
+    drawn = results.outcomes["friction"].whole
     assert drawn.tables and drawn.curves and not [note for note in drawn.notes if "Not everything" in note]
 
 

@@ -19,7 +19,7 @@ def gamma():
 
 @pytest.fixture(scope="module")
 def drawn(gamma):
-    return {curve.id: {str(s.label): (s.x, s.y) for s in curve.series} for curve in gamma.outcomes["bearings"].drawn.curves}
+    return {curve.id: {str(s.label): (s.x, s.y) for s in curve.series} for curve in gamma.outcomes["bearings"].whole.curves}
 
 
 @pytest.mark.parametrize("length_ratio, load, friction", [(1.0, 0.53, 0.30), (0.5, 0.43, 0.12), (0.25, 0.27, 0.03)])
