@@ -119,8 +119,8 @@ def test_a_short_bearing_is_ocvirks(eps, b):
     assert film.attitude == pytest.approx(short.attitude_angle(eps=eps), abs=0.2 * square)
     assert film.flow == pytest.approx(short.relative_flow(eps=eps), rel=0.2 * square)
     assert film.side_flow_ratio == pytest.approx(short.side_flow_share(eps=eps), rel=0.3 * square)
-    damping = 2 * math.pi * film.sommerfeld * radial_damping(eps, b)
-    assert 1 - 3 * square < damping / short.radial_damping(eps=eps) < 1
+    damping = 2 * math.pi * film.sommerfeld * radial_damping(eps, b, cells=(384, 32))  # the usual grid is within 1e-2 at l/d 0.1
+    assert 1 - 4 * square < damping / short.radial_damping(eps=eps) < 1 - 0.1 * square
 
 
 @settings(max_examples=8, deadline=None)
