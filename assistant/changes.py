@@ -4,7 +4,8 @@
 from collections.abc import Iterable
 from typing import Any
 
-from calc.design_file import Document, parse_assignment, quantity_of, value_at
+from calc.addresses import parse_assignment, quantity_of, value_at
+from calc.design_file import Document
 from calc.sheet.errors import BadInput
 from calc.sheet.text import SEMICOLON, Amount, Name, Part, Text
 

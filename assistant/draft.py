@@ -5,7 +5,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from calc.design_file import Document, Table, design, parse
+from calc.addresses import Table
+from calc.design_file import Document, design, parse
 
 from .saving import SaveError, differences, edited_text, fresh_text
 from .solving import Job, run

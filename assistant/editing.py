@@ -10,8 +10,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from calc.addresses import Table, address, changed
 from calc.design import Design
-from calc.design_file import Document, Table, address, changed, design, parse
+from calc.design_file import Document, design, parse
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.text import EMPTY, Text

@@ -4,7 +4,7 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from calc.design_file import Table
+from calc.addresses import Table
 from calc.sheet.text import Text
 
 from .places import Place

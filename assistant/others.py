@@ -5,10 +5,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+from calc.addresses import Table
 from calc.compare import InputDifference, inputs
 from calc.compare_tables import input_texts, named
 from calc.design import Design
-from calc.design_file import Table, design, load
+from calc.design_file import design, load
 from calc.sheet.text import SEMICOLON, Name, Text, plural
 
 from .session import Session

@@ -3,8 +3,8 @@
 
 from typing import Any
 
+from calc.addresses import Table, changed
 from calc.design import Design
-from calc.design_file import Table, changed
 from calc.sheet.quantity import Quantity, keys
 
 Place = tuple[str | int, ...]

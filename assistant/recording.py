@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from calc.design_file import Document, Table, address
+from calc.addresses import Table, address
+from calc.design_file import Document
 from calc.sheet.errors import BadInput
 
 from .places import Place

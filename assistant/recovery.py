@@ -10,7 +10,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import Any
 
-from calc.design_file import Table, changed
+from calc.addresses import Table, changed
 from calc.sheet.text import Text
 
 from . import numbers

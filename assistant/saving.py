@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from calc.design_file import Table
+from calc.addresses import Table
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 

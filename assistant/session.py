@@ -12,7 +12,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from calc.design_file import Table, design, parse, read
+from calc.addresses import Table
+from calc.design_file import design, parse, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.quantity import Published
 from calc.sheet.text import EMPTY, Text

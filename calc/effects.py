@@ -5,7 +5,8 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from .design_file import Document, design, quantities, value_at
+from .addresses import quantities, value_at
+from .design_file import Document, design
 from .sheet.check import Check, grouped
 from .sheet.errors import BadInput
 from .sheet.quantity import Quantity

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from .design_file import Document, design, read, value_at
+from .addresses import value_at
+from .design_file import Document, design, read
 from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
 from .sheet.number import short

@@ -12,8 +12,9 @@ from typing import Any, TextIO
 
 import numpy as np
 
+from .addresses import address, quantity_of
 from .design import Design
-from .design_file import Document, address, design, quantity_of
+from .design_file import Document, design
 from .engine import solve as engine
 from .engine.inputs import EngineInputs
 from .imbalance import checks as imbalance_checks

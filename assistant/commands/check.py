@@ -7,8 +7,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
 from assistant.plain import print_results, results_json
+from calc.addresses import parse_assignment
 from calc.design import STEPS, Design
-from calc.design_file import Document, design, parse_assignment, read
+from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text

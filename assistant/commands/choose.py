@@ -14,7 +14,8 @@ from assistant.offers.offer import CHOICES
 from assistant.offers.offer import offer as offer_for
 from assistant.plain import LINE, check_line, print_summary, sign, table_json, table_lines
 from assistant.saving import edited_text, write_asked
-from calc.design_file import Document, design, parse_assignment, read
+from calc.addresses import parse_assignment
+from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import COMMA, Text
 from calc.solve import TITLES, solve

@@ -5,8 +5,9 @@ from argparse import Namespace
 from typing import Any
 
 from assistant.commands.sources import reference_lines
+from calc.addresses import value_at
 from calc.design import Design
-from calc.design_file import Document, load, value_at
+from calc.design_file import Document, load
 from calc.design_file import design as design_of
 from calc.explain import Chains, chain, origin, shortened
 from calc.publications import resolved

@@ -8,7 +8,8 @@ from pathlib import Path
 from assistant.commands.check import changed
 from assistant.plain import print_summary
 from assistant.saving import edited_text, write_asked
-from calc.design_file import Document, parse_assignment, read
+from calc.addresses import parse_assignment
+from calc.design_file import Document, read
 from calc.solve import solve
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from textual.command import DiscoveryHit, Hit, Hits, Provider
 
-from calc.design_file import quantities
+from calc.addresses import quantities
 from calc.sheet.text import Text
 
 from ..actions import ACTIONS, key_names

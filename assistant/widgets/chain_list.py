@@ -3,7 +3,7 @@
 
 from textual.content import Content
 
-from calc.design_file import quantity_of
+from calc.addresses import quantity_of
 from calc.explain import Link
 from calc.publications import references
 from calc.sheet.errors import BadInput

@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from calc.design_file import Table
+from calc.addresses import Table
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Step
 from calc.sheet.text import Text

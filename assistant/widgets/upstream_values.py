@@ -4,8 +4,8 @@
 from textual import events
 from textual.content import Content
 
+from calc.addresses import quantity_of, value_at
 from calc.design import STEPS
-from calc.design_file import quantity_of, value_at
 from calc.sheet.errors import BadInput
 from calc.sheet.number import short
 from calc.sheet.text import COMMA, Text

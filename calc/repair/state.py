@@ -5,8 +5,9 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..addresses import value_at
 from ..design import STEPS, Design
-from ..design_file import Document, design, value_at
+from ..design_file import Document, design
 from ..sheet.changes import Changes
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ..design_file import quantities, value_at
+from ..addresses import quantities, value_at
 from ..sheet.changes import Changes, digits
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution

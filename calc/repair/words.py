@@ -3,7 +3,8 @@
 
 from typing import Any
 
-from ..design_file import Document, quantity_of, value_at
+from ..addresses import quantity_of, value_at
+from ..design_file import Document
 from ..sheet.changes import Changes
 from ..sheet.quantity import Published
 from ..sheet.text import COMMA, Amount, Name, Small, Text

@@ -10,8 +10,8 @@ from assistant.session import Session
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
+from calc.addresses import address, quantities
 from calc.design import STEPS
-from calc.design_file import address, quantities
 
 from .conftest import Screen, solved
 from .driving import go_to, message, rows, settled, strike, told, type_in, until, work

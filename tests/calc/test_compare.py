@@ -10,10 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.addresses import address, changed, quantities, value_at
 from calc.compare import Comparison, ValueDifference, compare, inputs, relative, turn
 from calc.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from calc.design import STEPS
-from calc.design_file import Document, address, changed, design, quantities, read, value_at
+from calc.design_file import Document, design, read
 from calc.sheet.check import Check
 from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome

@@ -6,20 +6,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.addresses import address, parse_assignment, quantities, quantity_of, value_at
 from calc.design import Design
-from calc.design_file import (
-    Document,
-    address,
-    design,
-    key_lines,
-    load,
-    parse,
-    parse_assignment,
-    quantities,
-    quantity_of,
-    read,
-    value_at,
-)  # fmt: skip
+from calc.design_file import Document, design, key_lines, load, parse, read
 from calc.sheet.errors import BadInput
 from calc.sheet.units import UNITS
 

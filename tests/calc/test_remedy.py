@@ -5,9 +5,10 @@ from copy import deepcopy
 
 import pytest
 
+from calc.addresses import parse_assignment
 from calc.bearings.selection.convergence import changes
 from calc.bearings.selection.search import nearest_row, search
-from calc.design_file import Document, design, parse_assignment, read
+from calc.design_file import Document, design, read
 from calc.repair.remedy import nearest, remedy
 from calc.selection import bearings_case
 from calc.sheet.errors import Cancelled
