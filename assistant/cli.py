@@ -18,7 +18,7 @@ friction it costs.  Without a command: the guided session."""
 LANGUAGES = ("en", "it")  # the codes of calc.languages, which --help does not load
 COMMANDS = {
     "new": "write a design from a shipped engine",
-    "check": "solve a design and print values, checks and verdicts",
+    "check": "solve a design and print its verdicts, main values and findings",
     "explain": "the chain of formulas that leads to one value",
     "report": "write the PDF calculation report",
     "verify": "solve the design inside a report again: identical, or what differs",
@@ -36,6 +36,7 @@ COMMANDS = {
     "sources": "the publications behind the program: title, edition, status, and how we know what each says",
 }
 KEY_VALUE = "KEY=VALUE"
+THREADS = ("OPENBLAS_NUM_THREADS", "1")  # of numpy's algebra: starting a second takes a fifth of a check, and small matrices need none
 SELDOM = (200_000, 20, 100)  # new objects between two looks for garbage, of which a solve leaves next to none: a twelfth of a check
 
 
@@ -70,11 +71,11 @@ def parser() -> argparse.ArgumentParser:
     add["check"].add_argument(
         "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs for this run"
     )
-    add["check"].add_argument("--step", help="print this step only, with its further tables")
+    add["check"].add_argument("--step", help="this step only, with all its values, tables, notes and checks")
     add["check"].add_argument(
-        "--all", action="store_true", help="every finding in full: advice, method and what shares a cause as well; and all tables"
+        "--all", action="store_true", help="the same of every step, and every finding in full: advice, method, what shares a cause"
     )
-    add["check"].add_argument("--short", action="store_true", help="leave out vectors of no length")
+    add["check"].add_argument("--short", action="store_true", help="with --all or --step: leave out vectors of no length")
     add["check"].add_argument("--json", action="store_true", help="print one JSON object")
 
     add["explain"].add_argument("file")
@@ -193,8 +194,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         asked, unknown = parser().parse_known_args(given)
         if unknown:
             asked.error(f"unrecognized arguments: {' '.join(unknown)}")  # with the usage of the command
-        if arguments is None and asked.command not in ("session", "serve"):
-            gc.set_threshold(*SELDOM)
+        if arguments is None:
+            os.environ.setdefault(*THREADS)
+            if asked.command not in ("session", "serve"):
+                gc.set_threshold(*SELDOM)
         return int(import_module(f"assistant.commands.{asked.command}").run(asked))
     except SystemExit as usage:
         return int(usage.code or 0)

@@ -5,6 +5,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
+from calc.design import STEPS
 from calc.design_file import Document
 from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from calc.effects import Effect
 
 DIGITS = 6
+HEADLINES = {step.key: step.headlines for step in STEPS}
 WIDE = 32  # characters of a cell of words in a table; a longer one goes on in the next line
 LINE = 112  # of a table's note
 NARROW = 12  # characters that a column's label may have on one line in any case
@@ -27,13 +29,20 @@ VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one wit
 
 
 def print_results(results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False) -> None:
-    """Every step with its values and checks, then the summary.  `everything`: vectors of no length as well, which say nothing; `findings`:
-    every check that is open in full, and what is made only when asked for: the tables of studies, which take longer than the solve.  Where
-    one `step` is asked for, those are there too."""
+    """A screen: the verdict and two values of every step, what is open, what was measured beside what is predicted.
+
+    `step`: only that, with all its values, tables, notes and checks before; `findings`: so of every step, every check that is open in full,
+    and what is made only when asked for: the tables of studies, which take longer than the solve.  `everything`: there vectors of no length
+    as well, which say nothing.
+    """
     for key, outcome in results.outcomes.items():
-        if outcome.state != "not_asked" and step in (None, key):
-            _print_step(outcome.whole if findings or step is not None else outcome, everything)
+        if outcome.state != "not_asked" and (findings if step is None else step == key):
+            _print_step(outcome.whole, everything)
     print_summary(results, step, findings)
+    if results.design.measured and step is None and not findings:
+        from calc.prediction import measured_table
+
+        print("", *table_lines(measured_table(list(results.design.measured), results.predicted)), sep="\n")
 
 
 def _print_step(outcome: Outcome[object], everything: bool) -> None:
@@ -51,8 +60,6 @@ def _print_step(outcome: Outcome[object], everything: bool) -> None:
         print()
         for line in table_lines(table):
             print(f"  {line}".rstrip())
-    if outcome.further is not None and outcome.state == "solved":
-        print(f"\n  Further tables: --step {outcome.key}, or --all")
     for proposal in outcome.proposals:
         print(f"  proposed: {proposal}")
     for erratum in outcome.errata:
@@ -113,12 +120,15 @@ def check_line(check: Check) -> str:
 
 
 def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
-    """The verdict of each step, then what is open.  `everything`: every check of a group, advice and method in full."""
-    shown = [o for key, o in results.outcomes.items() if step in (None, key)]
-    for outcome in shown:
-        reason = f"  {outcome.reason}" if outcome.reason else ""
-        print(f"{TITLES[outcome.key]:<14} {sign(outcome.verdict)}{reason}")
-    lines = list(finding_lines([c for o in shown for c in o.checks], everything))
+    """The verdict of each step with the values that stand for it, then what is open.  `everything`: every check of a group, advice and
+    method in full."""
+    shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
+    for key, outcome in shown.items():
+        values = {value.id: value for value in outcome.values()}
+        heads = [values[id] for id in HEADLINES[key] if id in values][:2]
+        said = str(outcome.reason) or " · ".join(f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads)
+        print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {said}".rstrip())
+    lines = list(finding_lines([check for outcome in shown.values() for check in outcome.checks], everything))
     if lines:
         print()
     for line in lines:

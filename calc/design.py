@@ -20,13 +20,14 @@ from .sheet.text import Amount, Text
 
 SCHEMA = 1
 
+FILMS = tuple(f"bearings.{bearing}.{film}" for film in ("film_edge", "film") for bearing in ("front", "rear"))
 STEPS = (
-    Step("engine", Text("Engine"), EngineInputs, ("engine.stroke",)),
-    Step("imbalance", Text("Imbalance"), ImbalanceInputs, ("imbalance.required_couple",)),
-    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple",)),
-    Step("bearings", Text("Bearings"), BearingsInputs, ("bearings.front.film_edge", "bearings.front.film")),
-    Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error",)),
-    Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss",)),
+    Step("engine", Text("Engine"), EngineInputs, ("engine.stroke", "engine.lambda")),
+    Step("imbalance", Text("Imbalance"), ImbalanceInputs, ("imbalance.required_couple", "imbalance.required_force")),
+    Step("countershaft", Text("Counter-shaft"), CountershaftInputs, ("countershaft.couple", "countershaft.mass")),
+    Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
+    Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
+    Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),
 )
 
 

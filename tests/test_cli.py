@@ -149,8 +149,16 @@ def test_the_steps_of_the_source_design(checked):
     assert checked[1]["steps"]["friction"] == "pass"
 
 
-def test_plain_check_has_every_value_and_every_check_of_the_json(checked):
+def test_a_check_is_a_screen():
     text = run("check", GAMMA).stdout
+    verdicts = text.splitlines()[:6]
+    assert [line.split()[0] for line in verdicts] == ["Engine", "Imbalance", "Counter-shaft", "Bearings", "Gears", "Friction"]
+    assert "imbalance.required_couple 572.9 N·m" in verdicts[1] and "bearings.front.film_edge 7.411 µm" in verdicts[3]
+    assert len(text.splitlines()) < 65 and "--all, or --step engine|" in text
+
+
+def test_check_with_all_has_every_value_and_every_check_of_the_json(checked):
+    text = run("check", GAMMA, "--all").stdout
     # an old name beside the present one: in the JSON only
     former = [id for id in checked[1]["values"] if id.endswith(".pitch_diameter") or ".din31652." in id]
     assert len(former) == 4 + 2 * 10

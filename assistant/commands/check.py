@@ -36,6 +36,8 @@ def run(asked: Namespace) -> int:
         print(json.dumps(results_json(document, results, asked.step, changes, measured=True), ensure_ascii=False, indent=1))
     else:
         print_results(results, asked.step, everything=not asked.short, findings=asked.all)
+        if asked.step is None and not asked.all:
+            print(f"\nall values, tables and checks: --all, or --step {'|'.join(step.key for step in made.asked())}")
         sys.stdout.flush()  # the verdicts are there before the search ends
         if verdict:
             print("\n" + "\n".join(nearest_passing(document, results, file, changes, asked.step, short=asked.short)))

@@ -24,7 +24,7 @@ R = TypeVar("R", covariant=True)  # a step's class of results
 @record
 class Step:
     """One of the six: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
-    has stands for the step."""
+    has stands for the step, the first two where there is a line for them."""
 
     key: str
     title: Text
