@@ -3,11 +3,10 @@
 
 import math
 from dataclasses import replace
-from typing import Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import Array, BoolArray, IndexArray, distinct
+from ..sheet.arrays import Array, BoolArray, IndexArray, distinct, each, many
 from ..sheet.formula import formula
 from ..sheet.record import record
 from ..sheet.text import Text
@@ -22,23 +21,23 @@ SAME_PIN = 1e-6  # rad
 @formula("φ", "Finotti 2013, 2.4: even firing, throw k at ψ_k − i_k·180°·strokes/N", shows="φ from ψ − i·π·strokes/N, counted from throw 1")
 def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
     """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
-    phi: Any = psi - i * math.pi * strokes / N
-    return cast(Radian, (phi - phi[..., :1]) % (2 * math.pi))
+    phi = many(psi - i * math.pi * strokes / N)
+    return each((phi - phi[..., :1]) % (2 * math.pi))
 
 
 @formula("i", "definition: how many cylinders fire before each", shows="i of each cylinder, from the firing order")
 def places_in_order(order: Number) -> Number:
     """The place of cylinders 1, 2 … in the firing order, from 0."""
-    place: Any = np.argsort(order)
-    return cast(Number, place)
+    return each(np.argsort(order))
 
 
 @formula(
     "z", "definition: equal pitch, counted from mid-engine towards the flywheel", shows="z from the cylinders' places times the pitch a"
 )
 def axial_positions(k: Number, a: Metre) -> Metre:
-    row: Any = k
-    return cast(Metre, (row - (row.min() + row.max()) / 2) * a)
+    row = many(k)
+    z: Array = (row - (row.min() + row.max()) / 2) * a
+    return each(z)
 
 
 @record
@@ -68,28 +67,28 @@ def crank(engine: EngineInputs, tdc_angle: Radian) -> Crank:
         banks = ", ".join(map(str, bank.tolist()))
         chosen.append(Text("Banks {banks} taken for cylinders 1 to {n}, in turn, since bank_of_cylinder is not given.", banks=banks, n=n))
     given = 0.0 if engine.bank_angle is None else engine.bank_angle
-    opening: Any = math.pi if engine.layout == "boxer" else column(given)
-    psi: Any = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
+    opening = math.pi if engine.layout == "boxer" else column(given)
+    psi: Array = np.where(bank == 1, opening / 2, -opening / 2) if engine.layout != "inline" else np.zeros(n)
     psi = based_on(psi, given, engine.bank_of_cylinder)
     if engine.crank_angles is not None:
-        given_phi: Any = np.asarray(engine.crank_angles)
-        phi: Any = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
+        given_phi: Array = np.asarray(engine.crank_angles)
+        phi = based_on(given_phi - given_phi[..., :1], engine.crank_angles)
         if np.any(given_phi[..., 0]):
             chosen.append(Text("The crank angles are counted from cylinder 1: that of its throw is taken off all of them."))
     else:
         order = engine.firing_order or usual_order(n, engine.strokes) or tuple(range(1, n + 1))
         if engine.firing_order is None and n > 2:
             chosen.append(Text("Firing order {map} chosen: {why}.", map="-".join(map(str, order)), why=_why(n, engine.strokes)))
-        given_order: Any = based_on(np.asarray(order), order)
-        phi = throw_angles(psi=psi, i=places_in_order(order=given_order), strokes=engine.strokes, N=n)
+        given_order: Array = based_on(np.asarray(order), order)
+        phi = many(throw_angles(psi=each(psi), i=places_in_order(order=each(given_order)), strokes=engine.strokes, N=n))
     if engine.axial_positions is not None:
-        z: Any = based_on(np.asarray(engine.axial_positions), engine.axial_positions)
+        z: Array = based_on(np.asarray(engine.axial_positions), engine.axial_positions)
     else:
-        row: Any = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
+        row = places(engine)  # side by side in a vee, whose stagger is neglected; one behind the other in a boxer
         row = 2 * row + (bank != bank[0]) if engine.layout == "boxer" else row
-        z = axial_positions(k=row, a=column(engine.cylinder_pitch))
-    theta_0: Any = psi[..., 0] + tdc_angle
-    theta_0 = based_on(theta_0 if np.ndim(theta_0) else float(theta_0), psi, tdc_angle)
+        z = many(axial_positions(k=each(row), a=column(engine.cylinder_pitch)))
+    turned = psi[..., 0] + tdc_angle
+    theta_0 = based_on(each(turned) if np.ndim(turned) else float(turned), psi, tdc_angle)
     return Crank(phi, z, psi, theta_0, tuple(chosen))
 
 
@@ -113,10 +112,10 @@ def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
     if engine.layout == "inline":
         return np.eye(n, dtype=bool)
     phi, z, psi = throws.phi, throws.z, throws.psi
-    turned: Any = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
-    near: Any = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
-    other_bank: Any = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
-    return cast(BoolArray, (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool))
+    turned = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
+    near = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
+    other_bank = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
+    return (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool)
 
 
 def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
@@ -124,9 +123,9 @@ def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:
     return distinct(sharing(engine, throws).argmax(1))[2]
 
 
-def column(x: Any) -> Any:
+def column(x: float) -> float:
     """The number of each engine as a column, so that it meets the cylinders or crank angles of a row; a single number as it is."""
-    return x[..., None] if isinstance(x, np.ndarray) else x
+    return each(many(x)[..., None]) if isinstance(x, np.ndarray) else x
 
 
 def _why(n: int, strokes: int) -> str:
@@ -138,15 +137,15 @@ def _why(n: int, strokes: int) -> str:
     )
 
 
-def places(engine: EngineInputs) -> Any:
+def places(engine: EngineInputs) -> IndexArray:
     """The place of each cylinder along its bank, from 0: cylinders at the same place may share a crankpin."""
     bank = _banks(engine)
     return np.array([int(np.sum(bank[:k] == b)) for k, b in enumerate(bank)])
 
 
-def _banks(engine: EngineInputs) -> Any:
+def _banks(engine: EngineInputs) -> IndexArray:
     """Cylinders alternate between the banks, 0 first; an inline engine has bank 0 only."""
     n = engine.cylinders
     if engine.bank_of_cylinder is not None:
         return np.asarray(engine.bank_of_cylinder)
-    return np.zeros(n) if engine.layout == "inline" else np.arange(n) % 2
+    return np.zeros(n, int) if engine.layout == "inline" else np.arange(n) % 2

@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The figures of the crank train: the piston's way, speed and acceleration over a turn, and the forces of one cylinder."""
 
-from typing import Any
-
 import numpy as np
 
+from ..sheet.arrays import Array, each, many
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.trace import untraced
@@ -12,6 +11,7 @@ from ..sheet.units import Kilogram, Metre, Newton, Number, RadPerSecond
 from . import formulas as f
 
 ANGLE = axis_label("crank angle α", "°")
+FORMS = (Text("exact"), Text("two terms"))
 
 
 def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kilogram, harmonics: tuple[complex, ...]) -> tuple[Curve, ...]:
@@ -19,10 +19,11 @@ def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kil
 
     `harmonics`: of a/(ω²·r), from order 1.
     """
-    alpha: Any = np.radians(np.arange(0.0, 361.0))
+    points = np.radians(np.arange(0.0, 361.0))
+    alpha = each(points)
     with untraced():
         beta = f.rod_angle(lam=lam, alpha=alpha, delta=delta)
-        motions: Any = (
+        motions = (
             (
                 "acceleration", Text("Piston acceleration over one turn"), axis_label("a", "m/s²"), r * omega**2,
                 f.relative_acceleration(alpha=alpha, beta=beta, lam=lam),
@@ -37,15 +38,15 @@ def curves(r: Metre, omega: RadPerSecond, lam: Number, delta: Number, M_alt: Kil
                 f.relative_path(alpha=alpha, beta=beta, lam=lam, delta=delta), f.relative_path_two_term(alpha=alpha, lam=lam, delta=delta),
             ),
         )  # fmt: skip
-    degrees = np.degrees(alpha)
+    degrees = np.degrees(points)
     drawn = [
-        Curve(id, title, ANGLE, label, (Series(Text("exact"), degrees, exact * scale), Series(Text("two terms"), degrees, terms * scale)))
-        for id, title, label, scale, exact, terms in motions
+        Curve(id, title, ANGLE, label, tuple(Series(words, degrees, many(y * scale)) for words, y in zip(FORMS, forms)))
+        for id, title, label, scale, *forms in motions
     ]
-    return (*drawn, _forces(alpha, motions[0][4], M_alt * r * omega**2, harmonics))
+    return (*drawn, _forces(points, many(motions[0][4]), M_alt * r * omega**2, harmonics))
 
 
-def _forces(alpha: Any, relative: Any, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:
+def _forces(alpha: Array, relative: Array, scale: Newton, harmonics: tuple[complex, ...]) -> Curve:
     """The inertia force of one cylinder's reciprocating mass on the block: the first two orders, and all of them."""
     orders = (Series(Text("order {n}", n=n), np.degrees(alpha), scale * (harmonics[n - 1] * np.exp(1j * n * alpha)).real) for n in (1, 2))
     return Curve(

@@ -8,11 +8,11 @@ four-stroke engine exhausts and draws in at constant pressures between.
 """
 
 import math
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..sheet.arrays import Array, distinct
+from ..sheet.arrays import Array, distinct, each, many
 from ..sheet.formula import formula
 from ..sheet.functions import asin, cos, joined, pi, power
 from ..sheet.linked_array import gathered
@@ -41,9 +41,9 @@ PANEL = math.radians(1.0)  # of the integration over a cycle, with its middle
     shows="ε − f_k, f_k the crank angle at which the cylinder fires",
 )
 def own_angle(epsilon: Radian, fires: Radian, cycle: Radian) -> Radian:
-    since: Any = np.mod(epsilon - fires, cycle)
-    found: Any = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
-    return cast(Radian, found if found.ndim else found.item())
+    since: Array = np.mod(epsilon - fires, cycle)
+    found: Array = np.where((cycle - since < DUST) | (since < DUST), 0.0, since)
+    return each(found) if found.ndim else found.item()
 
 
 @formula("α", "definition of the crank angle from the cylinder's axis", names={"phi_0": "φ_0", "epsilon": "ε_k"})
@@ -90,45 +90,60 @@ def mixed_cycle(
     epsilon: Radian, p_1: Pascal, p_2: Pascal, p_max: Pascal, eps_p: Radian, eps_bdc: Radian, p_ex: Pascal, p_in: Pascal, cycle: Radian
 ) -> Pascal:
     ends = [epsilon <= eps_p, epsilon <= eps_bdc, epsilon < cycle - TURN, epsilon <= cycle - TURN + eps_bdc]
-    found: Any = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
-    return cast(Pascal, found if found.ndim else found.item())
+    found: Array = np.select(ends, [p_max, p_2, p_ex, p_in], p_1)
+    return each(found) if found.ndim else found.item()
 
 
 @formula(
     "p", "given in the design: indicated pressure", unit="bar", shows="linear between the points of the table, which closes over the cycle"
 )
 def table_pressure(epsilon: Radian, angles: Radian, pressures: Pascal, cycle: Radian) -> Pascal:
-    found: Any = np.interp(epsilon, angles, pressures, period=cycle)
-    return cast(Pascal, found if found.ndim else found.item())
+    found: Array = np.interp(many(epsilon), many(angles), many(pressures), period=cycle)
+    return each(found) if found.ndim else found.item()
+
+
+@record
+class MixedCycle:
+    """What the formula of the mixed cycle is fed with."""
+
+    s: Metre
+    p_max: Pascal
+    p_in: Pascal
+    p_ex: Pascal
+    n_c: Number
+    n_e: Number
+    eps_p: Radian
+    eps_bdc: Radian
+    h_c: Metre
+    x_p: Metre
 
 
 @record
 class Cycle:
-    """The gas of one cylinder.  `corners`: the angles ε where the pressure jumps or bends, `given`: what its formula is fed with."""
+    """The gas of one cylinder.  `corners`: the angles ε where the pressure jumps or bends, `given`: a table's points, or a mixed cycle."""
 
     length: Radian
     crankcase: Pascal
     corners: Array
-    given: dict[str, Any]
+    given: tuple[Array, Array] | MixedCycle
     notes: tuple[Text, ...]
     compression_end: Pascal | None = None
 
-    def pressure(self, epsilon: Any, x: Any) -> Any:
+    def pressure(self, epsilon: Radian, x: Metre) -> Pascal:
         """The pressure at crank angles after firing, from 0 up to the cycle, where the piston's way is x: numbers or arrays."""
         g = self.given
-        if "angles" in g:
-            return table_pressure(epsilon=epsilon, angles=g["angles"], pressures=g["pressures"], cycle=self.length)
-        p_1 = compression(p_in=g["p_in"], h_c=g["h_c"], s=g["s"], x=x, n_c=g["n_c"])
-        p_2 = expansion(p_max=g["p_max"], h_c=g["h_c"], x_p=g["x_p"], x=x, n_e=g["n_e"])
+        if isinstance(g, tuple):
+            return table_pressure(epsilon=epsilon, angles=each(g[0]), pressures=each(g[1]), cycle=self.length)
+        p_1 = compression(p_in=g.p_in, h_c=g.h_c, s=g.s, x=x, n_c=g.n_c)
+        p_2 = expansion(p_max=g.p_max, h_c=g.h_c, x_p=g.x_p, x=x, n_e=g.n_e)
         return mixed_cycle(
-            epsilon=epsilon, p_1=p_1, p_2=p_2, p_max=g["p_max"], eps_p=g["eps_p"], eps_bdc=g["eps_bdc"], p_ex=g["p_ex"], p_in=g["p_in"],
-            cycle=self.length,
-        )  # fmt: skip
+            epsilon=epsilon, p_1=p_1, p_2=p_2, p_max=g.p_max, eps_p=g.eps_p, eps_bdc=g.eps_bdc, p_ex=g.p_ex, p_in=g.p_in, cycle=self.length
+        )
 
 
 def widest_gap(corners: Array, length: Radian) -> tuple[Radian, Radian]:
     """Where the widest gap between the points of a pressure table begins, over the closed cycle, and how wide it is."""
-    gap: Any = np.diff(corners, append=corners[:1] + length)
+    gap = np.diff(corners, append=corners[:1] + length)
     return float(corners[gap.argmax()]), float(gap.max())
 
 
@@ -144,9 +159,9 @@ def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
 
     crankcase = taken(gas.crankcase_pressure, CRANKCASE, Text("A crankcase pressure of 1.0 bar"))
     if gas.pressure:
-        angles: Any = gathered(point.angle for point in gas.pressure)
-        pressures: Any = gathered(point.pressure for point in gas.pressure)
-        corners: Any = based_on(np.sort(np.mod(angles, length)), angles)
+        angles = gathered(point.angle for point in gas.pressure)
+        pressures = gathered(point.pressure for point in gas.pressure)
+        corners = based_on(np.sort(np.mod(angles, length)), angles)
         from_, gap = widest_gap(corners, length)
         if gap > WIDE:
             start, end = math.degrees(from_), math.degrees(from_ + gap)
@@ -157,26 +172,26 @@ def prepare(engine: "EngineInputs", e: "EngineResult", gas: GasInputs) -> Cycle:
                     end=Amount(end, form=".4g"),
                 )
             )
-        return Cycle(length, crankcase, corners, {"angles": angles, "pressures": pressures}, tuple(notes))
+        return Cycle(length, crankcase, corners, (angles, pressures), tuple(notes))
     assert gas.peak_pressure is not None and gas.compression_ratio is not None
-    given: dict[str, Any] = {"s": e.stroke, "p_max": gas.peak_pressure}
-    given["p_in"] = taken(gas.intake_pressure, INTAKE, Text("An intake pressure of 1.0 bar"))
-    given["p_ex"] = given["p_in"]
+    p_in = taken(gas.intake_pressure, INTAKE, Text("An intake pressure of 1.0 bar"))
+    p_ex = p_in
     if engine.strokes == 4:
-        given["p_ex"] = taken(gas.exhaust_pressure, EXHAUST, Text("An exhaust pressure of 1.1 bar"))
+        p_ex = taken(gas.exhaust_pressure, EXHAUST, Text("An exhaust pressure of 1.1 bar"))
     else:
         notes.append(Text("The ports of the two-stroke engine are neglected: expansion and compression reach to BDC."))
-    given["n_c"] = taken(gas.compression_exponent, COMPRESSION, Text("A compression exponent of 1.35"))
-    given["n_e"] = taken(gas.expansion_exponent, EXPANSION, Text("An expansion exponent of 1.28"))
-    given["eps_p"] = taken(gas.constant_pressure_angle, HELD, Text("A peak pressure held for 10° of crank angle"))
-    given["eps_bdc"] = dead_centre_angle(delta=e.delta, lam=e.lambda_)
-    given["h_c"] = clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
-    p_c = compression_end(p_in=given["p_in"], eps_c=gas.compression_ratio, n_c=given["n_c"])
-    alpha = crank_angle(phi_0=e.tdc_angle, epsilon=given["eps_p"])
+    n_c = taken(gas.compression_exponent, COMPRESSION, Text("A compression exponent of 1.35"))
+    n_e = taken(gas.expansion_exponent, EXPANSION, Text("An expansion exponent of 1.28"))
+    eps_p = taken(gas.constant_pressure_angle, HELD, Text("A peak pressure held for 10° of crank angle"))
+    eps_bdc = dead_centre_angle(delta=e.delta, lam=e.lambda_)
+    h_c = clearance_height(s=e.stroke, eps_c=gas.compression_ratio)
+    p_c = compression_end(p_in=p_in, eps_c=gas.compression_ratio, n_c=n_c)
+    alpha = crank_angle(phi_0=e.tdc_angle, epsilon=eps_p)
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
-    given["x_p"] = piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-    corners = distinct(np.array([0.0, given["eps_p"], given["eps_bdc"], length - TURN, length - TURN + given["eps_bdc"]]))[0]
-    corners = based_on(corners, given["eps_p"], given["eps_bdc"], engine.strokes)
+    x_p = piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    corners = distinct(np.array([0.0, eps_p, eps_bdc, length - TURN, length - TURN + eps_bdc]))[0]
+    corners = based_on(corners, eps_p, eps_bdc, engine.strokes)
+    given = MixedCycle(e.stroke, gas.peak_pressure, p_in, p_ex, n_c, n_e, eps_p, eps_bdc, h_c, x_p)
     return Cycle(length, crankcase, corners, given, tuple(notes), p_c)
 
 
@@ -197,22 +212,22 @@ def torque_of(F: Newton, r: Metre, v_rel: Number) -> NewtonMetre:
 
 
 # --- over the cycle ---------------------------------------------------------------------------------------------------------
-def points(cycle: Cycle, fires: Any) -> Any:
+def points(cycle: Cycle, fires: Array) -> Array:
     """Crank angles over the cycle of the whole engine: edges of panels, which meet every corner of every cylinder, and their middles.
 
     The torque is continuous even where the pressure jumps, since it does so at dead centres: Simpson's rule holds on every panel.
     """
-    corners: Any = np.mod(cycle.corners[:, None] + fires, cycle.length)
-    edges: Any = np.sort(np.concatenate([np.linspace(0.0, cycle.length, round(cycle.length / PANEL) + 1), corners.ravel()]))
+    corners = np.mod(cycle.corners[:, None] + fires, cycle.length)
+    edges = np.sort(np.concatenate([np.linspace(0.0, cycle.length, round(cycle.length / PANEL) + 1), corners.ravel()]))
     edges = edges[np.append(True, np.diff(edges) > DUST)]
     found = np.empty(2 * edges.size - 1)
     found[::2], found[1::2] = edges, (edges[:-1] + edges[1:]) / 2
     return based_on(found, cycle.corners, cycle.length, fires)
 
 
-def running(epsilon: Any, y: Any) -> Any:
+def running(epsilon: Array, y: Array) -> Array:
     """The integral of y from the first of the points up to each: parabolas over the panels, exact as Simpson's rule at their edges."""
-    half: Any = np.diff(epsilon[::2]) / 2
+    half = np.diff(epsilon[::2]) / 2
     before, middle, after = y[:-1:2], y[1::2], y[2::2]
     steps = np.empty(y.size - 1)
     steps[::2] = half / 12 * (5 * before + 8 * middle - after)
@@ -220,7 +235,7 @@ def running(epsilon: Any, y: Any) -> Any:
     return np.append(0.0, np.cumsum(steps))
 
 
-def highest(x: Any, y: Any) -> tuple[float, float]:
+def highest(x: Array, y: Array) -> tuple[float, float]:
     """Place and height of the largest value: the top of the parabola through it and its neighbours."""
     i = min(max(int(np.argmax(y)), 1), y.size - 2)
     a, b = x[i] - x[i - 1], x[i + 1] - x[i]
@@ -232,7 +247,7 @@ def highest(x: Any, y: Any) -> tuple[float, float]:
     return float(x[i] + way), float(max(np.max(y), y[i] + way * (slope + bend * way)))
 
 
-def first_highest(x: Any, y: Any) -> float:
+def first_highest(x: Array, y: Array) -> float:
     """The place of the largest value; of peaks of equal height the first."""
     top = np.max(y)
     inner = np.arange(1, y.size - 1)
@@ -243,6 +258,6 @@ def first_highest(x: Any, y: Any) -> float:
     return min(place for place, height in found if height >= best - 1e-6 * abs(best))
 
 
-def amounts(y: Any) -> Any:
+def amounts(y: Array) -> Array:
     """Amounts among which the largest is one: of a rise and a fall of the same size the rise."""
     return np.where(y < 0, -y * (1 - 1e-9), y)

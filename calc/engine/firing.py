@@ -7,7 +7,6 @@ A cylinder fires at one of its top dead centres.  Angles are crank angles after 
 
 import math
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -34,15 +33,15 @@ class Firing:
 
 def dead_centres(phi: Array, psi: Array) -> Array:
     """The crank angle after TDC of cylinder 1 at which each piston stands at TDC, from 0 up to a turn."""
-    angle: Any = (psi - phi - (psi[0] - phi[0])) % TURN
+    angle = (psi - phi - (psi[0] - phi[0])) % TURN
     return np.where(TURN - angle < DUST * TURN, 0.0, angle)
 
 
 def in_order(phi: Array, psi: Array, strokes: int, order: tuple[int, ...]) -> Firing | None:
     """The firing of a crank in a given order; None where this crank can not fire so within one cycle."""
-    k: Any = np.asarray(order) - 1
+    k = np.asarray(order) - 1
     at = dead_centres(phi, psi)[k]
-    gaps: Any = (np.roll(at, -1) - at) % TURN
+    gaps = (np.roll(at, -1) - at) % TURN
     gaps[(gaps < DUST * TURN) | (TURN - gaps < DUST * TURN)] = 0.0
     idle = round((strokes * math.pi - float(np.sum(gaps))) / TURN)  # whole turns that the dead centres leave over
     if idle < 0:
@@ -73,11 +72,11 @@ def evenest(phi: Array, psi: Array, strokes: int, usual: tuple[int, ...] = ()) -
     cycle = strokes * math.pi
     n = phi.size
     ways = (strokes // 2) ** (n - 1)
-    turns: Any = (np.arange(ways)[:, None] >> np.arange(n - 1)[::-1]) & 1
+    turns = (np.arange(ways)[:, None] >> np.arange(n - 1)[::-1]) & 1
     at = dead_centres(phi, psi) + TURN * np.column_stack([np.zeros(ways), turns])
     place = np.argsort(at, axis=1, kind="stable")
-    sorted_: Any = np.take_along_axis(at, place, 1)
-    gaps: Any = np.diff(np.column_stack([sorted_, np.full(ways, cycle)]), axis=1)
+    sorted_ = np.take_along_axis(at, place, 1)
+    gaps = np.diff(np.column_stack([sorted_, np.full(ways, cycle)]), axis=1)
     unevenness = np.abs(gaps - cycle / n).max(1)
     best = np.flatnonzero(unevenness <= unevenness.min() + 1e-9)
     orders = sorted((tuple((place[i] + 1).tolist()), i) for i in best)

@@ -4,11 +4,12 @@
 import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..catalogue import Material
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi
@@ -69,16 +70,16 @@ class EngineResult:
 
 
 @formula("c_n", "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)", shows="c_1 … c_8 of a/(ω²·r)")
-def harmonics(a: Number) -> Number:
+def harmonics(a: Number) -> PhasorNumber:
     """a/(ω² r) = Re Σ c_n e^{inα}: the complex amplitudes of orders 1 to 8, from equally spaced points over one turn (last axis)."""
-    points: Any = a
-    spectrum: Any = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
+    points = many(a)
+    spectrum: ComplexArray = np.fft.rfft(points)[..., 1 : len(ORDERS) + 1] * 2 / points.shape[-1]
     spectrum.real[np.abs(spectrum.real) < 1e-12] = 0.0
     spectrum.imag[np.abs(spectrum.imag) < 1e-12] = 0.0
-    return cast(Number, spectrum)
+    return each(spectrum)
 
 
-def points(lam: Any, delta: Any) -> int:
+def points(lam: Number, delta: Number) -> int:
     """How many crank angles carry the whole acceleration: its harmonics fall like e^(−nη) with cosh η = (1 − |δ|)/λ."""
     eta = np.arccosh(np.min((1 - np.abs(delta)) / lam))
     return int(2 ** np.ceil(np.log2(min(65536.0, 8 + 80 / max(eta, 1e-6)))))
@@ -105,42 +106,42 @@ def longest_interval(gaps: Radian, phi: Radian) -> Radian:
     return float(np.max(gaps))
 
 
-def _peak(y: Any) -> tuple[Any, Any]:
+def _peak(y: Array) -> tuple[Number, Radian]:
     """The largest value over a turn and its angle: the best of the points, then Newton's method on their Fourier series."""
     size = y.shape[-1]
     n = np.arange(size // 2 + 1)
     c = np.fft.rfft(y) * np.where((n == 0) | (n == size // 2), 1.0, 2.0) / size
-    at: Any = np.argmax(y, -1) * (2 * np.pi / size)
+    at = np.argmax(y, -1) * (2 * np.pi / size)
     for _ in range(5):  # from within half a point: 0.05, 2e-3, 4e-6, 1e-11 rad
         term = c * np.exp(1j * n * at[..., None])
         slope, bend = np.sum(-n * term.imag, -1), np.sum(-(n**2) * term.real, -1)
         at = at - np.clip(slope / np.where(bend < 0, bend, -np.inf), -2 / size, 2 / size)
     highest = np.sum((c * np.exp(1j * n * at[..., None])).real, -1)
-    return (highest, at % (2 * np.pi)) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
+    return (each(highest), each(at % (2 * np.pi))) if y.ndim > 1 else (float(highest), float(at) % (2 * np.pi))
 
 
 @formula("max", "mathematics: largest value over the turn", shows="the largest of the points, refined on their Fourier series")
 def turn_highest(y: Number) -> Number:
-    return cast(Number, _peak(y)[0])
+    return _peak(many(y))[0]
 
 
-def _fastest(y: Any) -> tuple[Any, Any]:
+def _fastest(y: Array) -> tuple[Number, Radian]:
     """The largest magnitude over a turn and its angle; of two alike the first.  An offset makes one of the two strokes the quicker."""
     (down, at_down), (up, at_up) = _peak(y), _peak(-y)
     first = down >= up * (1 - 1e-12)
     if y.ndim == 1:
         return (down, at_down) if first else (up, at_up)
-    return np.where(first, down, up), np.where(first, at_down, at_up)
+    return each(np.where(first, down, up)), each(np.where(first, at_down, at_up))
 
 
 @formula("max", "mathematics: largest magnitude over the turn", shows="the largest magnitude of the points, refined on their series")
 def turn_fastest(y: Number) -> Number:
-    return cast(Number, _fastest(y)[0])
+    return _fastest(many(y))[0]
 
 
 @formula("min", "mathematics: smallest value over the turn", shows="the smallest of the points, refined on their Fourier series")
 def turn_lowest(y: Number) -> Number:
-    return cast(Number, -_peak(-y)[0])
+    return -_peak(many(-y))[0]
 
 
 def values(engine: EngineInputs) -> EngineResult:
@@ -153,16 +154,16 @@ def values(engine: EngineInputs) -> EngineResult:
     stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
     volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
     mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
-    alpha: Any = np.arange(size := points(lam, delta)) * (2 * np.pi / size)
-    beta: Any = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
-    speed: Any = f.relative_speed(alpha=alpha, beta=beta)
-    exact: Any = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
+    alpha = each(np.arange(size := points(lam, delta), dtype=float) * (2 * np.pi / size))
+    beta = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
+    speed = f.relative_speed(alpha=alpha, beta=beta)
+    exact = f.relative_acceleration(alpha=alpha, beta=beta, lam=column(lam))
     fastest = f.piston_speed(v_rel=turn_fastest(y=speed), omega=omega, r=engine.crank_radius)
-    at_fastest = f.angle_of_fastest(v_rel=speed, alpha=based_on(_fastest(speed)[1], speed))
+    at_fastest = f.angle_of_fastest(v_rel=speed, alpha=based_on(_fastest(many(speed))[1], speed))
     a_max = f.acceleration(a_rel=turn_highest(y=exact), omega=omega, r=engine.crank_radius)
     a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
-    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(-exact)[1], exact))
-    spectrum: Any = harmonics(exact)
+    at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(many(-exact))[1], exact))
+    spectrum = phasors(harmonics(exact))
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest,
@@ -179,8 +180,7 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         e = values(engine)
         fires = firing(engine, e.crank)
         interval = firing_interval(strokes=engine.strokes, N=engine.cylinders)
-        gaps: Any = fires.intervals
-        phi: Any = e.crank.phi
+        gaps, phi = each(fires.intervals), each(e.crank.phi)
         shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
         with about(Text("torque")):
             turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)

@@ -8,13 +8,12 @@ towards the crank axis.
 
 import math
 from collections.abc import Mapping
-from dataclasses import replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..catalogue import Material
-from ..sheet.arrays import Array, BoolArray
+from ..sheet.arrays import Array, BoolArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
 from ..sheet.quantity import group, result, value
@@ -29,7 +28,7 @@ from . import throw_formulas as t
 from .crank import sharing
 from .cycle import TURN, Cycle
 from .gas import GasInputs
-from .throw_fatigue import ThrowFatigue, check_of, judged
+from .throw_fatigue import Forces, Notch, ThrowFatigue, check_of, judged
 from .throw_inputs import ThrowInputs
 
 if TYPE_CHECKING:
@@ -56,8 +55,8 @@ class Section:
 
 
 @result
-class Position:
-    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
+class Rod:
+    """The forces of one cylinder at one crank angle."""
 
     crank_angle: Radian = value("Crank angle after the firing of this cylinder", "°", "ε_k")
     gas_force: Newton | None = value("Gas force on the piston", "N", "F_G", default=None)
@@ -67,6 +66,12 @@ class Position:
     side_thrust: Newton = value("Side thrust on the liner", "N", "N")
     tangential_force: Newton = value("Tangential force at the pin", "N", "F_t")
     radial_force: Newton = value("Radial force at the pin, towards the crank axis", "N", "F_r")
+
+
+@result
+class Position(Rod):
+    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
+
     reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
     reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
     torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
@@ -92,7 +97,7 @@ class ThrowResult:
 class _Throw:
     """One engine's throws: what the scan and the traced call have in common.  Works on floats as on arrays."""
 
-    def __init__(self, engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle | None, throw: ThrowInputs) -> None:
+    def __init__(self, engine: "EngineInputs", e: "EngineResult", fires: Array, cycle: Cycle | None, throw: ThrowInputs) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
         self.length = cycle.length if cycle else TURN
         self.load = (
@@ -107,14 +112,14 @@ class _Throw:
             cycle,
         )
         self.span = t.span(l_j=throw.journal_length, t_w=throw.web_thickness, l_p=throw.pin_length)
-        self.notch: dict[str, tuple[float, float, float]] = {}
+        self.notch: Notch = {}
         if throw.fillet_radius is not None:
             for place, d in (("pin", throw.pin_diameter), ("journal", throw.journal_diameter)):
                 with about(Text("fillet of the {place}", place=PLACES[place])):
                     ratio = t.relative_fillet(rho=throw.fillet_radius, d=d)
                     self.notch[place] = ratio, t.notch_bending(rho_d=ratio), t.notch_torsion(rho_d=ratio)
 
-    def rod(self, fires: Any, epsilon: Any) -> dict[str, Any]:
+    def rod(self, fires: Radian, epsilon: Radian) -> Rod:
         """The forces of the cylinders that fire at `fires`, at crank angles ε of the engine."""
         engine, e = self.engine, self.e
         own = c.own_angle(epsilon=epsilon, fires=fires, cycle=self.length)
@@ -129,14 +134,14 @@ class _Throw:
             F_G = c.gas_force(p=self.cycle.pressure(own, x), p_case=self.cycle.crankcase, D=engine.bore)
             F = t.piston_force(F_G=F_G, F_I=F_I)
         S = t.rod_force(F=F, beta=beta)
-        return dict(
+        return Rod(
             crank_angle=own, gas_force=F_G, inertia_force=F_I, piston_force=F, rod_force=S, side_thrust=t.side_thrust(F=F, beta=beta),
             tangential_force=t.tangential_force(F=F, v_rel=v_rel),
             radial_force=t.radial_force(S=S, alpha=alpha, beta=beta, M_rot=e.rotating_mass, r=engine.crank_radius, omega=e.angular_speed),
         )  # fmt: skip
 
-    def sections(self, F_t: Any, F_r: Any, T_v: Any) -> dict[str, Any]:
-        """Reactions, and the stresses of pin and journal, from the forces on the pin and the torque from in front."""
+    def sections(self, F_t: Newton, F_r: Newton, T_v: NewtonMetre) -> tuple[Newton, Section, Section]:
+        """Reaction, and the stresses of pin and journal, from the forces on the pin and the torque from in front."""
         throw, r = self.throw, self.engine.crank_radius
         R = t.reaction(F_t=F_t, F_r=F_r)
         pin = self.stresses(
@@ -145,12 +150,12 @@ class _Throw:
         )  # fmt: skip
         at_edge = t.journal_bending(R=R, l_j=throw.journal_length)
         journal = self.stresses("journal", throw.journal_diameter, at_edge, t.journal_torsion(F_t=F_t, r=r, T_v=T_v), at_edge)
-        return dict(reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal)
+        return R, pin, journal
 
-    def stresses(self, place: str, d: Metre, M: Any, T: Any, M_fillet: Any) -> Section:
+    def stresses(self, place: str, d: Metre, M: NewtonMetre, T: NewtonMetre, M_fillet: NewtonMetre | None) -> Section:
         sigma, tau = t.bending_stress(M=M, d=d), t.torsion_stress(T=T, d=d)
         notch = None
-        if place in self.notch:
+        if place in self.notch and M_fillet is not None:
             _, K_b, K_t = self.notch[place]
             notch = t.notch_stress(K_b=K_b, sigma=sigma if M_fillet is M else t.bending_stress(M=M_fillet, d=d), K_t=K_t, tau=tau)
         nominal = t.von_mises(sigma=sigma, tau=tau)
@@ -162,11 +167,11 @@ def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArra
 
     Of two throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
     """
-    z: Any = e.crank.z
+    z = e.crank.z
     number = np.arange(z.size)
-    apart: Any = z[None, :] - z[:, None]
-    shared: Any = sharing(engine, e.crank)
-    in_front: Any = (apart < 0) | ((apart == 0) & (number[None, :] < number[:, None]))
+    apart = z[None, :] - z[:, None]
+    shared = sharing(engine, e.crank)
+    in_front: BoolArray = (apart < 0) | ((apart == 0) & (number[None, :] < number[:, None]))
     return shared, in_front & ~shared
 
 
@@ -178,91 +183,93 @@ def solve(
 
     `firing` as for the torque.  `cycle`: the gas as the torque prepared it, so that one chain of lines leads to both.
     """
-    fires: Any = firing
     if cycle is None and gas is not None:
         with about(Text("gas cycle")):
             cycle = c.prepare(engine, e, gas)
-    crank = _Throw(engine, e, fires, cycle, throw)
+    crank = _Throw(engine, e, firing, cycle, throw)
     shared, in_front = pins(engine, e)
     with untraced():
         angles = _positions(crank, shared)
         worst = _stress_of_all(crank, shared, in_front, angles)
-    stress: Any = np.nanmax(worst[..., :2], (0, 2))
+    stress = np.nanmax(worst[..., :2], (0, 2))
     k = int(np.argmax(stress >= stress.max() * (1 - SAME_STRESS)))  # of equal ones the first
-    found: dict[str, Any] = {}
-    largest = based_on(float(angles[0, k]), *crank.load)
-    for (key, words), epsilon in zip(POSITIONS.items(), (largest, item(fires[k]))):
-        found[key] = _position(crank, k, epsilon, shared[k], in_front[k], words)
-    factors: dict[str, Any] = {
-        f"notch_{kind}_{place}": crank.notch[place][i] for place in crank.notch for i, kind in ((1, "bending"), (2, "torsion"))
-    }
-    result = ThrowResult(cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span, **factors, **found)
+    at = zip(POSITIONS.values(), (based_on(float(angles[0, k]), *crank.load), item(firing[k])))
+    largest, top = [_position(crank, k, epsilon, shared[k], in_front[k], words) for words, epsilon in at]
     material = materials.get(throw.material)
     tired = judged(_forces_over_the_cycle(crank, shared, in_front), crank.notch, throw, engine.crank_radius, material, crank.load)
-    result = replace(result, fatigue=tired)
+    pin, journal = (crank.notch.get(place, (None, None, None)) for place in PLACES)
+    result = ThrowResult(
+        cylinder=based_on(k + 1, *crank.load, engine.cylinder_pitch, throw), span=crank.span,
+        notch_bending_pin=pin[1], notch_torsion_pin=pin[2], notch_bending_journal=journal[1], notch_torsion_journal=journal[2],
+        largest_tangential=largest, top_dead_centre=top, fatigue=tired,
+    )  # fmt: skip
     fatigue_check = () if tired is None else (check_of(tired, PLACES[tired.place]),)
     return result, (*_checks(crank, worst, material), *fatigue_check), _notes(crank, result, shared[k], material), _tables(result, worst)
 
 
 def _over_the_cycle(crank: _Throw) -> Array:
     """Crank angles of the whole cycle."""
-    epsilon: Array = c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
-    return epsilon
+    return c.points(crank.cycle, crank.fires) if crank.cycle else np.linspace(0.0, TURN, 721)
 
 
-def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> tuple[Any, Any, Any]:
+def _forces_over_the_cycle(crank: _Throw, shared: BoolArray, in_front: BoolArray) -> Forces:
     """Tangential and radial force on every pin, and the torque from in front of it: (angles, cylinders)."""
     with untraced():
-        rods = crank.rod(crank.fires, _over_the_cycle(crank)[:, None])
-    tangential: Any = rods["tangential_force"]
-    return tangential @ shared.T, rods["radial_force"] @ shared.T, tangential @ in_front.T * crank.engine.crank_radius
+        rods = crank.rod(each(crank.fires), each(_over_the_cycle(crank)[:, None]))
+    tangential = many(rods.tangential_force)
+    return tangential @ shared.T, many(rods.radial_force) @ shared.T, tangential @ in_front.T * crank.engine.crank_radius
 
 
 def _positions(crank: _Throw, shared: BoolArray) -> Array:
     """The crank angles of the two positions (first axis) for each cylinder."""
     epsilon = _over_the_cycle(crank)
-    tangential: Any = crank.rod(crank.fires, epsilon[:, None])["tangential_force"] @ shared.T
-    size: Any = c.amounts(tangential)
-    between: Any = np.array([c.highest(epsilon, column)[0] for column in size.T])
-    there: Any = c.amounts(np.einsum("kj,kj->k", crank.rod(crank.fires, between[:, None])["tangential_force"], shared))
+    fires = each(crank.fires)
+    size = c.amounts(many(crank.rod(fires, each(epsilon[:, None])).tangential_force) @ shared.T)
+    between = np.array([c.highest(epsilon, column)[0] for column in size.T])
+    there = c.amounts(np.einsum("kj,kj->k", crank.rod(fires, each(between[:, None])).tangential_force, shared))
     largest = np.where(there >= size.max(0), between, epsilon[size.argmax(0)])
     return np.stack([largest, crank.fires])
 
 
 def _stress_of_all(crank: _Throw, shared: BoolArray, in_front: BoolArray, angles: Array) -> Array:
     """Von Mises stress by position, cylinder and place: pin and journal nominal, then at their fillets (NaN where these are not given)."""
-    rods = crank.rod(crank.fires, angles[:, :, None])
-    F_t, F_r = (np.einsum("pkj,kj->pk", rods[part], shared) for part in ("tangential_force", "radial_force"))
-    T_v = np.einsum("pkj,kj->pk", rods["tangential_force"], in_front) * crank.engine.crank_radius
-    found = crank.sections(F_t, F_r, T_v)
-    none: Any = np.full(F_t.shape, np.nan)
-    notch = [none if found[place].notch_stress is None else found[place].notch_stress for place in ("pin", "journal")]
-    return np.stack([found["pin"].von_mises, found["journal"].von_mises, *notch], -1)
+    rods = crank.rod(each(crank.fires), each(angles[:, :, None]))
+    F_t, F_r = (np.einsum("pkj,kj->pk", part, shared) for part in (rods.tangential_force, rods.radial_force))
+    T_v = np.einsum("pkj,kj->pk", rods.tangential_force, in_front) * crank.engine.crank_radius
+    _, *sections = crank.sections(each(F_t), each(F_r), each(T_v))
+    notch = [np.full(F_t.shape, np.nan) if part.notch_stress is None else many(part.notch_stress) for part in sections]
+    return np.stack([*(many(part.von_mises) for part in sections), *notch], -1)
 
 
 def _position(crank: _Throw, k: int, epsilon: float, shared: BoolArray, in_front: BoolArray, words: str) -> Position:
     """Cylinder k at one crank angle, recorded."""
     with untraced():
-        others: Any = crank.rod(crank.fires, epsilon)["tangential_force"]
+        others = many(crank.rod(each(crank.fires), epsilon).tangential_force)
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
-        T_v = t.torque_in_front(F_t=based_on(others[in_front], epsilon, *crank.load), r=crank.engine.crank_radius)
-        own = crank.rod(item(crank.fires[k]), epsilon)
+        T_v = t.torque_in_front(F_t=based_on(each(others[in_front]), epsilon, *crank.load), r=crank.engine.crank_radius)
+        rod = crank.rod(item(crank.fires[k]), epsilon)
+    F_t, F_r = rod.tangential_force, rod.radial_force
     for j in np.flatnonzero(shared):
         if j == k:
             continue
         with about(Text("cylinder {j} on the same pin, {words}", j=j + 1, words=words)):
             other = crank.rod(item(crank.fires[j]), epsilon)
-            for part in ("tangential_force", "radial_force"):
-                own[part] = t.both_rods(F=own[part], F_other=other[part])
+            F_t = t.both_rods(F=F_t, F_other=other.tangential_force)
+            F_r = t.both_rods(F=F_r, F_other=other.radial_force)
     with about(Text("throw of cylinder {k}, {words}", k=k + 1, words=words)):
-        return Position(**own, **crank.sections(own["tangential_force"], own["radial_force"], T_v))
+        R, pin, journal = crank.sections(F_t, F_r, T_v)
+    return Position(
+        crank_angle=rod.crank_angle, gas_force=rod.gas_force, inertia_force=rod.inertia_force, piston_force=rod.piston_force,
+        rod_force=rod.rod_force, side_thrust=rod.side_thrust, tangential_force=F_t, radial_force=F_r,
+        reaction_front=R, reaction_rear=R, torque_in_front=T_v, pin=pin, journal=journal,
+    )  # fmt: skip
 
 
 # --- what is said about it --------------------------------------------------------------------------------------------------
 def _checks(crank: _Throw, worst: Array, material: Material | None) -> tuple[Check, ...]:
     """Each place by the largest stress that it has on any throw, in either position."""
     found: list[Check] = []
-    largest: Any = worst.max((0, 1))
+    largest = worst.max((0, 1))
     throw, pitch = crank.throw, crank.engine.cylinder_pitch
     if crank.engine.cylinders > 1:
         found.append(

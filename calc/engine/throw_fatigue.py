@@ -5,12 +5,11 @@ In the frame that turns with the throw the radial and the tangential force keep 
 of its own over the cycle.  The amplitudes of bending and torsion are added as if they came at once, which is on the safe side.
 """
 
-from typing import Any
-
 import numpy as np
 
 from .. import fatigue
 from ..catalogue import Material
+from ..sheet.arrays import Array, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import sqrt
@@ -22,7 +21,7 @@ from ..sheet.value import based_on
 from . import throw_formulas as t
 from .throw_inputs import ThrowInputs
 
-Forces = tuple[Any, Any, Any]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
+Forces = tuple[Array, Array, Array]  # tangential, radial, and the torque from in front: (angles over the cycle, cylinders)
 Notch = dict[str, tuple[Number, Number, Number]]
 AROUND = 24  # points of a fillet over half of its circumference; the other half has the same with the other sign
 
@@ -52,7 +51,7 @@ class ThrowFatigue:
 
 
 def judged(
-    forces: Forces, notch: Notch, throw: ThrowInputs, r: Metre, material: Material | None, load: tuple[Any, ...]
+    forces: Forces, notch: Notch, throw: ThrowInputs, r: Metre, material: Material | None, load: tuple[object, ...]
 ) -> ThrowFatigue | None:
     """The worst fillet; None where no fillet is given or the material's strength is not known.
 
@@ -80,21 +79,21 @@ def _worst(
     place: str, factors: tuple[Number, Number, Number], forces: Forces, throw: ThrowInputs, r: Metre, M: Number
 ) -> tuple[float, str, int, tuple[float, float, float, float]]:
     """Of one place: the largest equivalent amplitude, its cylinder from 0, and amplitudes and means of bending and torsion there."""
-    F_t, F_r, T_v = forces
+    F_t, F_r, T_v = map(each, forces)
     pin = place == "pin"
     arm = throw.journal_length / 2 + (throw.web_thickness if pin else 0.0)
     d = throw.pin_diameter if pin else throw.journal_diameter
     _, K_b, K_t = factors
-    radial: Any = K_b * t.bending_stress(M=F_r / 2 * arm, d=d)
-    tangential: Any = K_b * t.bending_stress(M=F_t / 2 * arm, d=d)
-    torsion: Any = t.pin_torsion(F_t=F_t, r=r, T_v=T_v) if pin else t.journal_torsion(F_t=F_t, r=r, T_v=T_v)
-    tau: Any = K_t * t.torsion_stress(T=torsion, d=d)
+    radial = many(K_b * t.bending_stress(M=F_r / 2 * arm, d=d))
+    tangential = many(K_b * t.bending_stress(M=F_t / 2 * arm, d=d))
+    torsion = t.pin_torsion(F_t=F_t, r=r, T_v=T_v) if pin else t.journal_torsion(F_t=F_t, r=r, T_v=T_v)
+    tau = many(K_t * t.torsion_stress(T=torsion, d=d))
     around = np.arange(AROUND) * np.pi / AROUND
-    sigma: Any = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)
+    sigma = radial[..., None] * np.cos(around) + tangential[..., None] * np.sin(around)  # (angles, cylinders, around)
     sigma_a, tau_a = np.ptp(sigma, 0) / 2, (np.ptp(tau, 0) / 2)[:, None]
     sigma_m, tau_m = np.abs(sigma.max(0) + sigma.min(0)) / 2, np.abs(tau.max(0) + tau.min(0))[:, None] / 2  # the point opposite is pulled
-    a, m = amplitude(sigma=sigma_a, tau=tau_a), mean(sigma=sigma_m, tau=tau_m)
-    equal: Any = fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M)
+    a, m = amplitude(sigma=each(sigma_a), tau=each(tau_a)), mean(sigma=each(sigma_m), tau=each(tau_m))
+    equal = many(fatigue.equivalent_amplitude(sigma_a=a, sigma_m=m, M=M))
     k, point = np.unravel_index(int(equal.argmax()), equal.shape)
     at = sigma_a[k, point], tau_a[k, 0], sigma_m[k, point], tau_m[k, 0]
     return float(equal.max()), place, int(k), (float(at[0]), float(at[1]), float(at[2]), float(at[3]))

@@ -7,11 +7,12 @@ Cylinder k then stands ε − f_k after its own firing, which is the same as α_
 """
 
 import math
-from typing import TYPE_CHECKING, Any, cast
+from dataclasses import replace
+from typing import TYPE_CHECKING, overload
 
 import numpy as np
 
-from ..sheet.arrays import Array, many
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
 from ..sheet.later import Later, Many
@@ -118,12 +119,10 @@ def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
 
 
 def _turned_harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:
-    found: Any = (np.fft.rfft(T_k) * (2 / np.size(T_k)))[1 : ORDERS + 1]
-    orders: Any = np.arange(1, ORDERS + 1)[:, None] * fires
-    sums: Any = resultant(mu * cis(-orders))
-    found = found * sums
+    orders = each(np.arange(1, ORDERS + 1)[:, None] * many(fires))
+    found = (np.fft.rfft(many(T_k)) * (2 / np.size(T_k)))[1 : ORDERS + 1] * resultant(mu * cis(-orders))
     found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
-    return cast(PhasorNewtonMetre, found)
+    return each(found)
 
 
 @formula("μ_k", "mathematics: reciprocating mass of each cylinder over the mean")
@@ -147,7 +146,7 @@ def harmonic_amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
 @formula("W_i", Text("{work}, one cylinder", work=WORK), shows="∮ F_G·r·v_rel dε over the cycle")
 def indicated_work(T_k: NewtonMetre, epsilon: Radian) -> NewtonMetre:
     """From the gas torque of one cylinder at the points of the cycle."""
-    return float(c.running(epsilon, T_k)[-1])
+    return float(c.running(many(epsilon), many(T_k))[-1])
 
 
 @formula("p_mi", "definition of the indicated mean pressure", unit="bar")
@@ -165,12 +164,20 @@ def mean_torque(N: Number, W_i: NewtonMetre, strokes: Number) -> NewtonMetre:
     shows="max − min over the cycle of ∫(T − T_m)dε",
 )  # fmt: skip
 def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> NewtonMetre:
-    energy = c.running(epsilon, T - T_m)
-    return c.highest(epsilon, energy)[1] + c.highest(epsilon, -energy)[1]
+    energy = c.running(many(epsilon), many(T - T_m))
+    return c.highest(many(epsilon), energy)[1] + c.highest(many(epsilon), -energy)[1]
 
 
 # --- torque at any crank angles ---------------------------------------------------------------------------------------------
-def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any, epsilon: Any) -> tuple[Any, Any, Any]:
+@overload
+def at(engine: "EngineInputs", e: "EngineResult", gas: None, fires: Radian, epsilon: Radian) -> tuple[None, NewtonMetre, Newton]: ...
+@overload
+def at(
+    engine: "EngineInputs", e: "EngineResult", gas: Cycle, fires: Radian, epsilon: Radian
+) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
+def at(
+    engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Radian, epsilon: Radian
+) -> tuple[NewtonMetre | None, NewtonMetre, Newton]:
     """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles ε."""
     length = gas.length if gas else TURN
     own = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
@@ -178,8 +185,8 @@ def at(engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Any,
     beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
     v_rel = f.relative_speed(alpha=alpha, beta=beta)
     a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
-    each = e.unlike is not None and np.ndim(fires) > 0  # else one cylinder, of the mean mass where they differ
-    M_alt: Any = e.unlike.reciprocating if each and e.unlike is not None else e.reciprocating_mass
+    unlike = e.unlike if np.ndim(fires) else None  # of one cylinder the mean mass, where they differ
+    M_alt = e.reciprocating_mass if unlike is None else each(unlike.reciprocating)
     F_I = c.inertia_force(M_alt=M_alt, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
     T_I = c.torque_of(F=F_I, r=engine.crank_radius, v_rel=v_rel)
     if gas is None:
@@ -193,8 +200,7 @@ def solve(
     engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
 ) -> tuple[TorqueResult, Many[Curve], tuple[Text, ...]]:
     """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
-    fires: Any = firing
-    found, curve = _inertia(engine, e, fires)
+    inertia, curve = _inertia(engine, e, firing)
     notes = [Text("The torque reaction on the block is no matter of balancing: no masses on crank or shafts change it in the mean.")]
     if engine.cylinder_offset:
         notes.append(
@@ -202,7 +208,7 @@ def solve(
         )
     if gas is None:
         notes.append(Text("No gas is given: the torque is that of the inertia forces alone."))
-        return TorqueResult(**found, cycle=None), (curve,), tuple(notes)
+        return inertia, (curve,), tuple(notes)
     with about(Text("gas cycle")):
         cycle = c.prepare(engine, e, gas)
     notes += cycle.notes
@@ -211,22 +217,22 @@ def solve(
         notes.append(
             Text("Beside the flywheel's the inertia of the crank train is neglected; the load takes the mean torque all the time.")
         )
-    result = TorqueResult(**found, **_gas(engine, e, fires, cycle, flywheel_inertia), cycle=cycle)
-    return result, Later(lambda: _curves(engine, e, fires, cycle, result)), tuple(notes)
+    result = _gas(engine, e, firing, cycle, flywheel_inertia, inertia)
+    return result, Later(lambda: _curves(engine, e, firing, cycle, result)), tuple(notes)
 
 
-def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dict[str, Any], Curve]:
+def _inertia(engine: "EngineInputs", e: "EngineResult", firing: Array) -> tuple[TorqueResult, Curve]:
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
-    epsilon: Any = np.arange(POINTS + 1) * (TURN / POINTS)
-    d = engine.cylinder_offset
+    epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
+    d, fires = engine.cylinder_offset, each(firing)
     with about(Text("inertia torque of one cylinder")):
-        _, one, F_I = at(engine, e, None, 0.0, epsilon[:-1])
-        on_block: Any = reaction(T=one, d=d, F_I=F_I)
+        _, one, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
+        on_block = reaction(T=one, d=d, F_I=F_I)
     weights = _relative(e)
-    turned: Any = (weights * np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * fires)).sum(1)
+    turned = (weights * np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)).sum(1)
 
-    def together(T_k: Any) -> Any:
-        whole = np.fft.irfft(np.fft.rfft(T_k) * turned, POINTS)
+    def together(T_k: NewtonMetre) -> Array:
+        whole = np.fft.irfft(np.fft.rfft(many(T_k)) * turned, POINTS)
         return np.append(whole, whole[0])
 
     whole, block = together(one), together(on_block)
@@ -236,10 +242,10 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about(Text("inertia torque")):
-        t: Any = _harmonics(one, fires, weights)
+        t = _harmonics(one, fires, weights)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
     with about(Text("torque reaction of the inertia forces")):
-        t_block: Any = _harmonics(on_block, fires, weights)
+        t_block = _harmonics(on_block, fires, weights)
         block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
         "torque", Text("Inertia torque about the crank over one turn"), axis_label("crank angle after TDC of cylinder 1", "°"),
@@ -247,25 +253,22 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", fires: Any) -> tuple[dic
         (Series(Text("on the crank"), np.degrees(epsilon[::2]), whole[::2]),
             Series(Text("on the block"), np.degrees(epsilon[::2]), block[::2])),
     )  # fmt: skip
-    return {
-        "inertia_torque_peak": peak, "inertia_torque": orders, "harmonics": elements(t),
-        "reaction_inertia_peak": peak_block, "reaction_inertia": block_orders, "reaction_harmonics": elements(t_block),
-    }, curve  # fmt: skip
+    return TorqueResult(
+        inertia_torque_peak=peak, inertia_torque=orders, harmonics=elements(t),
+        reaction_inertia_peak=peak_block, reaction_inertia=block_orders, reaction_harmonics=elements(t_block), cycle=None,
+    ), curve  # fmt: skip
 
 
-def _relative(e: "EngineResult") -> Any:
+def _relative(e: "EngineResult") -> Number:
     """The mass of each cylinder over the mean; one number where they are alike."""
-    if e.unlike is None:
-        return 1.0
-    masses: Any = e.unlike.reciprocating
-    return relative_masses(M_k=masses, M_alt=e.reciprocating_mass)
+    return 1.0 if e.unlike is None else relative_masses(M_k=each(e.unlike.reciprocating), M_alt=e.reciprocating_mass)
 
 
-def _harmonics(T_k: Any, fires: Any, weights: Any) -> Any:
-    return torque_harmonics(T_k=T_k, fires=fires) if np.ndim(weights) == 0 else torque_harmonics_of_unlike(T_k=T_k, fires=fires, mu=weights)
+def _harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> ComplexArray:
+    return phasors(torque_harmonics_of_unlike(T_k=T_k, fires=fires, mu=mu) if np.ndim(mu) else torque_harmonics(T_k=T_k, fires=fires))
 
 
-def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:
+def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
     return {
         f"order_{n}": Stated(Described(Text("{words}, order {n}", words=words, n=n), "N·m", f"{symbol}{n}"),
             harmonic_amplitude(t_n=t_n))
@@ -273,26 +276,29 @@ def _amplitudes(t: Any, words: str, symbol: str) -> dict[str, Stated]:
     }  # fmt: skip
 
 
-def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, flywheel_inertia: float | None) -> dict[str, Any]:
-    """What the gas gives: work, peaks, mean and fluctuation."""
-    epsilon = c.points(cycle, fires)
+def _gas(
+    engine: "EngineInputs", e: "EngineResult", firing: Array, cycle: Cycle, flywheel_inertia: float | None, inertia: TorqueResult
+) -> TorqueResult:
+    """What the gas gives beside the inertia forces: work, peaks, mean and fluctuation."""
+    fires, points = each(firing), c.points(cycle, firing)
+    epsilon = each(points)
     with about(Text("all cylinders over the cycle")):
-        of_gas, of_inertia, force = at(engine, e, cycle, fires, epsilon[:, None])
-        gas_only: Any = gas_torque(T_k=of_gas)
-        whole: Any = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
+        of_gas, of_inertia, force = at(engine, e, cycle, fires, each(points[:, None]))
+        gas_only = gas_torque(T_k=of_gas)
+        whole = whole_torque(T_G=gas_only, T_I=inertia_torque(T_k=of_inertia))
     with untraced():
-        best = _angle_of_peak(engine, e, cycle, fires, epsilon, gas_only, inertia=False)
-        on_block: Any = reaction(T=whole, d=engine.cylinder_offset, F_I=force.sum(-1))
-        best_block = c.first_highest(epsilon, c.amounts(on_block))
+        best = _angle_of_peak(engine, e, cycle, fires, points, many(gas_only), inertia=False)
+        on_block = reaction(T=whole, d=engine.cylinder_offset, F_I=each(many(force).sum(-1)))
+        best_block = c.first_highest(points, c.amounts(many(on_block)))
     best, best_block = based_on(best, gas_only), based_on(best_block, whole, force)
     with about(Text("cylinder 1 over its cycle")):
-        one, _, _ = at(engine, e, cycle, item(fires[0]), epsilon)  # its corners are among the points
+        one, _, _ = at(engine, e, cycle, item(firing[0]), epsilon)  # its corners are among the points
     W_i = indicated_work(T_k=one, epsilon=epsilon)
     T_m = mean_torque(N=engine.cylinders, W_i=W_i, strokes=engine.strokes)
     with about(Text("largest gas torque")):
         T_G_k = at(engine, e, cycle, fires, best)[0]
         peak_gas = amount(T=gas_torque(T_k=T_G_k))
-    best = based_on(_angle_of_peak(engine, e, cycle, fires, epsilon, whole, inertia=True), whole)
+    best = based_on(_angle_of_peak(engine, e, cycle, fires, points, many(whole), inertia=True), whole)
     with about(Text("largest torque")):
         T_G_k, T_I_k, _ = at(engine, e, cycle, fires, best)
         peak = amount(T=whole_torque(T_G=gas_torque(T_k=T_G_k), T_I=inertia_torque(T_k=T_I_k)))
@@ -304,39 +310,38 @@ def _gas(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, fl
         T_hi, T_lo = highest(T=whole), lowest(T=whole)
     Delta_E = energy_fluctuation(epsilon=epsilon, T=whole, T_m=T_m)
     uneven = None if flywheel_inertia is None else speed_irregularity(Delta_E=Delta_E, J=flywheel_inertia, omega=e.angular_speed)
-    return {
-        "reaction_peak": peak_block, "gas_torque_peak": peak_gas, "torque_peak": peak, "torque_peak_angle": best,
-        "compression_end_pressure": cycle.compression_end, "indicated_work": W_i,
-        "indicated_mean_pressure": mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), "mean_torque": T_m,
-        "indicated_power": indicated_power(T_m=T_m, omega=e.angular_speed), "energy_fluctuation": Delta_E,
-        "torque_highest": T_hi, "torque_lowest": T_lo,
-        "speed_irregularity": uneven,
-    }  # fmt: skip
+    return replace(
+        inertia, reaction_peak=peak_block, gas_torque_peak=peak_gas, torque_peak=peak, torque_peak_angle=best,
+        compression_end_pressure=cycle.compression_end, indicated_work=W_i,
+        indicated_mean_pressure=mean_pressure(W_i=W_i, N=engine.cylinders, V_h=e.displacement), mean_torque=T_m,
+        indicated_power=indicated_power(T_m=T_m, omega=e.angular_speed), energy_fluctuation=Delta_E,
+        torque_highest=T_hi, torque_lowest=T_lo, speed_irregularity=uneven, cycle=cycle,
+    )  # fmt: skip
 
 
 def _angle_of_peak(
-    engine: "EngineInputs", e: "EngineResult", cycle: Cycle, fires: Any, epsilon: Any, torque: Any, *, inertia: bool
+    engine: "EngineInputs", e: "EngineResult", cycle: Cycle, fires: Radian, epsilon: Array, torque: Array, *, inertia: bool
 ) -> float:
     """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one of them."""
     size = c.amounts(torque)
     between = c.first_highest(epsilon, size)
     with untraced():
         T_G, T_I, _ = at(engine, e, cycle, fires, between)
-    found = c.amounts(T_G.sum() + (T_I.sum() if inertia else 0.0))
+    found = c.amounts(many(T_G).sum() + (many(T_I).sum() if inertia else 0.0))
     return between if found >= size.max() else float(epsilon[size.argmax()])
 
 
 # --- curves -----------------------------------------------------------------------------------------------------------------
-def _curves(engine: "EngineInputs", e: "EngineResult", fires: Any, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
-    epsilon: Any = np.arange(round(cycle.length / DRAWN) + 1) * DRAWN
+def _curves(engine: "EngineInputs", e: "EngineResult", firing: Array, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
+    epsilon = np.arange(round(cycle.length / DRAWN) + 1, dtype=float) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():
-        T_G, T_I, F_I = (part.sum(-1) for part in at(engine, e, cycle, fires, epsilon[:, None]))
-        on_block = many(reaction(T=T_G + T_I, d=engine.cylinder_offset, F_I=F_I))
-        alpha: Any = e.tdc_angle + epsilon
+        T_G, T_I, F_I = (many(part).sum(-1) for part in at(engine, e, cycle, each(firing), each(epsilon[:, None])))
+        on_block = many(reaction(T=each(T_G + T_I), d=engine.cylinder_offset, F_I=each(F_I)))
+        alpha = each(e.tdc_angle + epsilon)
         beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
         x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
-        p = cycle.pressure(epsilon, x)
+        p = many(cycle.pressure(each(epsilon), x))
     assert result.mean_torque is not None
     torque = Curve(
         "torque", Text("Torque about the crank over the cycle"), axis_label("crank angle after the firing of cylinder 1", "°"),

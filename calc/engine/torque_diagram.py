@@ -2,20 +2,33 @@
 """What a torque diagram gives: mean, extremes and fluctuation of the energy; straight lines between its rows, closed over its period."""
 
 import math
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, each
 from ..sheet.formula import formula
 from ..sheet.linked_array import gathered
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Text
-from ..sheet.units import KilogramMetre2, NewtonMetre, Radian, RadPerSecond
+from ..sheet.units import KilogramMetre2, NewtonMetre, Number, Radian, RadPerSecond, Watt
 from . import torque_formulas as t
 from .torque_inputs import TorquePoint
 
 AREA = Text("mathematics: area of the torque diagram over its period, straight lines between its rows")
+
+
+class OfDiagram(TypedDict):
+    """What the diagram gives of a `TorqueResult`."""
+
+    torque_peak: NewtonMetre
+    torque_peak_angle: Radian
+    mean_torque: NewtonMetre
+    indicated_power: Watt
+    energy_fluctuation: NewtonMetre
+    torque_highest: NewtonMetre
+    torque_lowest: NewtonMetre
+    speed_irregularity: Number | None
 
 
 @formula("T_m", AREA, shows="∮T dε over the period")
@@ -41,7 +54,7 @@ def place(epsilon: Radian) -> Radian:
     return epsilon
 
 
-def closed(angles: Any, T: Any, period: Any) -> tuple[Array, Array]:
+def closed(angles: Radian, T: NewtonMetre, period: Radian) -> tuple[Array, Array]:
     """The rows over one whole period, the first once more at its end."""
     epsilon, torque = np.asarray(angles), np.asarray(T)
     if period - (epsilon[-1] - epsilon[0]) > 1e-9:
@@ -49,22 +62,20 @@ def closed(angles: Any, T: Any, period: Any) -> tuple[Array, Array]:
     return epsilon, torque
 
 
-def solve(
-    rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None
-) -> tuple[dict[str, Any], Curve, Text]:
+def solve(rows: tuple[TorquePoint, ...], period: Radian, omega: RadPerSecond, J: KilogramMetre2 | None) -> tuple[OfDiagram, Curve, Text]:
     """Values, figure and note of a torque diagram; `J`: of the flywheel."""
-    angles: Any = gathered(row.angle for row in rows)
-    T: Any = gathered(row.torque for row in rows)
+    angles = each(gathered(row.angle for row in rows))
+    T = each(gathered(row.torque for row in rows))
     T_m = mean(angles=angles, T=T, period=period)
     Delta_E = fluctuation(angles=angles, T=T, T_m=T_m, period=period)
     highest, lowest = t.highest(T=T), t.lowest(T=T)
     largest = int(np.argmax(np.abs(np.asarray(T))))
-    found: dict[str, Any] = {
-        "torque_peak": t.amount(T=rows[largest].torque), "torque_peak_angle": place(epsilon=rows[largest].angle),
-        "mean_torque": T_m, "indicated_power": t.indicated_power(T_m=T_m, omega=omega), "energy_fluctuation": Delta_E,
-        "torque_highest": highest, "torque_lowest": lowest,
-        "speed_irregularity": None if J is None else t.speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
-    }  # fmt: skip
+    found = OfDiagram(
+        torque_peak=t.amount(T=rows[largest].torque), torque_peak_angle=place(epsilon=rows[largest].angle),
+        mean_torque=T_m, indicated_power=t.indicated_power(T_m=T_m, omega=omega), energy_fluctuation=Delta_E,
+        torque_highest=highest, torque_lowest=lowest,
+        speed_irregularity=None if J is None else t.speed_irregularity(Delta_E=Delta_E, J=J, omega=omega),
+    )  # fmt: skip
     epsilon, torque = closed(angles, T, period)
     curve = Curve(
         "torque", Text("Torque about the crank as given"), axis_label("crank angle after the firing of cylinder 1", "°"),

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a torque over the crank angle gives, whether of the gas or of a diagram."""
 
-from typing import Any
-
+from ..sheet.arrays import many
 from ..sheet.formula import formula
 from ..sheet.functions import modulus
 from ..sheet.units import KilogramMetre2, NewtonMetre, Number, RadPerSecond, Watt
@@ -10,14 +9,12 @@ from ..sheet.units import KilogramMetre2, NewtonMetre, Number, RadPerSecond, Wat
 
 @formula("T_hi", "mathematics: largest of the points of the cycle, its corners among them", shows="largest T(ε)")
 def highest(T: NewtonMetre) -> NewtonMetre:
-    found: Any = T
-    return float(found.max())
+    return float(many(T).max())
 
 
 @formula("T_lo", "mathematics: smallest of the points of the cycle, its corners among them", shows="smallest T(ε)")
 def lowest(T: NewtonMetre) -> NewtonMetre:
-    found: Any = T
-    return float(found.min())
+    return float(many(T).min())
 
 
 @formula("|T|", "mathematics: amount of the torque at the crank angle where it is largest")

@@ -169,13 +169,13 @@ def test_indicated_work_is_the_area_of_the_cycle(engine, gas):
     cycle = c.prepare(engine, e, gas)
     found, _, _ = torque.solve(engine, e, firing(engine, e.crank).angles, gas, None)
     g, area = cycle.given, math.pi / 4 * engine.bore**2
-    low, high, held = (area * (g["h_c"] + x) for x in (0.0, g["s"], g["x_p"]))
-    work = g["p_max"] * (held - low)
-    work += g["p_max"] * held / (g["n_e"] - 1) * (1 - (held / high) ** (g["n_e"] - 1))
-    work -= g["p_in"] * high / (g["n_c"] - 1) * ((high / low) ** (g["n_c"] - 1) - 1)
+    low, high, held = (area * (g.h_c + x) for x in (0.0, g.s, g.x_p))
+    work = g.p_max * (held - low)
+    work += g.p_max * held / (g.n_e - 1) * (1 - (held / high) ** (g.n_e - 1))
+    work -= g.p_in * high / (g.n_c - 1) * ((high / low) ** (g.n_c - 1) - 1)
     if engine.strokes == 4:
-        work += (g["p_in"] - g["p_ex"]) * (high - low)
-    assert found.indicated_work == pytest.approx(work, abs=1e-6 * g["p_max"] * (high - low))
+        work += (g.p_in - g.p_ex) * (high - low)
+    assert found.indicated_work == pytest.approx(work, abs=1e-6 * g.p_max * (high - low))
 
 
 @settings(max_examples=20, deadline=None)
