@@ -7,10 +7,10 @@ radius of curvature of the flank, which is also the place on the line of action,
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
+from ..sheet.arrays import Array, each
 from ..sheet.formula import formula
 from ..sheet.functions import acos, asin, atan, cos, inv, largest, pi, sin, sqrt, tan
 from ..sheet.text import Text
@@ -272,7 +272,7 @@ def angle_of_involute(involute: Number) -> Radian:
     0 where inv α is not above 0; in an array no number there.
     """
     if isinstance(involute, np.ndarray):
-        return _angles_of_involutes(involute)
+        return each(_angles_of_involutes(involute))
     if involute <= 0:
         return 0.0
     t = involute + pi / 2
@@ -286,7 +286,7 @@ def angle_of_involute(involute: Number) -> Radian:
     return math.atan(t)
 
 
-def _angles_of_involutes(involute: Any) -> Any:
+def _angles_of_involutes(involute: Array) -> Array:
     """The same for an array, by the same steps."""
     wanted = np.where(involute > 0, involute, np.nan)
     start = (3 * wanted) ** (1 / 3)

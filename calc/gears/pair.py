@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """One mesh, once its wheels and its centre distance are known: contact, sliding, clearances, backlash."""
 
-from typing import Any
-
 from ..sheet.errors import NoSolution
 from ..sheet.text import Text
 from ..sheet.trace import about
@@ -37,7 +35,7 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
         eps_beta = f.overlap_ratio(b, system.beta, system.m_n)
         d_1, d_2, x_1, x_2 = driver.reference_diameter, driven.reference_diameter, driver.profile_shift, driven.profile_shift
         tolerance = centre_tolerance(mesh)
-        values: dict[str, Any] = dict(  # fields of different types
+        values: dict[str, float] = dict(
             centre_distance=a_w, working_pressure_angle=alpha_wt,
             working_helix_angle=f.working_helix_angle(system.base_helix_angle, alpha_wt), working_module=f.working_module(a_w, z_1, z_2),
             centre_modification=f.centre_modification(a_w, d_1, d_2, system.m_n), shift_sum=f.sum_of_shifts(x_1, x_2),
@@ -55,7 +53,7 @@ def solve_mesh(system: ToothSystem, mesh: Mesh, place: str, a_w: Metre, driver: 
         with about(Text("mesh {pair}, longest tips and closest centres", pair=mesh.title)):
             values |= _closest(a_w, tolerance, (driver, driven))
     values |= backlash(system, place, driver, driven, a_w, tolerance)
-    return MeshResult(**values, driver=mesh.driver, driven=mesh.driven)
+    return MeshResult(**values, driver=mesh.driver, driven=mesh.driven, rating=None)
 
 
 def _side(

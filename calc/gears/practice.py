@@ -4,10 +4,9 @@
 Lengths are in normal modules.  Where there are two, the first is hard and the other usual.
 """
 
-from typing import Any
-
 import numpy as np
 
+from ..sheet.arrays import each
 from ..sheet.formula import formula
 from ..sheet.text import Text
 from ..sheet.units import Metre
@@ -28,6 +27,6 @@ def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
 
     What the tip reaches past the base circle, where there is no flank, is counted along the line of action.
     """
-    rho: Any = T - rho_a
-    reach: Any = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
-    return reach if isinstance(rho, np.ndarray) else float(reach)
+    rho = T - rho_a
+    reach = np.where(rho > 0, np.hypot(d_b / 2, rho), d_b / 2 + rho) - d_Ff / 2
+    return each(reach) if isinstance(rho, np.ndarray) else float(reach)

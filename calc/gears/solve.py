@@ -7,7 +7,6 @@
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
 
 from ..catalogue import Material
 from ..engine.inputs import EngineInputs
@@ -54,7 +53,6 @@ class TrainPart:
 BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
 LAYOUT = TrainPart("layout", Text("layout of the train"))
 RATING = TrainPart("rating", Text("rating of the teeth"))
-BESIDE = ("checks", "lines", "curves", "tables", "errata", "notes")
 NOT_RATED = Text(
     "Not rated: no torque is known. Give gears.power_kW, or [bearings] and [friction], whose closed power balance gives it; stresses, "
     "safeties and forces on the axes have no values."
@@ -151,8 +149,8 @@ def not_rated(outcome: Outcome[TrainResult], why: Text) -> Outcome[TrainResult]:
 
 def _joined(first: Outcome[TrainResult], second: Outcome[object]) -> Outcome[TrainResult]:
     """The first outcome with everything that stands beside the result of the second."""
-    beside: dict[str, Any] = {name: getattr(first, name) + getattr(second, name) for name in BESIDE}  # of tuples of different types
-    return replace(first, **beside)
+    return replace(first, checks=first.checks + second.checks, lines=first.lines + second.lines, curves=first.curves + second.curves,
+        tables=first.tables + second.tables, errata=first.errata + second.errata, notes=first.notes + second.notes)  # fmt: skip
 
 
 def residual_couple(outcome: Outcome[TrainResult], couple: NewtonMetre) -> NewtonMetre:

@@ -2,7 +2,6 @@
 """One wheel, once its shift is known: circles, thicknesses, and the sizes for its drawing."""
 
 import math
-from typing import Any
 
 from ..sheet.errors import NoSolution
 from ..sheet.quantity import Described, Stated
@@ -58,17 +57,20 @@ def solve_wheel(gears: GearsInputs, system: ToothSystem, wheel: Wheel, x: Number
         if place is not None and not d_Ff <= place.d_y <= d_a:
             place = None
         pointed = f.pointed_diameter(d_b, f.angle_of_involute(f.pointed_involute(s_t, d, alpha_t)))
+        h, M = f.tooth_depth(d_a, d_f), _over_balls(wheel.teeth, place, ball)
+        s_c, h_c = m.chordal_thickness(chord, system.m_n, psi), m.chordal_height(chord, system.m_n, psi, d_a, d)
+        rho_a, rho_F = f.curvature_at(d_a, d_b), f.curvature_at(d_Ff, d_b)
+        ends, limits = _limits(bare, ball if place is not None else None, x_min, d_a)
         return WheelResult(
-            tooth_depth=f.tooth_depth(d_a, d_f), pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
+            tooth_depth=h, pointed_diameter=pointed, profile_shift=x, undercut_limit=x_min, reference_diameter=d,
             base_diameter=d_b, tip_diameter=d_a, root_diameter=d_f, form_diameter=d_Ff, tip_thickness=s_at, tip_thickness_normal=s_an,
             form_thickness=s_f, speed=speed, span_teeth=K, span=_span(wheel, round(K), W_K), ideal_ball=ideal,
             preferred_ball=preferred, ball_diameter=ball,
-            ball_given=gears.ball_diameter is not None, over_balls=_over_balls(wheel.teeth, place, ball),
-            chordal_thickness=m.chordal_thickness(chord, system.m_n, psi), chordal_height=m.chordal_height(chord, system.m_n, psi, d_a, d),
+            ball_given=gears.ball_diameter is not None, over_balls=M, chordal_thickness=s_c, chordal_height=h_c,
             name=wheel.name, teeth=wheel.teeth, face_width=wheel.face_width or gears.face_width, material=wheel.material,
-            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K, tip_curvature=f.curvature_at(d_a, d_b),
-            form_curvature=f.curvature_at(d_Ff, d_b), virtual_teeth=chord, seat=place,
-            **_limits(bare, ball if place is not None else None, x_min, d_a), **_tips(wheel, d_a),
+            allowance=_allowance(wheel), reference_thickness=s_t, span_length=W_K, tip_curvature=rho_a,
+            form_curvature=rho_F, virtual_teeth=chord, seat=place,
+            ends=ends, measures=None, **limits, **_tips(wheel, d_a),
         )  # fmt: skip
 
 
@@ -132,7 +134,7 @@ def _over_balls(z: int, place: Seat | None, ball: Metre) -> Metre | None:
     return m.over_balls_odd(place.d_K, z, ball) if z % 2 else m.over_balls_even(place.d_K, ball)
 
 
-def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:  # of fields of different types
+def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Metre]:
     """The tip diameter at both ends of its tolerance."""
     if wheel.tip_diameter_tolerance is None:
         return {}
@@ -140,16 +142,16 @@ def _tips(wheel: Wheel, d_a: Metre) -> dict[str, Any]:  # of fields of different
     return {"tip_diameter_min": f.with_tolerance(d=d_a, T=lower), "tip_diameter_max": f.with_tolerance(d=d_a, T=upper)}
 
 
-def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[str, Any]:  # as above
+def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> tuple[dict[str, End] | None, dict[str, Metre | None]]:
     """The sizes at both ends of the allowance; `ball` None: no ball fits."""
     s, z, d, roots = bare.system, bare.wheel.teeth, bare.d, bare.wheel.root_diameter_tolerance
     if (allowance := _allowance(bare.wheel)) is None:
         if roots is None:
-            return {}
+            return None, {}
         d_f = f.root_diameter(d, s.m_n, bare.x, s.h_fP)
-        return {f"root_diameter_{end}": f.with_tolerance(d=d_f, T=T) for end, T in zip(("max", "min"), roots)}
+        return None, {f"root_diameter_{end}": f.with_tolerance(d=d_f, T=T) for end, T in zip(("max", "min"), roots)}
     ends: dict[str, End] = {}
-    sizes: dict[str, Any] = {"ends": ends}
+    sizes: dict[str, Metre | None] = {}
     for end, E_W, T in zip(("max", "min"), allowance, roots or (None, None)):
         with about(Text("wheel {name}, {text} tooth", name=bare.wheel.name, text=Text("thickest") if end == "max" else Text("thinnest"))):
             x_E = m.generating_shift(bare.x, E_W, s.m_n, s.alpha_n)
@@ -165,7 +167,7 @@ def _limits(bare: _Bare, ball: Metre | None, x_min: Number, d_a: Metre) -> dict[
             place = None if ball is None else seat(s, z, s_t, d, bare.d_b, ball)
             sizes[f"over_balls_{end}"] = None if ball is None else _over_balls(z, place, ball)
             ends[end] = End(x_E, s_t, place)
-    return sizes
+    return ends, sizes
 
 
 def _must_stay_a_tooth(bare: _Bare, E_W: Metre, s_t: Metre, d_f: Metre, d_Ff: Metre, d_a: Metre) -> None:

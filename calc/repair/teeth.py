@@ -65,7 +65,7 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
                 if made is not None and (x := _first(case, made[1], bar, made[0], start)) is not None:
                     yield n, abs(x - start), freed(way, {leader: x})
     for wheel in gears.wheels if now is not None else ():
-        cuts = np.arange(round(DEEPEST * case.system.m_n / CUT) + 1) * CUT
+        cuts = np.asarray(np.arange(round(DEEPEST * case.system.m_n / CUT) + 1) * CUT, dtype=float)
         made_cuts = states(case.system, gears, now.shifts, {wheel.name: cuts}) if now is not None else None
         for n, bar in enumerate(bars if made_cuts is not None else ()):
             if made_cuts is not None and (k := _first(case, made_cuts, bar, cuts, wheel.tip_shortening)) is not None:

@@ -8,11 +8,10 @@ radial shift lies evenly between its ends.  Only the part along the line of cent
 
 from functools import cached_property
 from math import sqrt
-from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, column
+from ...sheet.arrays import Array, column, each
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
 from ...sheet.record import record
@@ -34,7 +33,7 @@ class Stack:
 
     names: tuple[str, ...]
     kinds: tuple[str, ...]
-    fields: Any  # (parts,): an array that knows its links, handed to formulas of numbers
+    fields: Array  # (parts,): it knows its links
 
     @property
     def spread(self) -> Array:
@@ -57,7 +56,7 @@ def centre_tolerance(mesh: Mesh) -> Metre:
     if mesh.tolerance is not None:
         return mesh.tolerance
     stack = stack_of(mesh)
-    return 0.0 if stack is None else b.tolerance_of_contributors(stack.fields)
+    return 0.0 if stack is None else b.tolerance_of_contributors(each(stack.fields))
 
 
 @record

@@ -2,13 +2,14 @@
 """Tables and the figure of the play of a train, made only when they are looked at."""
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
+from ...sheet.arrays import each, many
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
+from ...sheet.units import Celsius, Metre
 from ..inputs import GearsInputs
 from . import formulas as b
 from . import temperature as t
@@ -34,13 +35,13 @@ def tables(gears: GearsInputs, known: Known, play: Mapping[str, PlayResult]) -> 
 def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
     """Backlash over the temperature of the housing, a figure for each mesh, the tightest first."""
     low, high = sorted((gears.lowest_temperature, gears.running_temperature))
-    T: Any = np.linspace(low, high, POINTS)
+    T = np.linspace(low, high, POINTS)
     drawn = []
     with untraced():
         for m, alpha in sorted(known, key=lambda pair: pair[0].mesh.backlash_min):
             warmer = Text("smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.wheels_warmer, form="g"))
             lines = [*((label, T, limit) for limit, label in LIMITS.items()), (warmer, T + gears.wheels_warmer, "smallest")]
-            series = tuple(Series(label, T, _at(m, alpha, T, wheels, limit) * UM) for label, wheels, limit in lines)
+            series = tuple(Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM) for label, wheels, limit in lines)
             drawn.append(Curve(
                 f"backlash_temperature_{m.key}", Text("Normal backlash over temperature, {name}", name=m.name),
                 axis_label("temperature of the housing", "°C"), axis_label("j_bn", "µm"), series, limits=((Text("jam"), 0.0),),
@@ -48,7 +49,7 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
     return tuple(drawn)
 
 
-def _ends(m: BacklashCase) -> dict[str, tuple[Any, Any, Any]]:
+def _ends(m: BacklashCase) -> dict[str, tuple[Metre, Metre, Metre]]:
     """Centre distance and both thicknesses at the base circle, by the limit of the backlash; runout in the smallest alone."""
     (one, two), a = m.teeth, m.mesh.centre_distance
     return {
@@ -57,13 +58,13 @@ def _ends(m: BacklashCase) -> dict[str, tuple[Any, Any, Any]]:
     }  # fmt: skip
 
 
-def _at(m: BacklashCase, alpha: t.Expansions, housing: Any, wheels: Any, limit: str) -> Any:
-    """Normal backlash at temperatures, numbers or arrays."""
+def _at(m: BacklashCase, alpha: t.Expansions, housing: Celsius, wheels: Celsius, limit: str) -> Metre:
+    """Normal backlash at temperatures."""
     a, s_b1, s_b2 = _ends(m)[limit]
     grown = t.grown(m, alpha, housing, wheels)
     a_eff = b.effective_centre(a=a, eps_a=grown.centres, eps_g=grown.wheels)
     with np.errstate(invalid="ignore"):  # where the base circles overlap the curve has a gap
-        alpha_wt: Any = np.arccos(m.touching / a_eff)
+        alpha_wt = np.arccos(m.touching / a_eff)
     return t.warm(m, grown, alpha_wt, s_b1, s_b2)
 
 

@@ -3,11 +3,11 @@
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
 from ...catalogue import Material
 from ...sheet.arrays import each
 from ...sheet.check import Check
+from ...sheet.linked_array import gathered
 from ...sheet.record import record
 from ...sheet.step import Curve, Table
 from ...sheet.text import Text
@@ -115,12 +115,12 @@ def _stacked(m: BacklashCase) -> dict[str, float]:
     a_w = m.mesh.centre_distance
     reach = m.mesh.centre_tolerance
     if m.stack is not None:
-        fields, spread = m.stack.fields, m.stack.spread
+        fields, spread = each(m.stack.fields), each(m.stack.spread)
         with about(Text("mesh {name}, parts between the centres", name=m.name)):
             T_wc = b.worst_case(T=fields)
             values = dict(
                 centre_tolerance_rss=b.tolerance_of_contributors(T=fields), centre_tolerance_worst=T_wc,
-                centre_tolerance_chance=b.three_deviations(k=each(spread), T=fields),
+                centre_tolerance_chance=b.three_deviations(k=spread, T=fields),
             )  # fmt: skip
             reach = max(reach, T_wc)
             m.must_mesh(a_w - reach - m.eccentricity, Text("the worst case of the parts between the centres, with the runout,"))
@@ -163,8 +163,7 @@ def _train(train: TrainResult, meshes: dict[str, PlayResult], way: list[str], la
             if most > 0:
                 z = wheels[train.meshes[key].driven].teeth
                 deviations.append(b.deviation_at_shaft(phi_max=most, phi_j=max(mid, 0.0), z=z, z_last=wheels[last].teeth))
-        delta: Any = tuple(deviations)  # formulas are typed for one number
-        rooted = b.phase_error_rss(Delta_phi=nominal, delta=delta)
+        rooted = b.phase_error_rss(Delta_phi=nominal, delta=each(gathered(deviations)))
     with about(Text("train, to {last}, running", last=last)):
         warm = free_turn(wheels, train.meshes, last, {key: meshes[key].play_angle_running for key in way})
     return TrainPlay(phase_error_nominal=nominal, phase_error_rss=rooted, phase_error_running=warm, **c.of_train(last, chance))

@@ -7,7 +7,6 @@ a space, exact, with the smaller pitch of the two.
 """
 
 from collections.abc import Mapping
-from typing import Any
 
 from ...catalogue import Material
 from ...sheet.record import record
@@ -75,8 +74,8 @@ def expansions(m: BacklashCase, gears: GearsInputs, materials: Mapping[str, Mate
         return Expansions(b.expansion_between_centres(alpha_H=alpha_H, alpha_S=support, lambda_S=share), alpha_1, alpha_2)
 
 
-def grown(m: BacklashCase, alpha: Expansions, T_housing: Any, T_wheels: Any) -> Grown:
-    """At the temperatures of housing and wheels, numbers or arrays."""
+def grown(m: BacklashCase, alpha: Expansions, T_housing: Celsius, T_wheels: Celsius) -> Grown:
+    """At the temperatures of housing and wheels."""
     eps_a = b.expansion(alpha=alpha.centres, T=T_housing)
     eps_1, eps_2 = b.expansion(alpha=alpha.driver, T=T_wheels), b.expansion(alpha=alpha.driven, T=T_wheels)
     eps_g = b.expansion_of_wheels(eps_1=eps_1, eps_2=eps_2, d_b1=m.driver.base_diameter, d_b2=m.driven.base_diameter)

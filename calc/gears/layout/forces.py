@@ -7,9 +7,11 @@ which points towards the flywheel where the crank turns clockwise seen from its 
 
 from collections.abc import Mapping
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
+from ...sheet.arrays import each
 from ...sheet.later import Later
+from ...sheet.linked_array import gathered
 from ...sheet.step import Outcome
 from ...sheet.text import Text
 from ...sheet.trace import about, trace
@@ -113,8 +115,8 @@ def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
         else:
             values["bearing_force_max"] = reduce(f.bearing_force_most, [part.transverse for part in parts])
         if hand:
-            thrusts: Any = tuple(part.thrust for part in parts)  # formulas are typed for one number
-            values["thrust"] = f.thrust(F_m=thrusts) if len(parts) > 1 else thrusts[0]
+            thrusts = gathered(part.thrust for part in parts)
+            values["thrust"] = f.thrust(F_m=each(thrusts)) if len(parts) > 1 else parts[0].thrust
             values |= _tilting(parts, placed)
     return WheelForces(**values, hand=hand)
 

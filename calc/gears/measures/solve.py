@@ -4,7 +4,6 @@
 import math
 from collections.abc import Callable, Iterable
 from functools import partial
-from typing import Any
 
 from ...sheet.check import Check
 from ...sheet.quantity import Described, Stated
@@ -35,7 +34,7 @@ def measures(
     that of no tooth.
     """
     ball = wheel.ball_diameter
-    sizes: dict[str, Any] = {}  # of fields of different types
+    sizes: dict[str, float] = {}
     with about(Text("wheel {name}", name=wheel.name)):
         sizes["normal_thickness"] = m.normal_thickness(m_n=system.m_n, x=wheel.profile_shift, alpha_n=system.alpha_n)
         sizes["span_contact_diameter"] = m.span_contact_diameter(wheel.base_diameter, wheel.span_length, system.base_helix_angle)
@@ -44,9 +43,9 @@ def measures(
         if wheel.teeth % 2 and system.beta > STRAIGHT and "over_pins" in sizes:
             width = m.pins_width(m_n=system.m_n, beta=system.beta, D_M=ball, beta_b=system.base_helix_angle)
             sizes["pins_width"] = based_on(width, width, wheel.teeth)  # asked of odd numbers only
-    sizes |= {"ideal_balls": _ideal_balls(system, wheel, working), **_limits(system, wheel)}
+    balls = _ideal_balls(system, wheel, working)
+    sizes |= _limits(system, wheel)
     teeth = measured(system, given, wheel)
-    sizes |= teeth
     if len(thicknesses := [tooth.normal_thickness for tooth in teeth.values()]) > 1:
         sizes["measured_spread"] = based_on(max(thicknesses) - min(thicknesses), *thicknesses)
     all_spans = spans(system, wheel)
@@ -55,7 +54,10 @@ def measures(
         with about(Text("wheel {name}", name=wheel.name)):
             of = (system, wheel.teeth, wheel.profile_shift, wheel.form_curvature, wheel.tip_curvature)
             sizes["best_span_teeth"] = m.best_span(K=based_on(best_span.K, *of))
-    result = MeasuresResult(**sizes)
+    result = MeasuresResult(
+        **sizes, ideal_balls=balls, measured_span=teeth.get("measured_span"), measured_over_balls=teeth.get("measured_over_balls"),
+        measured_over_pins=teeth.get("measured_over_pins"), measured_chordal_thickness=teeth.get("measured_chordal_thickness"),
+    )  # fmt: skip
     table = partial(spans_table, wheel, all_spans, wheel.span_teeth, None if best_span is None else best_span.K)
     return result, checks(system, wheel, result, teeth), table
 

@@ -11,7 +11,6 @@ fillet.  A point of a flank is given by its radius and its angle from the middle
 import math
 from collections.abc import Callable
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -77,7 +76,7 @@ class Cut:
         return u_c, (s.rho_aP0 + self.shift - s.h_fP) * s.m_n, rho / math.cos(s.beta), rho
 
     # --- points ------------------------------------------------------------------------------------------------------------
-    def involute(self, radius: Any) -> Any:
+    def involute(self, radius: Array | Metre) -> Array:
         """Angle of the involute from the middle of the tooth; inside the base circle, that of its beginning."""
         alpha = np.arccos(np.minimum(self.base_radius / np.asarray(radius), 1.0))
         return self.half_angle_at_base - (np.tan(alpha) - alpha)

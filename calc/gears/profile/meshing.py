@@ -9,7 +9,6 @@ past all teeth is the whole mesh.
 
 import math
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
@@ -50,7 +49,7 @@ class Flank:
         radius = np.hypot(base, rho)
         return radius, self.cut.involute(radius)
 
-    def tooth_angle(self, radius: Any) -> Any:
+    def tooth_angle(self, radius: Array) -> Array:
         """Half the tooth at a radius."""
         r, angle = self.fillet
         return np.where(radius >= r[-1], self.cut.involute(radius), np.interp(radius, r, angle))
@@ -150,9 +149,9 @@ def penetrations(train: TrainResult) -> dict[str, Metre]:
     depths = {}
     for key, m in train.meshes.items():
         with about(Text("mesh {pair}", pair=m.title)):
-            own: dict[str, Any] = dict(a_w=m.centre_distance, driver=flanks[m.driver], driven=flanks[m.driven])
+            pair = m.centre_distance, flanks[m.driver], flanks[m.driven]
             sizes = m.working_diameter_driver, train.wheels[m.driver].teeth, m.working_thickness_driver, m.working_thickness_driven
             with untraced():
                 loose = circumferential_backlash(*sizes) > DUST  # before allowances: the shifts were given with the centre distance
-            depths[key] = penetration(**own, j_wt=circumferential_backlash(*sizes)) if loose else penetration(**own)
+            depths[key] = penetration(*pair, circumferential_backlash(*sizes)) if loose else penetration(*pair)
     return depths

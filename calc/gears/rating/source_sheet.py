@@ -6,7 +6,6 @@ Wheel 1 is the driver, u = z_2/z_1 also below 1.  It reproduces Fig. 4.20 and 4.
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import Any
 
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
@@ -86,7 +85,7 @@ def sheet_tooth_form(system: ToothSystem, wheel: WheelResult, sap_curvature: Met
 def sheet(system: ToothSystem, mesh: MeshResult, wheels: tuple[WheelResult, WheelResult], T: NewtonMetre) -> SheetResult:
     """The whole sheet of one mesh, T at its driver as the sheet takes it: that of the train's first driver, whatever its speed."""
     driver, driven = wheels
-    ends: dict[str, Any] = {}  # fields of SheetResult that driver and driven have each
+    ends: dict[str, float] = {}  # fields of SheetResult that driver and driven have each
     with about(Text("source's sheet, mesh {pair}", pair=mesh.title)):
         F_t = s.tangential_force(T, driver.pitch_diameter)
         addendum = transverse_addendum(h_aP0=system.h_aP0, beta=system.beta)

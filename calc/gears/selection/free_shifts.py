@@ -7,8 +7,8 @@ leaves one more free; it can be held where it is now, left to what the design ch
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any
 
+from ...sheet.arrays import Array
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
@@ -41,9 +41,9 @@ class Freedom:
     removed: tuple[str, ...]
     held: Mapping[int, Metre]
 
-    def shifts(self, free: Mapping[str, Any]) -> dict[str, Any]:
+    def shifts(self, free: Mapping[str, float | Array]) -> dict[str, float | Array]:
         """The shift of every wheel, numbers or arrays."""
-        found = {}
+        found: dict[str, float | Array] = {}
         for name, x in self.start.items():
             leader = self.follows[name]
             found[name] = (
@@ -115,8 +115,7 @@ def _given(gears: GearsInputs, part: tuple[str, ...]) -> list[str]:
 def _freedom(key: str, name: Text, gears: GearsInputs, system: ToothSystem, free_parts: list[tuple[str, ...]]) -> Freedom:
     given = {n for part in free_parts for n in _given(gears, part)}
     free = tuple((_given(gears, part) or list(part))[0] for part in free_parts)
-    nothing: Any = None
-    bare = replace(gears, wheels=tuple(replace(w, profile_shift=nothing) if w.name in given - set(free) else w for w in gears.wheels))
+    bare = replace(gears, wheels=tuple(replace(w, profile_shift=None) if w.name in given - set(free) else w for w in gears.wheels))
     made, at = _settled_somewhere(bare, system, free)
     follows: dict[str, str | None] = dict.fromkeys(made.shifts)
     sign = dict.fromkeys(made.shifts, 0)

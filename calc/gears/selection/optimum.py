@@ -7,7 +7,7 @@ looked at.  Several: a grid that narrows around its best point, which follows th
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -62,7 +62,7 @@ class Slice:
     high: str
 
 
-def evaluated(case: Case, freedom: Freedom, free: Mapping[str, Any], cuts: Mapping[str, float]) -> States:
+def evaluated(case: Case, freedom: Freedom, free: Mapping[str, float | Array], cuts: Mapping[str, float]) -> States:
     return states(case.system, freedom.gears, freedom.shifts(free), cuts)
 
 

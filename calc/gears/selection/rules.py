@@ -2,8 +2,8 @@
 """What a choice of shifts has to keep, all without unit: lengths in normal modules."""
 
 from dataclasses import replace
-from typing import Any
 
+from ...sheet.arrays import Array
 from ...sheet.record import record
 from ...sheet.search import Judged, judged, least
 from ...sheet.text import Name, Text
@@ -74,7 +74,7 @@ def judge(found: States, system: ToothSystem, bar: Bar) -> list[Judged]:
     undercut, tip, contact, fillet, clearance = bar
     m_n = system.m_n
 
-    def by(rule: Rule, value: Any, mesh: str = "", wheel: str = "") -> Judged:
+    def by(rule: Rule, value: Array, mesh: str = "", wheel: str = "") -> Judged:
         return judged(rule, value, rule.limit, where=Place(mesh, wheel))
 
     return [
@@ -97,6 +97,6 @@ def eased(now: States, system: ToothSystem) -> Bar | None:
     return None if bar == USUAL else (bar[0], bar[1], bar[2], bar[3], bar[4])
 
 
-def keeps(found: States, system: ToothSystem, bar: Bar) -> Any:
+def keeps(found: States, system: ToothSystem, bar: Bar) -> Array:
     """The least margin of all rules, combination by combination."""
     return least(judge(found, system, bar))

@@ -4,13 +4,13 @@
 The formulas are those of `formulas.py`, called with arrays: one element for each combination.  Nothing is judged here.
 """
 
-from collections.abc import Mapping
-from typing import Any, cast
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, each, many
 from ...sheet.record import record
+from ...sheet.units import Metre, Number
 from .. import formulas as f
 from ..inputs import GearsInputs, Mesh, Wheel
 from ..measures.formulas import generating_shift
@@ -21,6 +21,7 @@ from ..result import ToothSystem
 NODES = 33  # of the form diameter over the shift, where it comes from the tool's trochoid
 
 Place = tuple[str, str]  # (mesh, wheel)
+ByWheel = Mapping[str, float | Array]  # numbers or arrays that go together
 
 
 @record
@@ -52,7 +53,7 @@ class States:
         return worst(zeta for (key, _), zeta in self.sliding.items() if key == mesh)
 
 
-def worst(sliding: Any) -> Array:
+def worst(sliding: Iterable[Array]) -> Array:
     """The largest modulus, element by element; ∞ where wheels can not mesh."""
     found: Array = np.max(np.abs(np.array(list(sliding))), axis=0)
     return np.where(np.isnan(found), np.inf, found)
@@ -63,17 +64,17 @@ class _Circles:
     """One wheel of every combination."""
 
     wheel: Wheel
-    d: Any
-    d_b: Any
-    d_a: Any
-    d_f: Any
-    rho_a: Any
-    rho_F: Any
-    d_Ff_E: Any  # of the thinnest tooth
+    d: Metre
+    d_b: Metre
+    d_a: Metre
+    d_f: Metre
+    rho_a: Metre
+    rho_F: Metre
+    d_Ff_E: Metre  # of the thinnest tooth
 
 
-def states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], cuts: Mapping[str, Any] | None = None) -> States:
-    """`shifts` of every wheel and `cuts` (left out: those of the design), numbers or arrays that go together.
+def states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWheel | None = None) -> States:
+    """`shifts` of every wheel and `cuts` (left out: those of the design).
 
     A mesh of `gears` with a centre distance has it; with any other the distance follows without backlash.  The shifts have to agree
     with the given distances; who makes them so is `freedom`.
@@ -82,7 +83,7 @@ def states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], c
         return _states(system, gears, shifts, cuts or {})
 
 
-def _states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], cuts: Mapping[str, Any]) -> States:
+def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWheel) -> States:
     names = [w.name for w in gears.wheels]
     given = [shifts[n] for n in names] + [cuts.get(w.name, w.tip_shortening) for w in gears.wheels]
     every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in given))
@@ -90,7 +91,7 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: Mapping[str, Any], 
     limits = {w.name: float(_undercut_limit(system, w)) for w in gears.wheels}
     circles, tips = {}, {}
     for wheel in gears.wheels:
-        circles[wheel.name], tips[wheel.name] = _circles(system, wheel, x[wheel.name], k[wheel.name], limits[wheel.name])
+        circles[wheel.name], tips[wheel.name] = _circles(system, wheel, each(x[wheel.name]), each(k[wheel.name]), limits[wheel.name])
     distances: dict[str, Array] = {}
     ratios: dict[str, Array] = {}
     parts: tuple[dict[Place, Array], ...] = ({}, {}, {}, {}, {})
@@ -109,7 +110,7 @@ def _undercut_limit(s: ToothSystem, wheel: Wheel) -> float:
     return f.undercut_limit(s.h_fP, s.rho_aP0, s.alpha_n, wheel.teeth, s.transverse_pressure_angle, s.beta)
 
 
-def _circles(s: ToothSystem, wheel: Wheel, x: Any, k: Any, x_min: float) -> tuple[_Circles, Any]:
+def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -> tuple[_Circles, Array]:
     alpha_t = s.transverse_pressure_angle
     d = f.reference_diameter(wheel.teeth, s.transverse_module)
     d_b = f.base_diameter(d, alpha_t)
@@ -122,49 +123,48 @@ def _circles(s: ToothSystem, wheel: Wheel, x: Any, k: Any, x_min: float) -> tupl
         wheel=wheel, d=d, d_b=d_b, d_a=d_a, d_f=f.root_diameter(d, s.m_n, x, s.h_fP), rho_a=f.curvature_at(d_a, d_b),
         rho_F=f.curvature_at(d_Ff, d_b), d_Ff_E=thinnest,
     )  # fmt: skip
-    return made, f.normal_thickness_at(s_at, s.beta, d_a, d)
+    return made, many(f.normal_thickness_at(s_at, s.beta, d_a, d))
 
 
-def _form_diameter(s: ToothSystem, wheel: Wheel, x: Any, x_min: float, d: float, d_b: float) -> Any:
+def _form_diameter(s: ToothSystem, wheel: Wheel, x: Number, x_min: Number, d: Metre, d_b: Metre) -> Metre:
     """By the closed form; below x_min and for a tool with protuberance from the trochoid, of many shifts between a few of them."""
-    straight: Any = f.form_diameter(d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b)
-    crossed = np.full(x.shape, True) if s.s_pr > 0 else x < x_min
+    straight = f.form_diameter(d, s.transverse_pressure_angle, f.straight_flank_depth(s.m_n, s.h_fP, s.rho_aP0, s.alpha_n, x), d_b)
+    shifts = many(x)
+    crossed = np.full(shifts.shape, True) if s.s_pr > 0 else shifts < x_min
     if not crossed.any():
         return straight
-    at = np.unique(x[crossed])
+    at = np.unique(shifts[crossed])
     if len(at) > NODES:
         at = np.linspace(at[0], at[-1], NODES)
     known = np.array([form_diameter_of_undercut(Cut(s, wheel.teeth, float(one))) for one in at])
-    return np.where(crossed, np.interp(x, at, known), straight)
+    return each(np.where(crossed, np.interp(shifts, at, known), straight))
 
 
-def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[str, Any]) -> Any:
+def _distance(s: ToothSystem, mesh: Mesh, circles: dict[str, _Circles], x: dict[str, Array]) -> Metre:
     if mesh.centre_distance is not None:
         return mesh.centre_distance
     z_1, z_2 = circles[mesh.driver].wheel.teeth, circles[mesh.driven].wheel.teeth
-    involute: Any = f.working_involute(s.transverse_pressure_angle, s.alpha_n, x[mesh.driver], x[mesh.driven], z_1, z_2)
-    alpha_wt: Any = f.angle_of_involute(involute)
-    return f.centre_distance(z_1, z_2, s.transverse_module, s.transverse_pressure_angle, alpha_wt)
+    alpha_t = s.transverse_pressure_angle
+    involute = f.working_involute(alpha_t, s.alpha_n, each(x[mesh.driver]), each(x[mesh.driven]), z_1, z_2)
+    return f.centre_distance(z_1, z_2, s.transverse_module, alpha_t, f.angle_of_involute(involute))
 
 
-def _mesh(s: ToothSystem, key: str, a_w: Any, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]) -> Array:
+def _mesh(s: ToothSystem, key: str, a_w: Metre, wheels: tuple[_Circles, _Circles], parts: tuple[dict[Place, Array], ...]) -> Array:
     """Fill the parts of one mesh in; gives its contact ratio."""
     sap, sliding, lpstc, margin, clearance = parts
     one, two = wheels
-    alpha_wt: Any = f.working_pressure_angle(one.d_b, two.d_b, a_w)
-    T: Any = f.line_of_action(a_w, alpha_wt)
-    starts: Any = {w.wheel.name: f.start_of_active_profile(T, m.rho_a, w.rho_F) for w, m in ((one, two), (two, one))}
+    T = f.line_of_action(a_w, f.working_pressure_angle(one.d_b, two.d_b, a_w))
+    starts = {w.wheel.name: f.start_of_active_profile(T, m.rho_a, w.rho_F) for w, m in ((one, two), (two, one))}
     path = f.path_of_contact(T, starts[one.wheel.name], starts[two.wheel.name])
-    eps_alpha: Any = f.transverse_contact_ratio(path, s.base_pitch)
+    eps_alpha = many(f.transverse_contact_ratio(path, s.base_pitch))
     single = (eps_alpha >= 1) & (eps_alpha < 2)
     for wheel, mate in ((one, two), (two, one)):
         at, z, z_m = (key, wheel.wheel.name), wheel.wheel.teeth, mate.wheel.teeth
         rho_A = starts[wheel.wheel.name]
-        rho_B: Any = f.lowest_single_contact(T, starts[mate.wheel.name], s.base_pitch)
-        sap[at] = f.diameter_at(wheel.d_b, rho_A)  # type: ignore[assignment]
+        rho_B = f.lowest_single_contact(T, starts[mate.wheel.name], s.base_pitch)
+        sap[at] = many(f.diameter_at(wheel.d_b, rho_A))
         sliding[at] = np.where((rho_A > 0) & (path > 0), f.specific_sliding(T, rho_A, z, z_m), np.nan)
         lpstc[at] = np.where(single, f.specific_sliding(T, rho_B, z, z_m), np.nan)
-        reached: Any = above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E)
-        margin[at] = reached
-        clearance[at] = f.tip_clearance(a_w, wheel.d_f, mate.d_a)  # type: ignore[assignment]
-    return cast(Array, eps_alpha)
+        margin[at] = many(above_fillet(wheel.d_b, T, mate.rho_a, wheel.d_Ff_E))
+        clearance[at] = many(f.tip_clearance(a_w, wheel.d_f, mate.d_a))
+    return eps_alpha
