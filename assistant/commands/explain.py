@@ -27,12 +27,10 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
     from calc.friction.studies.scenarios import as_design
 
-    name, rest = next(
-        (s.name, asked.value.removeprefix(f"friction.scenarios.{s.name}."))
-        for s in (design.friction.scenarios if design.friction is not None else ())
-        if asked.value.startswith(f"friction.scenarios.{s.name}.")
-    )
-    changes = as_design(design, name)
+    assert (friction := design.friction) is not None
+    scenario = next(s for s in friction.scenarios if asked.value.startswith(f"friction.scenarios.{s.name}."))
+    name, rest = scenario.name, asked.value.removeprefix(f"friction.scenarios.{scenario.name}.")
+    changes = as_design(friction, scenario, design.bearings is not None)
     for key, value in changes.items():
         document = document.with_value(key, value)
     if not asked.json:

@@ -3,7 +3,6 @@
 
 from collections.abc import Iterator
 from functools import partial
-from typing import Any
 
 import numpy as np
 
@@ -12,8 +11,9 @@ from ..sheet.check import Check, check
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.remedy import by_key
-from ..sheet.step import Erratum
+from ..sheet.step import Erratum, Outcome
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.trace import Line
 from ..sheet.units import Watt
 from . import curves, notes
 from .balance.closure import Drive
@@ -32,14 +32,14 @@ HOT_TEETH = 150.0  # °C
 APART = 1.3  # between the loss that is judged and a published model inside its range
 
 
-def said(d: Drive, result: FrictionResult) -> dict[str, Any]:
-    """Checks, curves, errata and notes of a closed balance."""
+def outcome(d: Drive, result: FrictionResult, lines: list[Line]) -> Outcome[FrictionResult]:
+    """A closed balance with its checks, curves, errata and notes."""
     friction = d.friction
-    return {
-        "checks": (*checks(friction, result), *_oil_rows(d.oil)), "curves": Later(partial(curves.curves, result)),
-        "errata": errata(friction, result, d.oil), "notes": Later(partial(notes.notes, friction, result, d.oil)),
-        "tables": Later(partial(curves.tables, result, d)),
-    }  # fmt: skip
+    return Outcome(
+        "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_rows(d.oil)),
+        curves=Later(partial(curves.curves, result)), errata=errata(friction, result, d.oil),
+        notes=Later(partial(notes.notes, friction, result, d.oil)), tables=Later(partial(curves.tables, result, d)),
+    )  # fmt: skip
 
 
 # --- checks ----------------------------------------------------------------------------------------------------------------

@@ -2,7 +2,6 @@
 """What the friction of the meshes needs beyond the gears themselves."""
 
 from collections.abc import Iterable
-from typing import Any
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
@@ -254,10 +253,13 @@ class FrictionInputs:
             yield "bulk_temperature_C", Text('leave it out where bulk = "estimated": it is measured or estimated, not both')
 
 
-def carrier(entry: Any, wheels: Iterable[str], last: str) -> str:
+Carried = OtherLoss | Seal | RollingBearing | PlainBearing | Dip | Jet  # by a wheel
+
+
+def carrier(entry: Carried, wheels: Iterable[str], last: str) -> str:
     """The wheel that carries a loss: told, or whose name it has, or begins with before a separator ("idler-seal"); else the last wheel."""
     if entry.wheel is not None:
-        return str(entry.wheel)
+        return entry.wheel
     loss = entry.name
     named = [name for name in wheels if loss == name or (loss.startswith(name) and not loss[len(name)].isalnum())]
     return max(named, key=len, default=last)

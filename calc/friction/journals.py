@@ -6,7 +6,7 @@ bearings step; what the standing part adds over a turn closes with the power of 
 """
 
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -19,6 +19,7 @@ from ..countershaft.result import CountershaftResult, Standing
 from ..countershaft.stationary_load import Drive as GearDrive
 from ..countershaft.stationary_load import Gear, standing_of
 from ..lubricant import Lubricant
+from ..sheet.arrays import BoolArray, each, many
 from ..sheet.formula import formula
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about, untraced
@@ -52,13 +53,12 @@ class Journals:
         self.on, self.responses, self.speed = on, responses, speed
         self.unsteady = {place: not np.all(np.isfinite(r.slope + r.curvature)) for place, r in responses.items()}  # at some point
 
-    def only(self, some: Any) -> "Journals":
+    def only(self, some: BoolArray) -> "Journals":
         """Some of many operating points."""
         parts = {
             place: Response(**{name: x[some] if np.ndim(x) else x for name, x in vars(r).items()}) for place, r in self.responses.items()
         }
-        speed: Any = self.speed
-        return Journals(self.on, parts, speed[some])
+        return Journals(self.on, parts, each(many(self.speed)[some]))
 
     def standing(self, P: Watt | None) -> Standing | None:
         """What stands still where the shaft's gear takes in the power P."""

@@ -1,11 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What solved friction rests on: what is taken, what is not counted, where the model leaves its range."""
 
-from typing import Any
-
 from .. import oils
 from ..sheet.text import COMMA, Amount, Name, Text
-from .inputs import FrictionInputs, carrier
+from .inputs import Carried, FrictionInputs, carrier
 from .losses.wheels import has_bearings
 from .mesh.film import Oil
 from .mesh.geometry import WheelGeometry
@@ -120,7 +118,7 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
         )
     )
     last = list(result.meshes.values())[-1].case.mesh.driven.name
-    entries: tuple[Any, ...] = (*friction.seals, *friction.rolling_bearings, *friction.plain_bearings, *friction.dips, *friction.jets)
+    entries: tuple[Carried, ...] = (*friction.seals, *friction.rolling_bearings, *friction.plain_bearings, *friction.dips, *friction.jets)
     strange = [entry.name for entry in entries if not carrier(entry, result.wheels, "")]
     if strange:
         found.append(

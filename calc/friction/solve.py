@@ -107,7 +107,7 @@ def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
         result = balance(d, power)
     finite(result, "friction", EXTREME)
     with QUIET(), untraced():
-        return Outcome("friction", result=result, lines=tuple(lines), **checks.said(d, result))
+        return checks.outcome(d, result, lines)
 
 
 def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:

@@ -7,10 +7,10 @@ A design without counter-shaft gives the power that the first driver puts into i
 `Drive` is the train at its speed with its oil, one operating point or many at once; `closed` finds the powers, `balance` traces them.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial, reduce
-from typing import Any, Protocol
+from typing import Protocol, overload
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from ...sheet.formula import formula
 from ...sheet.record import record
 from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
-from ...sheet.units import Celsius, Newton, RevPerSecond, Watt
+from ...sheet.units import Celsius, Newton, Number, RevPerSecond, Watt
 from ...sheet.value import based_on, converged, unlinked
 from ..inputs import FrictionInputs
 from ..losses import sums
@@ -90,17 +90,18 @@ class Drive:
 
 def drive(
     friction: FrictionInputs, meshes: Meshes, lubricant: Lubricant, T_oil: Celsius, first_speed: RevPerSecond, shaft: Shaft | None,
-    forces: Forces | None = None, lubrication: str = "spray", assumed: Mapping[str, Any] | None = None, **fineness: int,
+    forces: Forces | None = None, lubrication: str = "spray", Lambda: Number | None = None, thickening: Number | None = None,
+    **fineness: int,
 ) -> Drive:  # fmt: skip
     """A train at its speed.  `forces` of the teeth on each wheel, from powers of the meshes and speeds; left out, the largest they can be.
 
-    `assumed`: what `oil_at` takes besides the temperature, of many operating points as columns.
+    `Lambda` and `thickening` as `oil_at` takes them, of many operating points as columns.
     """
     if not meshes:
         raise NoSolution(Text("power balance of the train"), Text("there is no mesh"), Text("give at least one [[gears.meshes]]"))
     T_b = column(require_temperature(T_oil if friction.bulk_temperature is None else friction.bulk_temperature))
     with about(Text("oil")):
-        oil = oil_at(lubricant, T_b, **(assumed or {}))
+        oil = oil_at(lubricant, T_b, Lambda, thickening)
     wheels = unloaded(friction, meshes, lubricant, require_temperature(T_oil), first_speed)
     warming = Warming(column(T_oil), LUBRICATION_FACTOR[lubrication], friction.tip_relief_factor)
     cases = {}
@@ -252,7 +253,11 @@ def closing_power(P: Watt) -> Watt:
     return P
 
 
-def _total(adding: Any, parts: list[Watt | None]) -> Any:
+@overload
+def _total(adding: Callable[..., Watt], parts: list[Watt]) -> Watt: ...
+@overload
+def _total(adding: Callable[..., Watt], parts: list[Watt | None]) -> Watt | None: ...
+def _total(adding: Callable[..., Watt], parts: Sequence[Watt | None]) -> Watt | None:
     """The sum of what is there, line by line; None where nothing is."""
     there = [part for part in parts if part is not None]
     return reduce(lambda P, P_i: adding(P=P, P_i=P_i), there) if there else None
@@ -308,10 +313,11 @@ def _mesh(d: Drive, name: str, P: Watt, P_out: Watt | None) -> MeshResult:
     with about(Text("mesh {title}, {text}", title=mesh.title, text=Text("source model") if regimes else Text("by regime"))):
         beside = solve_mesh(c, P, not regimes)
     with about(Text("mesh {title}, regressions", title=mesh.title)):
-        published = regressions.beside(c, P, H_V)
-        losses = [judged.loss, beside.loss, *(one.loss for one in published.values() if one is not None)]
+        schlenk, niemann, xu_kahraman, benedict_kelley = published = regressions.beside(c, P, H_V)
+        losses = [judged.loss, beside.loss, *(one.loss for one in published if one is not None)]
         apart = spread_of(losses)
     return MeshResult(
         judged=judged, model_spread=apart, power_in=P_in, power_out=P_out, ohlendorf_loss_factor=H_V, bulk_rise=rise,
-        source=beside if regimes else judged, by_regime=None if regimes else beside, case=c, **published,
+        source=beside if regimes else judged, by_regime=None if regimes else beside, case=c, schlenk=schlenk, niemann=niemann,
+        xu_kahraman=xu_kahraman, benedict_kelley=benedict_kelley,
     )  # fmt: skip

@@ -9,10 +9,10 @@ counter-shaft.  All of it is one fixed point, of one operating point or of many 
 """
 
 from collections.abc import Callable, Mapping
-from typing import Any, cast
 
 import numpy as np
 
+from ...sheet.arrays import each
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.text import Amount, Text
@@ -74,23 +74,22 @@ class Guess:
     the first through none at no power."""
 
     def __init__(self) -> None:
-        self.P: Any = None
-        self.loss: Any = 0.0
-        self.slope: Any = 0.0
+        self.P: Watt | None = None
+        self.loss: Watt = 0.0
+        self.slope: Number = 0.0
 
     def at(self, P_out: Watt) -> Watt:
         if self.P is None:
             return P_out
-        found: Any = (P_out + self.loss - self.slope * self.P) / (1 - self.slope)
-        return cast(float, found)
+        return (P_out + self.loss - self.slope * self.P) / (1 - self.slope)
 
-    def learn(self, P: Any, loss: Any) -> None:
+    def learn(self, P: Watt, loss: Watt) -> None:
         if self.P is not None:
             step = P - self.P
             slope = (loss - self.loss) / np.where(step == 0, 1.0, step)
-            self.slope = np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope)
+            self.slope = each(np.where(np.abs(step) > FINE * np.abs(P), np.clip(slope, -0.5, 0.9), self.slope))
         else:
-            self.slope = np.clip(loss / P, 0.0, 0.9)  # most of a loss grows with the power
+            self.slope = each(np.clip(loss / P, 0.0, 0.9))  # most of a loss grows with the power
         self.P, self.loss = P, loss
 
 
@@ -157,5 +156,5 @@ def _down(meshes: Mapping[str, MeshGeometry], loss: Loss, needed: Mapping[str, W
     return loads
 
 
-def _number(x: Any) -> Watt:
-    return cast(float, x if np.ndim(x) else float(x))
+def _number(x: Watt) -> Watt:
+    return x if np.ndim(x) else float(x)

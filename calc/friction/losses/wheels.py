@@ -5,8 +5,8 @@ Most of it follows from speed and oil alone (`unloaded`); the bearings of a whee
 carried by the wheel that its name begins with, else by the last, through all meshes.
 """
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TypeVar, TypeVarTuple
 
 from ...bearings.formulas import angular_speed
 from ...lubricant import Lubricant, State
@@ -29,11 +29,14 @@ from ...sheet.units import (
     SquareMetrePerSecond,
     Watt,
 )  # fmt: skip
-from ..inputs import Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
+from ..inputs import Carried, Dip, FrictionInputs, Jet, PlainBearing, RollingBearing, Seal, carrier
 from ..mesh.geometry import MeshGeometry, WheelGeometry, require
 from ..mesh.motion import wheel_speed
 from . import sums
 from .windage import AIR_VISCOSITY, mist_of_the_tests, mist_viscosity, oil_share, windage
+
+Entry = TypeVar("Entry", bound=Carried)
+Asked = TypeVarTuple("Asked")
 
 
 @result
@@ -96,10 +99,10 @@ def speeds_of(meshes: Mapping[str, MeshGeometry], first_speed: RevPerSecond) -> 
     return speeds
 
 
-def carried_by(friction: FrictionInputs, wheels: Mapping[str, Any], last: str, kind: str) -> dict[str, list[Any]]:
+def carried_by(entries: Iterable[Entry], wheels: Iterable[str], last: str) -> dict[str, list[Entry]]:
     """The entries of a table of losses by the wheel that carries them."""
-    found: dict[str, list[Any]] = {}
-    for entry in getattr(friction, kind):
+    found: dict[str, list[Entry]] = {}
+    for entry in entries:
         found.setdefault(carrier(entry, wheels, last), []).append(entry)
     return found
 
@@ -111,8 +114,8 @@ def unloaded(
     speeds = speeds_of(meshes, first_speed)
     last = list(meshes.values())[-1].driven.name
     bodies = {wheel.name: (wheel, mesh.base_helix_angle) for mesh in meshes.values() for wheel in (mesh.driver, mesh.driven)}
-    others = carried_by(friction, speeds, last, "other_losses")
-    dips, thrown, sealed = (carried_by(friction, speeds, last, kind) for kind in ("dips", "jets", "seals"))
+    others, dips = carried_by(friction.other_losses, speeds, last), carried_by(friction.dips, speeds, last)
+    thrown, sealed = carried_by(friction.jets, speeds, last), carried_by(friction.seals, speeds, last)
     with about(Text("mist")):
         state = lubricant.at(T)
         around = Surroundings(lubricant, T, state.rho, state.nu, state.mu)
@@ -137,7 +140,9 @@ def unloaded(
     return found
 
 
-def _sum(name: str, entries: Sequence[Any], adding: Any, power: Callable[..., Watt], *asked: Any) -> Watt | None:
+def _sum(
+    name: str, entries: Sequence[Entry], adding: Callable[..., Watt], power: Callable[[Entry, *Asked], Watt], *asked: *Asked
+) -> Watt | None:  # fmt: skip
     """The losses of several entries of one kind on one wheel; None where there is none."""
     total: Watt | None = None
     for entry in entries:
@@ -189,7 +194,7 @@ def carrying(
     friction: FrictionInputs, wheels: Mapping[str, WheelResult], last: str, lubricant: Lubricant, T: Celsius, forces: Mapping[str, Newton]
 ) -> dict[str, tuple[Newton, Watt]]:
     """Load and friction of the bearings of every wheel that has some; `forces` of the teeth on each wheel."""
-    rolling, plain = (carried_by(friction, wheels, last, kind) for kind in ("rolling_bearings", "plain_bearings"))
+    rolling, plain = carried_by(friction.rolling_bearings, wheels, last), carried_by(friction.plain_bearings, wheels, last)
     if not rolling and not plain:
         return {}
     with about(Text("oil of the wheels' bearings")):
@@ -199,9 +204,9 @@ def carrying(
         here = (*rolling.get(name, ()), *plain.get(name, ()))
         if not here:
             continue
-        given = [bearing.load for bearing in here]
-        F = forces.get(name, 0.0) if None in given else sum(given)
-        P = _sum(name, here, sums.bearings_on_wheel, _borne, forces.get(name, 0.0), wheel.speed, state, lubricant.oil.base)
+        of_teeth, given = forces.get(name, 0.0), [bearing.load for bearing in here if bearing.load is not None]
+        F = sum(given) if len(given) == len(here) else of_teeth
+        P = _sum(name, here, sums.bearings_on_wheel, _borne, of_teeth, wheel.speed, state, lubricant.oil.base)
         assert P is not None
         found[name] = F, P
     return found

@@ -6,8 +6,6 @@ regime.  Here the stretch around each position, as long as its weight, is cut wh
 steadily and is right to the second order of the stretches.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ...sheet.arrays import Array, IndexArray
@@ -25,7 +23,7 @@ class Cells:
     to_left: Array  # of the difference of both neighbours
     to_right: Array
 
-    def below_zero(self, value: Any) -> Array:
+    def below_zero(self, value: Array) -> Array:
         """The share of each stretch in which a number that is known at the positions lies below 0, taken as a line between them."""
         there = value < 0
         if there.all() or not there.any():
@@ -67,7 +65,7 @@ def cells(x: Array, width: Array, points: int, others: int) -> Cells:
     flat = x.ravel()
     lefts, rights = (np.hstack((side.reshape(rows, -1), nothing)).ravel() for side in (left, right))
 
-    def share(stretch: Array, pair: Any) -> Array:
+    def share(stretch: Array, pair: tuple[IndexArray, ...]) -> Array:
         apart = flat[pair[1]] - flat[pair[0]]
         return np.where(apart > 0, stretch / np.where(apart > 0, apart, 1.0), 0.0)
 

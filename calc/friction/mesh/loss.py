@@ -8,13 +8,12 @@ oil and flanks may be arrays: N operating points in one call, whose results are 
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import Any, cast
 
 import numpy as np
 
 from ...contact.hertz import half_width, hertz_pressure, mean_pressure
 from ...contact.teeth import LUBRICATION_FACTOR, bulk_rise, bulk_temperature
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.formula import formula
 from ...sheet.functions import along
@@ -22,7 +21,7 @@ from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.trace import untraced
-from ...sheet.units import Celsius, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, RevPerSecond, Watt, WattPerMetre
+from ...sheet.units import Celsius, Kelvin, Metre, MetrePerSecond, NewtonPerMetre, Number, Pascal, RevPerSecond, Watt, WattPerMetre
 from ...sheet.value import converged, unlinked
 from ..inputs import FrictionInputs
 from .film import EXPONENT, Film, Oil, film
@@ -130,10 +129,10 @@ def rigid_share(s: Metre, r: Number) -> Number:
     return along(s * r) / along(s)
 
 
-def _extreme(which: Callable[..., Any], x: float) -> float:
+def _extreme(which: Callable[..., Array], x: float) -> float:
     """The smallest or largest along the path."""
     found = which(x, axis=-1)
-    return cast(float, found if found.ndim else float(found))
+    return each(found) if found.ndim else float(found)
 
 
 @record
@@ -258,20 +257,20 @@ def warming_of(c: Case, P: Watt, mu_m: Number, H_VL: Number) -> Celsius:
     return bulk_rise(P=P, mu_m=mu_m, H_v=H_VL, a=c.mesh.centre_distance, b=c.mesh.face_width, X_S=w.X_S, X_Ca=w.X_Ca)
 
 
-def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Callable[[Any, str], NoSolution]) -> None:
+def _steadied(gap_at: Callable[[Celsius], Kelvin], T: Celsius, flattest: float, fail: Callable[[Kelvin, str], NoSolution]) -> None:
     """Secant steps until the temperature that follows from T is T; `gap_at` is called last with that one.
 
     `flattest`: the largest slope of what follows that a step may trust; `fail` makes the exception of the last gap and its reason.
     """
-    before: Any = None
+    before: tuple[Celsius, Kelvin] | None = None
     for _ in range(PASSES):
         gap = gap_at(T)
         if np.max(np.abs(gap)) <= SKIN:
             return
-        slope: Any = 0.0
+        slope = 0.0
         if before is not None:
             step = T - before[0]
-            slope = np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, flattest)
+            slope = each(np.clip(1 + (gap - before[1]) / np.where(step == 0, 1.0, step), -1.0, flattest))
         before = T, gap
         T = T + gap / (1 - slope)
         if not np.all(np.asarray(T) < HOTTEST):
@@ -283,19 +282,19 @@ def _steadied(gap_at: Callable[[Any], Any], T: Any, flattest: float, fail: Calla
 def _warmed(c: Case, P: Watt, by_regime: bool, exponent: Number) -> tuple[MeshLoss, Celsius]:
     """The loss with teeth as warm as it makes them, and their temperature, as a column where there are many points."""
     T_oil = flat(c.warming.T_oil)
-    last: list[Any] = []
+    last: list[tuple[MeshLoss, Celsius]] = []
 
-    def gap_at(T: Any) -> Any:
+    def gap_at(T: Celsius) -> Kelvin:
         found = _solved(replace(c, oil=c.oil.at(column(T))), P, by_regime, exponent)
-        last[:] = found, column(T)
+        last[:] = [(found, column(T))]
         return T_oil + warming_of(c, P, found.friction_mean, found.loss_factor) - T
 
-    def fail(gap: Any, reason: str) -> NoSolution:
+    def fail(gap: Kelvin, reason: str) -> NoSolution:
         point = Text("operating point {argmax}: ", argmax=int(np.argmax(np.abs(gap)))) if np.ndim(gap) else EMPTY
         return NoSolution(Text("mesh {title}: temperature of the teeth", title=c.mesh.title), point + reason, HOTTER_TEETH)
 
     _steadied(gap_at, T_oil + 0.0 * P, 0.9, fail)
-    return last[0], last[1]
+    return last[0]
 
 
 def power_lost(c: Case, P: Watt, by_regime: bool, *, rolling: bool = True) -> Watt:
@@ -375,16 +374,16 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
     if not (np.any(s.M_1) or np.any(s.M_2)):
         return c.oil
     T_b = c.oil.T_m
-    last: list[Any] = []
+    last: list[tuple[Oil, Traction]] = []
 
-    def gap_at(T: Any) -> Any:
+    def gap_at(T: Celsius) -> Kelvin:
         oil = c.oil.at(T) if last else c.oil
         _, t = rubbing(oil)
-        last[:] = oil, t
+        last[:] = [(oil, t)]
         return skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2) - T
 
-    def fail(gap: Any, reason: str) -> NoSolution:
-        where = Text("{place}: {reason}", place=place(c.path.x, gap, int(np.argmax(np.abs(gap)))), reason=reason)
+    def fail(gap: Kelvin, reason: str) -> NoSolution:
+        where = Text("{place}: {reason}", place=place(c.path.x, many(gap), int(np.argmax(np.abs(gap)))), reason=reason)
         return NoSolution(
             Text("mesh {title}: temperature of the skins", title=c.mesh.title),
             where,
@@ -393,6 +392,6 @@ def _skins(c: Case, rubbing: Callable[[Oil], tuple[Film, Traction]]) -> Oil:
 
     with untraced():
         _steadied(gap_at, T_b, 0.5, fail)
-    oil, t = last
+    oil, t = last[0]
     skin_temperature(T_b=T_b, q=t.q, epsilon=t.epsilon, M_1=s.M_1, M_2=s.M_2, u_1=m.u_1, u_2=m.u_2)
     return oil

@@ -6,11 +6,11 @@ arrays in the processor's cache and the memory small however many there are.
 """
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ...lubricant import Lubricant
+from ...sheet.arrays import each
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
@@ -18,7 +18,7 @@ from ...sheet.units import Celsius, RevPerSecond, Watt
 from ..inputs import FrictionInputs
 from .film import oil_at
 from .geometry import MeshGeometry, column
-from .loss import Local, MeshLoss, case, solve_mesh
+from .loss import MeshLoss, case, solve_mesh
 
 AT_ONCE = 500
 COLDEST, HOTTEST = -60.0, 400.0  # °C
@@ -50,10 +50,10 @@ def losses(
     with untraced(), np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         for start in range(0, P_all.size, AT_ONCE):
             some = slice(start, start + AT_ONCE)
-            at: Any = (T_all[some], n_all[some], P_all[some])
-            c = case(friction, mesh, oil_at(lubricant, column(at[0])), at[1], points=points, strips=strips)
+            T, n_1, P = (each(x[some]) for x in (T_all, n_all, P_all))
+            c = case(friction, mesh, oil_at(lubricant, column(T)), n_1, points=points, strips=strips)
             try:
-                parts.append(solve_mesh(c, at[2], by_regime))
+                parts.append(solve_mesh(c, P, by_regime))
             except NoSolution as none:
                 among = Text("{tried} (counted from operating point {start})", tried=none.tried, start=start) if start else none.tried
                 raise NoSolution(none.what, among, none.advice) from None
@@ -61,13 +61,12 @@ def losses(
 
 
 def _joined(parts: list[MeshLoss]) -> MeshLoss:
-    """Results one after the other."""
-    found: dict[str, Any] = {}
-    for name, first in vars(parts[0]).items():
-        values = [getattr(part, name) for part in parts]
-        if name == "local":
-            columns: dict[str, Any] = {key: np.concatenate([getattr(part, key) for part in values]) for key in vars(first) if key != "x"}
-            found[name] = Local(x=first.x, **columns)
-        else:  # a loss that none of some points has is one number for them all
-            found[name] = None if first is None else np.concatenate([np.broadcast_to(v, np.shape(p.load)) for v, p in zip(values, parts)])
-    return MeshLoss(**found)
+    """Results one after the other; a loss that none of some points has is one number for them all."""
+    first, locals_ = parts[0], [part.local for part in parts]
+    columns = {key: each(np.concatenate([getattr(part, key) for part in locals_])) for key in vars(first.local) if key != "x"}
+    found = {
+        name: each(np.concatenate([np.broadcast_to(getattr(part, name), np.shape(part.load)) for part in parts]))
+        for name, value in vars(first).items()
+        if name != "local" and value is not None
+    }
+    return replace(first, local=replace(first.local, **columns), **found)

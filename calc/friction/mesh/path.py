@@ -16,7 +16,7 @@ path are those of its positions, right to 1 %.
 
 import math
 from functools import cache
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -40,7 +40,7 @@ FLOOR: Number = 0.01  # share of the full load below which film and pressure see
 AGMA = Text("AGMA 925-A03")
 
 
-def array(x: Any) -> float:
+def array(x: Array | float) -> float:
     """The one door by which arrays enter the formulas, which are typed float → float."""
     return cast(float, np.asanyarray(x, dtype=np.float64))
 
@@ -241,7 +241,7 @@ def path(mesh: MeshGeometry, load_sharing: str = "linear", *, points: int = 0, s
         ratios = Text("ε_α + ε_β = {epsilon_alpha}", epsilon_alpha=Amount(epsilon_alpha + epsilon_beta, form=".4g"))
         raise NoSolution(where, ratios, Text("below 1 the teeth lose contact: a wider face or higher teeth"))
     marks = np.clip([C_A, C_B, C_C, C_D, C_E], C_A, C_E)
-    places: tuple[Any, ...] = (C_A, C_B, C_C, C_D, C_E)
+    places: tuple[float, ...] = (C_A, C_B, C_C, C_D, C_E)
     if mesh.spur:
         points = points or POINTS
         x, width = _gauss(np.sort(marks)[None, :], points)

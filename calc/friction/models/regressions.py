@@ -10,8 +10,6 @@ Benedict and Kelley: local, from disc tests of 1961; kept within 0.01 and 0.2.
 A train that only drives a counter-shaft carries far less than any of them was fitted to; each says whether it is inside its range.
 """
 
-from typing import Any
-
 import numpy as np
 
 from ...contact.hertz import hertz_pressure
@@ -116,12 +114,9 @@ class Regression:
     outside: Text = EMPTY
 
 
-def beside(c: Case, P: Watt, H_V: Number) -> dict[str, Any]:
-    """All of them, by their names."""
-    return {
-        "schlenk": of_schlenk(c, P, H_V), "niemann": of_niemann(c, P, H_V), "xu_kahraman": of_xu_kahraman(c, P),
-        "benedict_kelley": of_benedict_kelley(c, P),
-    }  # fmt: skip
+def beside(c: Case, P: Watt, H_V: Number) -> tuple[Regression, Regression, Regression | None, Regression]:
+    """All of them, in the order above."""
+    return of_schlenk(c, P, H_V), of_niemann(c, P, H_V), of_xu_kahraman(c, P), of_benedict_kelley(c, P)
 
 
 # --- with the loss factor of Ohlendorf, for which they were made ----------------------------------------------------------------

@@ -6,17 +6,16 @@ A train alone carries its torque at every speed.
 """
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
-from ...sheet.units import Celsius, RevPerSecond, Watt
+from ...sheet.units import Celsius, Number, RevPerSecond, Watt
 from ..balance.closure import Drive, Losses, drive, losses_of, shaft_loss
 from ..inputs import FrictionInputs
 from ..journals import Journals, OnShaft, journals_at
@@ -66,13 +65,12 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
     n = d.wheels[d.first].speed
     speeds, temperatures = axes(d.friction, d.T_oil, n)
     grid_n, grid_T = (x.ravel() for x in np.meshgrid(speeds, temperatures, indexing="ij"))
-    ratio: Any = grid_n / n
-    T: Any = grid_T
+    ratio = grid_n / n
     shaft = None
     good = np.ones(grid_n.shape, dtype=bool)
     if on is not None:
         with untraced(), np.errstate(all="ignore"):
-            shaft = journals_at(on, ratio, T)
+            shaft = journals_at(on, each(ratio), each(grid_T))
             good &= np.isfinite(shaft_loss(shaft, None))
     parts = {name: np.full(grid_n.size, np.nan) for name in ("journals", "mesh", "wheels")}
     missing = (
@@ -82,7 +80,7 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
     )
     if good.any():
         try:
-            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, ratio[good], T[good])
+            losses = _losses(d, power, shaft.only(good) if shaft is not None else None, each(ratio[good]), each(grid_T[good]))
             for name, values in parts.items():
                 values[good] = getattr(losses, name)
         except NoSolution as none:
@@ -91,14 +89,14 @@ def over_speed_and_temperature(d: Drive, power: Watt | None, on: OnShaft | None)
     return Map(speeds=speeds, temperatures=temperatures, missing=missing, **{name: x.reshape(shape) for name, x in parts.items()})
 
 
-def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Any, T: Any) -> Losses:
+def _losses(d: Drive, power: Watt | None, shaft: Journals | None, ratio: Number, T: Celsius) -> Losses:
     spur = all(mesh.spur for mesh in d.meshes.values())
     own = replace(d.friction, bulk_temperature=None)  # what was measured once says nothing elsewhere
     with untraced(), np.errstate(all="ignore"):
         speeds = d.wheels[d.first].speed * ratio
         points = SPUR_POINTS if spur else HELICAL_POINTS
-        many = drive(own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS)
-        return losses_of(many, None if power is None else power * ratio)
+        at_all = drive(own, d.meshes, d.lubricant, T, speeds, shaft, d.forces, d.lubrication, points=points, strips=STRIPS)
+        return losses_of(at_all, None if power is None else power * ratio)
 
 
 # --- shown -------------------------------------------------------------------------------------------------------------------
@@ -108,7 +106,7 @@ def pictures(found: Map, d: Drive) -> tuple[tuple[Curve, ...], tuple[Table, ...]
         return (), (), (Text("No map of losses over speed and temperature: {missing}.", missing=found.missing),)
     rpm = found.speeds * 60
     labels = [Text("{T}", T=Amount(T, "°C")) for T in found.temperatures.tolist()]
-    total: Any = found.total
+    total = found.total
     lines = tuple(Series(label, rpm, total[:, i]) for i, label in enumerate(labels))
     at = int(np.argmin(np.abs(found.temperatures - d.T_oil)))
     parts = tuple(
@@ -142,8 +140,8 @@ def pictures(found: Map, d: Drive) -> tuple[tuple[Curve, ...], tuple[Table, ...]
     b_e = d.friction.specific_fuel_consumption
     if b_e is not None:
         with untraced():
-            m_B: Any = fuel(b_e=b_e, P=total)
-            m_CO2: Any = carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=m_B)
+            m_B = many(fuel(b_e=b_e, P=each(total)))
+            m_CO2 = many(carbon_dioxide(e_CO2=d.friction.co2_per_fuel, m_B=each(m_B)))
         curves.append(
             Curve("over_speed_fuel", Text("Fuel that the losses cost"), axis_label("n of the first driver", "rpm"),
                 axis_label("m_B", "g/h"),

@@ -7,7 +7,6 @@ source's, mesh by mesh, in a table and in nine curves along the path of contact.
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -138,13 +137,10 @@ def _balance(found: Mapping[str, ScenarioResult], design: FrictionResult) -> Tab
     )  # fmt: skip
 
 
-def as_design(design: Any, name: str) -> dict[str, Any]:
-    """The keys of the design, in the units of the file, that make a scenario of it: teeth and journals share oil and temperature where
-    the design says so."""
-    friction, bearings = design.friction, design.bearings
-    s = next(one for one in friction.scenarios if one.name == name)
-    found: dict[str, Any] = {}
-    shared = bearings is not None
+def as_design(friction: FrictionInputs, s: Scenario, shared: bool) -> dict[str, str | float | list[float] | None]:
+    """The keys of the design, in the units of the file, that make a scenario of it.  `shared`: with [bearings], whose oil and temperature
+    the teeth have too where the design says so."""
+    found: dict[str, str | float | list[float] | None] = {}
     if s.oil is not None:
         found["bearings.oil" if shared and friction.oil is None else "friction.oil"] = s.oil
     if s.oil_temperature is not None:

@@ -4,19 +4,20 @@
 A range is what the sources support: the spread of published values where there are several, else a rule of this program, and it says which.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table, axis_label
 from ...sheet.text import Amount, Text, listed
 from ...sheet.trace import untraced
-from ...sheet.units import Watt
+from ...sheet.units import Number, Watt
 from ..balance.closure import Drive, drive, total_losses
+from ..inputs import FrictionInputs
 from ..losses.windage import AIR_DENSITY
 from ..mesh.geometry import column
 from ..mesh.mixed import LOAD_SHARES, PUBLISHED
@@ -101,17 +102,20 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
             Text("air alone to twice what is assumed"),
         ),
     ]
-    T: Any = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
+    T = d.T_oil if f.bulk_temperature is None else f.bulk_temperature
     if f.bulk_temperature is None and f.bulk == "oil":
         words = (Text("{t} °C", t=Amount(T)), Text("{t} °C", t=Amount(T + WARMER)))
         open_.append(
             ("bulk", T, (T, T + WARMER), Text("temperature of the teeth"), "T_b", words, Text("taken as the oil's; often some 10 K above"))
         )
-    at: dict[str, Any] = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
+    at = {key: np.full(2 * len(open_), nominal) for key, nominal, *_ in open_}
     for i, (key, _, ends, *_) in enumerate(open_):
         at[key][2 * i : 2 * i + 2] = ends
-    P = _ends(d, power, at)
-    if P is None:  # some end has no solution: one by one then
+    together = _ends(d, power, at)
+    P: list[Watt | None]
+    if together is not None:
+        P = list(many(together))
+    else:  # some end has no solution: one by one then
         P = [_ends(d, power, {key: values[k : k + 1] for key, values in at.items()}) for k in range(2 * len(open_))]
     return [
         Swing(name, symbol, *words, _number(P[2 * i]), _number(P[2 * i + 1]), why)
@@ -119,17 +123,17 @@ def _numbers(d: Drive, power: Watt | None) -> list[Swing]:
     ]
 
 
-def _ends(d: Drive, power: Watt | None, at: dict[str, Any]) -> Any:
-    """The losses at many ends at once, `at` holding every constant at each of them; None where one has no solution."""
-    f = d.friction
-    many = replace(
+def _ends(d: Drive, power: Watt | None, ends: Mapping[str, Array]) -> Watt | None:
+    """The losses at many ends at once, `ends` holding every constant at each of them; None where one has no solution."""
+    f, at = d.friction, {key: each(values) for key, values in ends.items()}
+    open_ = replace(
         f, flank_roughness=tuple(column(Ra * at["rough"]) for Ra in f.flank_roughness), solid_friction=column(at["mu_s"]),
         mist_density=at["mist"], bulk_temperature=at.get("bulk", f.bulk_temperature),
     )  # fmt: skip
-    return _power(d, many, power, {"Lambda": column(at["Lambda"]), "thickening": column(at["thickening"])})
+    return _power(d, open_, power, Lambda=column(at["Lambda"]), thickening=column(at["thickening"]))
 
 
-def _number(P: Any) -> Watt | None:
+def _number(P: Watt | None) -> Watt | None:
     return None if P is None else float(np.squeeze(P))
 
 
@@ -162,8 +166,8 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
     f = d.friction
     found = []
 
-    def other(name: Text, symbol: str, taken: Text, instead: Text, why: Text, **change: Any) -> None:
-        found.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, replace(f, **change), power)), why))
+    def other(name: Text, symbol: str, taken: Text, instead: Text, why: Text, changed: FrictionInputs) -> None:
+        found.append(Swing(name, symbol, taken, instead, nominal, _number(_power(d, changed, power)), why))
 
     if all(mesh.spur for mesh in d.meshes.values()):
         sharing = {"linear": "smooth", "smooth": "linear"}[f.load_sharing]
@@ -173,15 +177,16 @@ def _laws(d: Drive, power: Watt | None, nominal: Watt) -> list[Swing]:
             SHARINGS[f.load_sharing],
             SHARINGS[sharing],
             Text("flanks as generated, or both tips relieved"),
-            load_sharing=sharing,
+            replace(f, load_sharing=sharing),
         )
     taken, law = ("roelands", "barus") if _rubbing(d).roelands else ("barus", "roelands")
-    other(Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), pressure_law=law)
+    other(Text("viscosity under pressure"), "η(p)", LAWS[taken], LAWS[law], Text("two laws"), replace(f, pressure_law=law))
     if f.film == "judged":
         found.append(_shares(d, power, nominal))
     film = {"judged": "source", "source": "judged"}[f.film]
     words = {"judged": Text("by regime, with rolling"), "source": Text("EHL everywhere, no rolling")}
-    other(Text("film"), "film", words[f.film], words[film], Text("the friction source's model, or by Johnson's regimes"), film=film)
+    why = Text("the friction source's model, or by Johnson's regimes")
+    other(Text("film"), "film", words[f.film], words[film], why, replace(f, film=film))
     if f.film == "judged":
         P, why = _number(_power(d, f, power, rolling=False)), Text("the bound supposes a full inlet")
         found.append(
@@ -204,11 +209,14 @@ def _shares(d: Drive, power: Watt | None, nominal: Watt) -> Swing:
     return Swing(Text("load share of the roughness"), "ξ(λ)", *ends, costs[low], costs[high], why)
 
 
-def _power(d: Drive, friction: Any, power: Watt | None, assumed: Any = None, rolling: bool = True) -> Any:
+def _power(
+    d: Drive, friction: FrictionInputs, power: Watt | None, *, Lambda: Number | None = None, thickening: Number | None = None,
+    rolling: bool = True,
+) -> Watt | None:  # fmt: skip
     """The power of the train's losses under other constants; None where one of them has no solution."""
     first_speed = d.wheels[d.first].speed
     try:
-        other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, assumed)
+        other = drive(friction, d.meshes, d.lubricant, d.T_oil, first_speed, d.shaft, d.forces, d.lubrication, Lambda, thickening)
         return total_losses(replace(other, rolling=rolling), power)
     except NoSolution:
         return None

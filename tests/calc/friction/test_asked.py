@@ -156,8 +156,8 @@ def test_a_scenario_leaves_a_measured_temperature_as_its_design_does():
 
     asked = changed(gamma(), friction={"bulk_temperature_C": 130.0, "scenarios": [{"name": "cold", "oil_temperature_C": 60.0}]})
     scenario = friction_of(asked).result.scenarios["cold"]
-    document = asked
-    for key, value in as_design(design(asked), "cold").items():
+    document, friction = asked, design(asked).friction
+    for key, value in as_design(friction, friction.scenarios[0], True).items():
         document = document.with_value(key, value)
     assert friction_of(document).result.total_loss == pytest.approx(scenario.total_loss, rel=1e-8)
 
