@@ -10,7 +10,7 @@ concept of Johnson, Greenwood and Poon: the film that carries 1 − ξ of the lo
 thick (`traction.py`).  μ_s is that of *lubricated* peaks, 0.08.  Published for ground gears and steel are 0.065 (FZG gears at the lowest
 speed) and 0.07 (both in Arana, Larrañaga and Ulacia 2018, read), 0.08 (Robbe-Valloire 2002, read in the gear friction thesis), 0.09 and
 0.1 (public programs of FEUP, read).  No constant was fitted here; what the four gears of FEUP, their fit on others, and Schlenk say of the
-choice stands in tests/calc/friction/models/test_measured_gears.py.
+choice, and of 240 others, stands in tests/calc/friction/models/test_measured_gears.py and designs/friction_source.md.
 
 The gear friction thesis takes 1 − erf λ, the whole pressure for the film, and μ_s = 0.135 of rollers: beside, unchanged.  The paper that it
 follows (Arana et al. 2018) has the same share with μ_s = 0.065 to 0.07, λ over the rms roughness, and α under pressure.

@@ -122,6 +122,28 @@ def test_beside_the_fit_elsewhere_and_schlenk():
     assert f"{100 - 100 * off.min():.0f} % below FEUP's fit" in TEXT
 
 
+def stages(beyond):
+    """Load stages from 5 on, as the document names them; those that are beyond lie side by side."""
+    found = [5 + int(i) for i in np.flatnonzero(beyond)]
+    assert found == list(range(found[0], found[-1] + 1)) if found else True
+    return "none" if not found else f"{found[0]}" if len(found) == 1 else f"{found[0]} to {found[-1]}"
+
+
+def test_beside_schlenk():
+    for name, own in measured.OILS.items():
+        off, base = measured.all_beside_schlenk(own), own.oil.base
+        for X_L in (measured.LUBRICANT_FACTOR[base], measured.FEUP["lubricant_factor"][base]):
+            met = measured.within(off / X_L, 0.25)
+            assert ROWS[f"{name}, {X_L:g}"] == [f"{met.sum()} of {met.size}", f"{(off / X_L).min():.2f} to {(off / X_L).max():.2f}"]
+    X_L = measured.FEUP["lubricant_factor"]["mineral"]
+    for T, rpm, Ra in measured.SCHLENK_AT:
+        lam, off = measured.beside_schlenk(measured.OILS["FVA 3"], T, rpm, Ra)
+        cells = [f"{x.min():.2f} to {x.max():.2f}" for x in (lam, off, off / X_L)]
+        assert ROWS[f"{T:g} °C, {rpm / 60 * np.pi * 73.2e-3:.1f} m/s, Ra {Ra} µm"] == [*cells, stages(off < 0.75)]
+    test = [measured.beside_schlenk(measured.OILS["FVA 3"], 90.0, 2170.0, Ra, 20e-3, 6)[1] for Ra in (0.3, 0.5)]
+    assert f"{100 - 100 * np.max(test):.0f} to {100 - 100 * np.min(test):.0f} % below" in TEXT
+
+
 # --- what the literature says ------------------------------------------------------------------------------------------------
 def spur(alpha=20.0, split=1):
     """16/24 teeth of 4.5 mm without shifts, or the same size with teeth split in two."""

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The friction that is judged beside measured gears: FEUP's fit to FZG tests, at the four points of its reports and where it was not looked at,
-Schlenk's on the load stages of ISO 14635-1; and that the friction source's model stands where it stood."""
+Schlenk's on the load stages of ISO 14635-1, with both lubricant factors; and that the friction source's model stands where it stood."""
 
+import itertools
 import math
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import numpy as np
 import pytest
 
 from calc.catalogue import oils
+from calc.contact.teeth import LUBRICANT_FACTOR
 from calc.friction.mesh.film import oil_at
 from calc.friction.mesh.geometry import MeshGeometry
 from calc.friction.mesh.loss import case, solve_mesh
@@ -125,17 +127,69 @@ def test_the_fit_to_their_tests_elsewhere():
     assert off.min() > 0.65 and off.max() < 1.2
 
 
-@pytest.mark.parametrize("Ra", [0.3, 0.4])
-@pytest.mark.parametrize("torque", STAGES)
-def test_iso_14635_beside_schlenk(torque, Ra):
-    """A/8.3/90 (20 mm, 2170 rpm, 90 °C) with a mineral oil, inside Schlenk's range."""
-    c = case(friction(flank_roughness=(Ra * 1e-6,)), fzg(20e-3), oil_at(Lubricant(oils()["FVA 3 (ref mineral)"]), 90.0), 2170 / 60)
-    P = torque * 2 * math.pi * 2170 / 60
+SCHLENK_AT = [(T, rpm, Ra) for T in (60.0, 80.0, 90.0, 120.0) for rpm in (542.0, 2170.0, 4350.0) for Ra in (0.3, 0.5)]
+OILS = {"FVA 3": Lubricant(oils()["FVA 3 (ref mineral)"]), "M320": lubricant("mineral"), "P320": lubricant("PAO")}
+
+
+def beside_schlenk(own, T, rpm, Ra, b=14e-3, first=5, change=lambda surfaces: surfaces, **said):
+    """FZG C gears on load stages `first` to 12 of ISO 14635-1: the mean λ, and the friction over Schlenk's with a lubricant factor of 1."""
+    c = case(friction(flank_roughness=(Ra * 1e-6,), **said), fzg(b), oil_at(own, T), rpm / 60, points=12)
+    P = np.array(STAGES[first - 1 :]) * 2 * math.pi * rpm / 60
     schlenk = regressions.of_schlenk(c, P, 0.195)
-    if schlenk.outside:
-        assert torque < 120  # the first stages: less than 150 N/mm
-        return
-    assert friction_of(c, P) == pytest.approx(schlenk.friction_mean, rel=0.25)
+    assert not schlenk.outside
+    found = solve_mesh(replace(c, surfaces=change(c.surfaces)), P, True)
+    return found.local.lam.mean(axis=-1), found.friction_mean / schlenk.friction_mean * LUBRICANT_FACTOR[own.oil.base]
+
+
+def all_beside_schlenk(own, **said):
+    return np.concatenate([beside_schlenk(own, *at, **said)[1] for at in SCHLENK_AT])
+
+
+def within(off, rel):
+    return abs(off - 1) <= rel
+
+
+def test_fzg_gears_beside_schlenk():
+    """With the factor that FEUP's tests gave a mineral oil, the one of its printed 0.0483 and 0.0415: every point, and A/8.3/90."""
+    X_L = FEUP["lubricant_factor"]["mineral"]
+    assert within(all_beside_schlenk(OILS["FVA 3"]) / X_L, 0.25).all()
+    for Ra in (0.3, 0.4, 0.5):
+        assert within(beside_schlenk(OILS["FVA 3"], 90.0, 2170.0, Ra, 20e-3, 6)[1] / X_L, 0.25).all()
+
+
+def test_no_model_meets_both_at_c14():
+    """20 % above the fit as printed ends where 25 % below Schlenk with a lubricant factor of 1 has not begun."""
+    p, (c, P) = POINTS["C14"], at("C14")
+    schlenk = regressions.of_schlenk(c, P, 0.195)
+    assert schlenk.friction_mean * FEUP["lubricant_factor"]["mineral"] == pytest.approx(p["schlenk"], rel=0.005) and not schlenk.outside
+    assert 1.2 * p["fit"] < 0.75 * schlenk.friction_mean
+
+
+PUBLISHED_CHOICES = list(
+    itertools.product(LOAD_SHARES, (0.05, 0.06, 0.07, 0.08, 0.09, 0.1), (1.0, 1.25), (True, False), ("oil", "estimated"))
+)
+
+
+@pytest.mark.slow
+def test_no_published_choice_does_better():
+    """Load share, friction of the peaks, roughness as Ra or rms, the film under its own pressure or the whole, teeth as warm as the oil or
+    warmer: of those that meet the four gears, only what is judged meets Schlenk everywhere with FEUP's factor, and none with 1."""
+    met, best = {}, 0.0
+    for law, mu_s, rms, relieved, bulk in PUBLISHED_CHOICES:
+
+        def change(s, law=law, mu_s=mu_s, rms=rms, relieved=relieved):
+            return replace(s, load_share=law, mu_s=mu_s, sigma=s.sigma * rms, Ra=s.Ra * rms, relieved=relieved)
+
+        four = []
+        for name, p in POINTS.items():
+            c, P = at(name, bulk=bulk)
+            four.append(friction_of(replace(c, surfaces=change(c.surfaces)), P) / p["fit"])
+        if within(np.array(four), 0.2).all():
+            off = all_beside_schlenk(OILS["FVA 3"], change=change, bulk=bulk)
+            met[law, mu_s, rms, relieved, bulk] = within(off / FEUP["lubricant_factor"]["mineral"], 0.25).all()
+            best = max(best, within(off, 0.25).mean())
+    assert [choice for choice, all_of_them in met.items() if all_of_them] == [("zhu-hu", BOUNDARY, 1.0, True, "oil")]
+    assert len(met) == 57 and best < 0.75
 
 
 # --- the ends ------------------------------------------------------------------------------------------------------------------------
