@@ -46,10 +46,10 @@ class Context:
     def __post_init__(self) -> None:
         self.words = {key: self.say(text) for key, text in WORDS.items()}
 
-    def text(self, key: str, /, **parts: Part) -> str:
-        """A sentence of the report with its parts, in its language."""
-        sentence = WORDS[key]
-        return self.say(plural(sentence.one, sentence.template, **parts) if sentence.one else Text(sentence.template, **parts))
+    def text(self, key: str, /, n: float | None = None, **parts: Part) -> str:
+        """A sentence of the report with its parts, in its language; `n`: the count of one that depends on it."""
+        template, one = WORDS[key].template, WORDS[key].one
+        return self.say(Text(template, **parts) if n is None else plural(one, template, n=n, **parts))
 
     def written(self, value: float, unit: str = "") -> str:
         """A number as the report's language writes it, with its unit."""

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of arrays, for the type checker only: importing numpy.typing costs a start-up 30 ms."""
 
-from typing import TYPE_CHECKING, Any, cast, overload
+from collections.abc import Iterable
+from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
 
 if TYPE_CHECKING:
     import numpy as np
@@ -11,8 +12,9 @@ if TYPE_CHECKING:
     ComplexArray = NDArray[np.complex128]
     BoolArray = NDArray[np.bool_]
     IndexArray = NDArray[np.intp]
+    S = TypeVar("S", bound=np.generic)
 else:
-    Array = ComplexArray = BoolArray = IndexArray = Any
+    Array = ComplexArray = BoolArray = IndexArray = object
 
 
 @overload
@@ -34,14 +36,14 @@ def phasors(x: complex) -> ComplexArray:
     return cast(ComplexArray, x)
 
 
-def column(parts: "tuple[Any, ...]", name: str) -> Any:
+def column(parts: Iterable[object], name: str) -> Any:  # a door: an array, and what formulas take
     """One number of every part, as an array that knows where each came from."""
     from .linked_array import gathered
 
     return gathered(getattr(part, name) for part in parts)
 
 
-def distinct(x: "NDArray[Any]") -> "tuple[NDArray[Any], IndexArray, IndexArray]":
+def distinct(x: "NDArray[S]") -> "tuple[NDArray[S], IndexArray, IndexArray]":
     """The numbers of a one-dimensional array that differ, ascending; where each stands first; and which of them each element is.
 
     As `numpy.unique`, which brings in a tenth of a start-up more of numpy.

@@ -10,7 +10,7 @@ from .quantity import keys
 
 T = TypeVar("T")
 
-Changes = dict[str, Any]
+Changes = dict[str, Any]  # numbers, words, lists: as many types as keys have
 
 
 def digits(number: float, figures: int = 9) -> float:
@@ -24,7 +24,7 @@ def whole(number: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def assignment(key: str, value: Any) -> str:
+def assignment(key: str, value: object) -> str:
     """KEY=VALUE, as `--set` takes it: VALUE as in TOML, empty where the key goes."""
     if value is None:
         return f"{key}="
@@ -33,14 +33,14 @@ def assignment(key: str, value: Any) -> str:
     return f"{key}={json.dumps(value, ensure_ascii=False)}" if isinstance(value, str) else f"{key}={value!r}"
 
 
-def assignments(changes: Mapping[str, Any]) -> list[str]:
+def assignments(changes: Mapping[str, object]) -> list[str]:
     return [assignment(key, value) for key, value in changes.items()]
 
 
-def applied(inputs: T, changes: Mapping[str, Any], prefix: str = "") -> T:
+def applied(inputs: T, changes: Mapping[str, object], prefix: str = "") -> T:
     """An Inputs record with numbers, words and sub-tables changed, as if its file had been; `prefix`: its own key with a dot behind."""
-    cls: Any = type(inputs)
-    known, made = keys(cls), dict[str, Any]()
+    cls: type = type(inputs)
+    known, made = keys(cls), dict[str, object]()
     for key, value in changes.items():
         head, _, rest = key.removeprefix(prefix).partition(".")
         one = known[head]

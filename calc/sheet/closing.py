@@ -7,16 +7,15 @@ where a power multiplies a rounding, where the value lies near the middle betwee
 
 import math
 from collections.abc import Mapping
-from typing import Any
 
 from .formula import Formula
-from .number import DIGITS, LISTED, rounded
+from .number import DIGITS, LISTED, all_rounded, rounded
 
 MOST = 12  # digits of an argument
 NOUGHT = 5e-4  # in the shown unit: what is found again in place of 0
 
 
-def digits_that_close(formula: Formula[..., Any], arguments: Mapping[str, Any], value: Any, factor: float) -> dict[str, int]:
+def digits_that_close(formula: Formula[..., object], arguments: Mapping[str, object], value: object, factor: float) -> dict[str, int]:
     """Digits by argument.  `value`: what the arguments gave, in SI; `factor`: its shown unit in SI.
 
     Four for all where that is enough; else the least number with which all of them give the value, then as few as each one needs.
@@ -29,8 +28,8 @@ def digits_that_close(formula: Formula[..., Any], arguments: Mapping[str, Any], 
 
     def close() -> bool:
         try:
-            again = formula.function(**{**arguments, **{name: rounded(x, digits[name]) for name, x in given.items()}})
-            return bool(_same(again / factor, target))
+            again = formula.function(**{**arguments, **{name: all_rounded(x, digits[name]) for name, x in given.items()}})
+            return isinstance(again, (int, float, complex)) and bool(_same(again / factor, target))
         except (ValueError, ZeroDivisionError, OverflowError, TypeError):
             return False
 
@@ -49,7 +48,7 @@ def digits_that_close(formula: Formula[..., Any], arguments: Mapping[str, Any], 
     return digits
 
 
-def _is_written(x: Any) -> bool:
+def _is_written(x: object) -> bool:
     """A number, or a list that is short enough to be written whole."""
     if isinstance(x, (tuple, list)):
         return len(x) <= LISTED
@@ -58,7 +57,7 @@ def _is_written(x: Any) -> bool:
     return isinstance(x, (int, float, complex)) and not isinstance(x, bool)
 
 
-def _same(again: Any, value: float | complex) -> bool:
+def _same(again: complex, value: float | complex) -> bool:
     """Whether a number that is worked out again lies within half a unit of the last digit with which the value is written."""
     if isinstance(value, complex):
         turned = math.degrees(math.atan2(again.imag, again.real) - math.atan2(value.imag, value.real)) if value and again else 0.0
@@ -67,7 +66,7 @@ def _same(again: Any, value: float | complex) -> bool:
     return _near(again, value)
 
 
-def _near(again: float, value: float) -> bool:
+def _near(again: complex, value: float) -> bool:
     shown = rounded(float(value), DIGITS)
     return abs(again - shown) <= 0.5 * _unit(shown) * (1 + 1e-9) if shown else abs(again) < NOUGHT
 

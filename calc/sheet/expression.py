@@ -12,7 +12,6 @@ import math
 import textwrap
 from collections.abc import Callable, Mapping
 from functools import cache
-from typing import Any
 
 from .closing import digits_that_close
 from .formula import Formula, units
@@ -57,7 +56,7 @@ def symbol(identifier: str) -> str:
 
 
 @cache
-def expression(formula: Formula[..., Any]) -> Expr | None:
+def expression(formula: Formula[..., object]) -> Expr | None:
     """The tree of the return expression; None where the source text is not at hand or the formula stands for an algorithm."""
     if formula.shows:
         return None
@@ -81,7 +80,7 @@ def _without_ones(tree: Expr) -> Expr:
     return Expr(tree.head, args, tree.name)
 
 
-def _definition(function: Callable[..., Any]) -> ast.FunctionDef | None:
+def _definition(function: Callable[..., object]) -> ast.FunctionDef | None:
     """The source of a function, parsed; None where it is not at hand.
 
     At the top of a module a function ends where the next line begins at its left; that is found ten times as quickly as by `inspect`.
@@ -102,7 +101,7 @@ def _definition(function: Callable[..., Any]) -> ast.FunctionDef | None:
     return found
 
 
-def _build(node: ast.expr, formula: Formula[..., Any]) -> Expr:
+def _build(node: ast.expr, formula: Formula[..., object]) -> Expr:
     def sub(n: ast.expr) -> Expr:
         return _build(n, formula)
 
@@ -175,28 +174,30 @@ def _governing(line: Line) -> tuple[int, ...] | None:
     return tuple(int(i) for i in np.unravel_index(int(flat), line.value.shape))
 
 
-def _element(x: Any, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> Any:
+def _element(x: object, index: tuple[int, ...] | None, shape: tuple[int, ...]) -> object:
     """Of an argument, the number that enters the element which is shown; the whole of what has no such element."""
     if index is not None and hasattr(x, "shape"):
         import numpy as np
 
         try:
-            x = np.broadcast_to(x, shape)[index]
+            x = np.broadcast_to(np.asarray(x), shape)[index]
         except ValueError:
             return x
-    return x.item() if getattr(x, "shape", None) == () else x
+    return x.item() if hasattr(x, "item") and getattr(x, "shape", None) == () else x
 
 
-def _argument(x: Any, unit: str, digits: int = DIGITS) -> str:
+def _argument(x: object, unit: str, digits: int = DIGITS) -> str:
     if isinstance(x, (str, bool)) or x is None:
         return str(x)
-    if not hasattr(x, "shape") and not isinstance(x, (list, tuple)):
+    if isinstance(x, (int, float, complex)):
         return scalar(x, digits) if unit != "rad" or isinstance(x, complex) or abs(x) > NO_ANGLE else "0"
-    return several(getattr(x, "ravel", lambda: x)(), digits)
+    import numpy as np
+
+    return several(x if isinstance(x, (list, tuple)) else np.asarray(x).ravel(), digits)
 
 
 @cache
-def _result_unit(formula: Formula[..., Any]) -> tuple[str, float]:
+def _result_unit(formula: Formula[..., object]) -> tuple[str, float]:
     inside = units(formula).get("return", "")
     if formula.unit:
         return formula.unit, UNITS[formula.unit].factor
@@ -205,25 +206,26 @@ def _result_unit(formula: Formula[..., Any]) -> tuple[str, float]:
 
 def result(line: Line) -> tuple[str, str]:
     """The value of a line, of an array that which governs, with its unit."""
-    index = _governing(line)
-    return _result(line, index)
+    return _result(line.formula, _element(line.value, _governing(line), getattr(line.value, "shape", ())))
 
 
-def _result(line: Line, index: tuple[int, ...] | None) -> tuple[str, str]:
-    unit, factor = _result_unit(line.formula)
-    return scalar((line.value if index is None else line.value[index]) / factor), unit
+def _result(formula: Formula[..., object], value: object) -> tuple[str, str]:
+    unit, factor = _result_unit(formula)
+    assert isinstance(value, (int, float, complex)), formula.__name__
+    return scalar(value / factor), unit
 
 
 def show(line: Line) -> Shown:
     formula = line.formula
     index = _governing(line)
     shape = getattr(line.value, "shape", ())
+    value = _element(line.value, index, shape)
     arguments = {name: _element(x, index, shape) for name, x in line.arguments.items()}
     tree = expression(formula)
     numbers = None
     if tree is not None:
         known = units(formula)
-        digits = digits_that_close(formula, arguments, _element(line.value, index, shape), _result_unit(formula)[1])
+        digits = digits_that_close(formula, arguments, value, _result_unit(formula)[1])
         texts = {formula.names.get(k, symbol(k)): _argument(v, known.get(k, ""), digits[k]) for k, v in arguments.items()}
         numbers = substituted(tree, texts)
     shows = formula.shows
@@ -231,9 +233,9 @@ def show(line: Line) -> Shown:
         given = COMMA.join(Name(f"{symbol(k)} = {_argument(v, '')}") for k, v in arguments.items())
         shows = Text("{name}({given})", name=formula.__name__, given=given)
     where = EMPTY
-    if index is not None and line.value.size > 1:
-        where = Text(GOVERNS[formula.governs].template, size=line.value.size, number=index[-1] + 1)
-    return Shown(formula.symbol, tree, numbers, shows, *_result(line, index), formula.source, line.about, where)
+    if index is not None and (size := math.prod(shape)) > 1:
+        where = Text(GOVERNS[formula.governs].template, size=size, number=index[-1] + 1)
+    return Shown(formula.symbol, tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
 
 
 # --- for the terminal ------------------------------------------------------------------------------------------------------
@@ -304,7 +306,7 @@ def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str
 
 
 @cache
-def _written(formula: Formula[..., Any]) -> str:
+def _written(formula: Formula[..., object]) -> str:
     """Its expression as text."""
     tree = expression(formula)
     return text(tree) if tree is not None else ""

@@ -16,14 +16,14 @@ import inspect
 import textwrap
 from collections.abc import Callable
 from functools import cache
-from typing import Any, Generic, ParamSpec, TypeVar, get_type_hints
+from typing import Generic, ParamSpec, TypeVar, get_type_hints
 
 from .text import Text
 from .trace import Line, recorder, subject
 from .value import LinkedFloat, linked
 
 P = ParamSpec("P")
-R = TypeVar("R")
+R = TypeVar("R", covariant=True)
 
 
 class _Help:
@@ -32,7 +32,7 @@ class _Help:
     def __init__(self, of_class: str) -> None:
         self.of_class = of_class
 
-    def __get__(self, formula: "Formula[..., Any] | None", owner: type) -> str:
+    def __get__(self, formula: "Formula[..., object] | None", owner: type) -> str:
         return self.of_class if formula is None else described(formula)
 
 
@@ -70,11 +70,11 @@ class Formula(Generic[P, R]):
             given = {**dict(zip(self.parameters, args)), **kwargs} if args else kwargs
             line = Line(self, given, value, subject.get())
             lines.append(line)
-            if type(value) is float:  # as nearly all of them
-                number: Any = LinkedFloat(value)  # type: ignore[arg-type]
+            plain: object = value
+            if type(plain) is float:  # as nearly all of them
+                number = LinkedFloat(plain)
                 number.link = line
-                known: R = number
-                return known
+                return number  # type: ignore[return-value]
             return linked(value, line)
         return value
 
@@ -83,13 +83,13 @@ class Formula(Generic[P, R]):
 
 
 @cache
-def units(formula: Formula[..., Any]) -> dict[str, str]:
+def units(formula: Formula[..., object]) -> dict[str, str]:
     """The unit of each argument, and of the result under "return", from the annotations."""
     hints = get_type_hints(formula.function, include_extras=True)
     return {name: hint.__metadata__[0] if hasattr(hint, "__metadata__") else "" for name, hint in hints.items()}
 
 
-def described(formula: Formula[..., Any]) -> str:
+def described(formula: Formula[..., object]) -> str:
     """What `help` shows: call and result with their units in SI ("-": none), the expression or the algorithm, the source, the docstring."""
     known = {name: unit or "-" for name, unit in units(formula).items()}
     arguments = ", ".join(f"{name}: {known.get(name, '-')}" for name in formula.parameters)
@@ -100,7 +100,7 @@ def described(formula: Formula[..., Any]) -> str:
     return "\n\n".join(filter(None, (head, body, f"Source: {formula.source}", own)))
 
 
-def _returned(function: Callable[..., Any]) -> str:
+def _returned(function: Callable[..., object]) -> str:
     """The return expression of a function on one line; dots where its source text is not at hand."""
     try:
         tree = ast.parse(textwrap.dedent(inspect.getsource(function)))
@@ -109,7 +109,7 @@ def _returned(function: Callable[..., Any]) -> str:
     return next((ast.unparse(node.value) for node in reversed(list(ast.walk(tree))) if isinstance(node, ast.Return) and node.value), "…")
 
 
-FORMULAS: dict[str, Formula[..., Any]] = {}  # every formula of the program: "module.function" → formula
+FORMULAS: dict[str, Formula[..., object]] = {}  # every formula of the program: "module.function" → formula
 
 
 def formula(

@@ -6,18 +6,19 @@ They are typed float → float so that formulas stay readable to the type checke
 
 import math
 from collections.abc import Callable
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
 
 import numpy as np
 
 from . import linked_array as linked_array  # makes the links of arrays known
+from .arrays import ComplexArray
 from .value import LinkedFloat
 
 pi = math.pi
 N = TypeVar("N", float, complex)
 
 
-def _both(scalar: Callable[[float], float], vector: Callable[[Any], Any]) -> Callable[[float], float]:
+def _both(scalar: Callable[[float], float], vector: Callable[[float], float]) -> Callable[[float], float]:
     def function(x: float) -> float:
         return scalar(x) if type(x) is float or type(x) is LinkedFloat else vector(x)  # no numpy number: it has other last digits
 
@@ -88,7 +89,7 @@ def total(x: N) -> N:
 
 def along(x: float) -> float:
     """Sum over the last axis, the positions of a path: a float of one operating point, an array of many."""
-    sums: Any = np.sum(x, -1)
+    sums = np.sum(x, -1)
     added: float = sums if sums.ndim else sums.item()
     return added
 
@@ -98,14 +99,13 @@ def resultant(x: N) -> N:
 
     Vectors that cancel in a direction give 0 there, not the dust of the last digits.
     """
-    added: N = _resultant(x)
-    return added
+    return cast(N, _resultant(np.asarray(x)))
 
 
-def _resultant(x: Any) -> Any:
+def _resultant(x: ComplexArray) -> object:
     dust = 1e-12 * np.sum(np.abs(x), -1)
-    if np.ndim(x) > 1:
-        found: Any = np.sum(x, -1)
+    if x.ndim > 1:
+        found = np.sum(x, -1)
         if not np.iscomplexobj(found):
             return np.where(np.abs(found) > dust, found, 0.0)
         found.real[np.abs(found.real) <= dust] = 0.0
@@ -119,11 +119,12 @@ def _resultant(x: Any) -> Any:
 
 def joined(a: N, b: N) -> N:
     """Sum of two numbers or vectors; where they cancel, 0 and not the dust of the last digits."""
-    found: Any = a + b
+    added = a + b
     dust = 1e-12 * (abs(a) + abs(b))
-    if isinstance(found, np.ndarray):
-        return cast(N, np.where(abs(found) > dust, found, 0.0))
-    return cast(N, found if abs(found) > dust else 0j if isinstance(found, complex) else 0.0)
+    if isinstance(added, np.ndarray):
+        return cast(N, np.where(abs(added) > dust, added, 0.0))
+    kept: object = added if abs(added) > dust else 0j if isinstance(added, complex) else 0.0
+    return cast(N, kept)
 
 
 def largest(a: float, b: float) -> float:
@@ -134,6 +135,6 @@ def smallest(a: float, b: float) -> float:
     return np.minimum(a, b) if isinstance(a, np.ndarray) or isinstance(b, np.ndarray) else min(a, b)
 
 
-def rss(x: Any) -> float:
+def rss(x: float) -> float:
     """Root of the sum of squares."""
     return math.sqrt(float(np.sum(np.square(x))))

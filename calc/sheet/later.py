@@ -3,7 +3,7 @@
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import cached_property
-from typing import Any, TypeVar, overload
+from typing import TypeVar, overload
 
 from .errors import NoSolution
 from .trace import untraced
@@ -37,7 +37,7 @@ class Later(Sequence[T]):
     def __getitem__(self, index: int) -> T: ...
     @overload
     def __getitem__(self, index: slice) -> tuple[T, ...]: ...
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: int | slice) -> T | tuple[T, ...]:
         return self.made[index]
 
     def __add__(self, more: "Many[T]") -> "Later[T]":
@@ -46,7 +46,7 @@ class Later(Sequence[T]):
     def __radd__(self, first: tuple[T, ...]) -> "Later[T]":
         return Later(lambda: (*first, *self))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return tuple, (self.made,)
 
 

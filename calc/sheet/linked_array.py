@@ -2,14 +2,16 @@
 """Arrays that know where they came from: see `value.py`."""
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import numpy as np
 
 from .value import KINDS, PLAIN, Link, joined_links, link_of, linked
 
 if TYPE_CHECKING:
-    from .arrays import Array
+    from .arrays import Array, BoolArray, ComplexArray
+
+N = TypeVar("N", float, complex)
 
 
 class LinkedArray(np.ndarray):
@@ -21,7 +23,7 @@ class LinkedArray(np.ndarray):
     link: Link | None = None
     parts: tuple[Link | None, ...] = ()
 
-    def __getitem__(self, index: Any) -> Any:
+    def __getitem__(self, index: Any) -> Any:  # here and below: as numpy's own
         part = super().__getitem__(index)
         if self.link is None:
             return part
@@ -32,10 +34,10 @@ class LinkedArray(np.ndarray):
         parts = np.fromiter(self.parts, object)[index]
         return linked_array(part, joined_links(parts.ravel()), tuple(parts) if parts.ndim == 1 else ())
 
-    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+    def __array_wrap__(self, array: "Array", context: object = None, return_scalar: bool = False) -> Any:
         return array[()] if return_scalar else array
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> str | tuple[object, ...]:
         return np.asarray(self).__reduce__()
 
 
@@ -44,24 +46,24 @@ class LinkedScalar(np.float64):
 
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> str | tuple[object, ...]:
         return np.float64(float(self)).__reduce__()
 
-    def __deepcopy__(self, memo: Any) -> Any:
+    def __deepcopy__(self, memo: object) -> Any:
         return np.float64(float(self))
 
 
 class LinkedComplexScalar(np.complex128):
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> str | tuple[object, ...]:
         return np.complex128(complex(self)).__reduce__()
 
-    def __deepcopy__(self, memo: Any) -> Any:
+    def __deepcopy__(self, memo: object) -> Any:
         return np.complex128(complex(self))
 
 
-def _as_linked(x: Any) -> Any:
+def _as_linked(x: "Array") -> LinkedArray:
     return x.view(LinkedArray)
 
 
@@ -76,22 +78,26 @@ PLAIN.update({
 })  # fmt: skip
 
 
-def linked_array(x: Any, link: Link | None, parts: tuple[Link | None, ...]) -> Any:
+def linked_array(x: "Array", link: Link | None, parts: tuple[Link | None, ...]) -> "Array":
     """An array with its link and those of its elements."""
     array = linked(x, link)
-    if link is not None:
+    if link is not None and isinstance(array, LinkedArray):
         array.parts = parts
     return array
 
 
-def gathered(numbers: Iterable[Any], dtype: Any = float) -> "Array":
+def gathered(numbers: Iterable[object], dtype: type = float) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     parts = tuple(map(link_of, numbers))
-    return cast("Array", linked_array(np.array(numbers, dtype=dtype), joined_links(parts), parts))
+    return linked_array(np.array(numbers, dtype=dtype), joined_links(parts), parts)
 
 
-def where(there: Any, one: Any, other: Any) -> Any:
+@overload
+def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": ...
+@overload
+def where(there: "BoolArray", one: "complex | ComplexArray", other: "ComplexArray") -> "ComplexArray": ...
+def where(there: "BoolArray", one: "complex | Array | ComplexArray", other: "Array | ComplexArray") -> "Array | ComplexArray":
     """An array of the elements of `one` where `there` is true, and those of `other` elsewhere: both only as long as they are needed."""
     array = np.empty(there.size, dtype=np.result_type(one, other))
     array[there], array[~there] = one, other
@@ -102,12 +108,16 @@ def where(there: Any, one: Any, other: Any) -> Any:
     return linked_array(array, joined_links(parts), tuple(parts))
 
 
-def item(x: Any) -> Any:
+def item(x: N) -> N:
     """The one number of an array, or a numpy number, as a Python number with its link."""
     return linked(x.item(), link_of(x)) if isinstance(x, (np.ndarray, np.generic)) else x
 
 
-def elements(x: Any) -> tuple[Any, ...]:
+@overload
+def elements(x: "Array") -> tuple[float, ...]: ...
+@overload
+def elements(x: "ComplexArray") -> tuple[complex, ...]: ...
+def elements(x: "Array | ComplexArray") -> tuple[complex, ...]:
     """The elements of an array of one dimension as Python numbers, each with its link."""
     links = getattr(x, "parts", ()) or (link_of(x),) * len(x)
     return tuple(map(linked, x.tolist(), links))

@@ -3,7 +3,7 @@
 
 import cmath
 import math
-from typing import Any
+from collections.abc import Iterable
 
 SUPERSCRIPTS = str.maketrans("0123456789+-−.,/()", "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻⁻·’ᐟ⁽⁾")
 SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
@@ -37,7 +37,7 @@ def phasor(z: complex, digits: int = DIGITS) -> str:
     return f"{short(abs(z), digits)}∠{short(abs(angle) if angle == -180 else angle, digits)}°" if abs(z) else "0"
 
 
-def scalar(x: Any, digits: int = DIGITS) -> str:
+def scalar(x: complex, digits: int = DIGITS) -> str:
     if isinstance(x, bool):
         return str(x)
     if isinstance(x, complex) or getattr(getattr(x, "dtype", None), "kind", "") == "c":
@@ -45,23 +45,29 @@ def scalar(x: Any, digits: int = DIGITS) -> str:
     return short(x, digits)
 
 
-def rounded(x: Any, digits: int) -> Any:
+def rounded(x: float, digits: int) -> float:
     """A number as it reads when it is written with so many digits."""
+    return float(f"{x:.{digits - 1}e}")
+
+
+def all_rounded(x: object, digits: int) -> object:
+    """The same of a number, a vector, a list or an array; anything else as it is."""
     if isinstance(x, (tuple, list)):
-        return type(x)(rounded(v, digits) for v in x)
+        return type(x)(all_rounded(v, digits) for v in x)
     if getattr(x, "ndim", 0):
         import numpy as np
 
-        return np.array([rounded(v, digits) for v in x.ravel().tolist()]).reshape(x.shape)
+        array = np.asarray(x)
+        return np.array([all_rounded(v, digits) for v in array.ravel().tolist()]).reshape(array.shape)
     if isinstance(x, complex):
         return cmath.rect(rounded(abs(x), digits), math.radians(rounded(math.degrees(cmath.phase(x)), digits)))
-    return float(f"{x:.{digits - 1}e}") if isinstance(x, float) else x
+    return rounded(x, digits) if isinstance(x, float) else x
 
 
 LISTED = 4  # elements of a list that is written whole
 
 
-def several(values: Any, digits: int = DIGITS) -> str:
+def several(values: Iterable[complex], digits: int = DIGITS) -> str:
     """A short list in full, a long one by its ends; what is dust beside the rest is 0."""
     flat = list(values)
     dust = DUST * max((abs(v) for v in flat), default=0.0)

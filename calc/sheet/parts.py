@@ -2,7 +2,7 @@
 """Calls the parts of a solve, and takes over from an earlier solve those whose arguments have not changed."""
 
 from collections.abc import Callable, Mapping
-from typing import Any, Never, ParamSpec, TypeVar, cast
+from typing import Never, ParamSpec, TypeVar, cast
 
 from .errors import Cancelled, NoSolution
 from .step import Outcome
@@ -75,17 +75,16 @@ def _same(known: tuple[object, ...], arguments: tuple[object, ...]) -> bool:
         return False
 
 
-def _alike(a: Any, b: Any) -> bool:
+def _alike(a: object, b: object) -> bool:
     """Two records of the same parts.  A number is the same where its line is: nothing that is kept leads back to lines of before."""
     if a is b:
         return True
     if type(a) is not type(b) or getattr(a, "link", None) != getattr(b, "link", None):
         return False
-    if type(a) is dict:
+    if isinstance(a, dict) and isinstance(b, dict):
         return a.keys() == b.keys() and all(_alike(part, b[key]) for key, part in a.items())
-    if type(a) is tuple:
+    if isinstance(a, tuple) and isinstance(b, tuple):
         return len(a) == len(b) and all(_alike(one, other) for one, other in zip(a, b))
-    kind: Any = type(a)
-    if kind.__eq__ is object.__eq__:
+    if type(a).__eq__ is object.__eq__:
         return hasattr(a, "__dict__") and _alike(vars(a), vars(b))
     return bool(a == b)

@@ -4,7 +4,6 @@
 from collections.abc import Iterator
 from dataclasses import MISSING, fields
 from reprlib import Repr
-from typing import Any
 
 from .number import scalar, several
 from .units import UNITS
@@ -13,7 +12,7 @@ from .units import UNITS
 class _Brief(Repr):
     """Values cut short; of a record inside another only its class, so that a tree of thousands costs nothing."""
 
-    def repr_instance(self, x: Any, level: int) -> str:
+    def repr_instance(self, x: object, level: int) -> str:
         inside = hasattr(x, "__dataclass_fields__") or isinstance(x, tuple)
         return f"{type(x).__name__}(…)" if inside else super().repr_instance(x, level)
 
@@ -22,13 +21,14 @@ BRIEF = _Brief()
 BRIEF.maxother = BRIEF.maxstring = 48  # characters of one value in a line
 
 
-def line(record: Any) -> str:
+def line(record: object) -> str:
     """`BearingInputs(diameter=0.0595, length=0.0275, …)`: what differs from its default, in SI, long values cut short."""
-    shown = (f"{f.name}={BRIEF.repr(getattr(record, f.name))}" for f in fields(record) if not _is(getattr(record, f.name), f.default))
-    return f"{type(record).__name__}({', '.join(shown)})"
+    kind: type = type(record)
+    shown = (f"{f.name}={BRIEF.repr(getattr(record, f.name))}" for f in fields(kind) if not _is(getattr(record, f.name), f.default))
+    return f"{kind.__name__}({', '.join(shown)})"
 
 
-def table(record: Any) -> str:
+def table(record: object) -> str:
     """A row for each field that is set: its label (its name, where it has none), the value in the unit in which it is shown, the unit.
 
     Of results only what they publish stands in it.
@@ -44,7 +44,7 @@ def aligned(title: str, rows: Iterator[tuple[str, str, str]]) -> str:
     return "\n".join([title, *(f"{label:<{left}}  {value:>{right}} {unit}".rstrip() for label, value, unit in body)])
 
 
-def _rows(label: str, content: Any, unit: str, indent: str) -> Iterator[tuple[str, str, str]]:
+def _rows(label: str, content: object, unit: str, indent: str) -> Iterator[tuple[str, str, str]]:
     if content is None or (isinstance(content, tuple | str) and not content):
         return
     if (about := getattr(content, "about", None)) is not None and hasattr(content, "number"):  # a result named at run time
@@ -56,20 +56,21 @@ def _rows(label: str, content: Any, unit: str, indent: str) -> Iterator[tuple[st
         yield f"{indent}{label}", brief(content, UNITS[unit].factor if unit else 1.0), unit
 
 
-def _inside(content: Any, indent: str) -> Iterator[tuple[str, str, str]]:
+def _inside(content: object, indent: str) -> Iterator[tuple[str, str, str]]:
     if isinstance(content, dict):
         for name, part in content.items():
             yield from _rows(str(name), part, "", indent)
         return
-    known = fields(content)
+    kind: type = type(content)
+    known = fields(kind)
     for f in [f for f in known if f.metadata] or known:
         about = f.metadata.get("value") or f.metadata.get("quantity")
         yield from _rows(about.label if about else f.name, getattr(content, f.name), about.unit if about else "", indent)
 
 
-def brief(content: Any, factor: float = 1.0) -> str:
+def brief(content: object, factor: float = 1.0) -> str:
     """Numbers in the shown unit with six digits, of long lists the ends, of arrays the shape, of records in a list their class."""
-    if getattr(content, "ndim", 0):
+    if hasattr(content, "shape") and content.shape:
         return f"array{content.shape}"
     if isinstance(content, tuple | list):
         if all(isinstance(x, float) for x in content):
@@ -82,6 +83,6 @@ def brief(content: Any, factor: float = 1.0) -> str:
     return str(getattr(content, "name", "")) or type(content).__name__
 
 
-def _is(content: Any, default: Any) -> bool:
+def _is(content: object, default: object) -> bool:
     """Whether a field has its default; an array never has."""
     return default is not MISSING and not getattr(content, "ndim", 0) and bool(content == default)

@@ -9,7 +9,7 @@ tables: ()) means "choose for me"; the type checker reads the same word.
 from collections.abc import Iterator
 from dataclasses import MISSING, Field, dataclass, field, fields
 from functools import cache
-from typing import Any, TypeVar, dataclass_transform
+from typing import Any, TypedDict, TypeVar, Unpack, dataclass_transform
 
 from .record import record
 from .text import EMPTY, SPACE, Amount, Text
@@ -17,6 +17,7 @@ from .units import UNITS, Unit
 
 T = TypeVar("T")
 
+REQUIRED: Any = MISSING  # no default, in place of one of any type
 THUMB = Text("rule of thumb, no published source")  # the source of a usual range that practice knows and no book behind this program states
 
 
@@ -82,49 +83,74 @@ NOUNS = {
 }  # fmt: skip
 
 
-def _make(kind: str, label: str, unit: str, default: Any, **said: Any) -> Any:
-    sentences = {key: Text(said.pop(key)) for key in ("help", "source", "negative") if type(said.get(key)) is str}
-    what = Quantity(kind, Text(label), unit, optional=default is not MISSING, **(said | sentences))
+class _Numbers(TypedDict, total=False):
+    """What `Quantity` takes as it stands."""
+
+    symbol: str
+    low: float
+    high: float
+    above: float
+    usual: tuple[float, float]
+    count: tuple[int, int]
+    step: float
+
+
+class Said(_Numbers, total=False):
+    """What may be said of an input beside its label, unit and default."""
+
+    help: str
+    source: str
+    negative: str
+
+
+def _make(
+    kind: str, label: str, unit: str, default: T, *, help: str = "", source: str = "", negative: str = "",
+    choices: tuple[str, ...] = (), table: type | None = None, **said: Unpack[_Numbers],
+) -> T:  # fmt: skip
+    what = Quantity(
+        kind, Text(label), unit, optional=default is not MISSING, help=Text(help), source=Text(source), negative=Text(negative),
+        choices=choices, table=table, **said,
+    )  # fmt: skip
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
 
-def quantity(label: str, unit: str = "", *, default: Any = MISSING, **said: Any) -> Any:
+def quantity(label: str, unit: str = "", *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     """A number.  `low`, `high`, `above`, `usual`, `default` of the description are in the shown unit, except `default` (SI)."""
     return _make("number", label, unit, default, **said)
 
 
-def integer(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+def integer(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     return _make("integer", label, "", default, **said)
 
 
-def text(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+def text(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     return _make("text", label, "", default, **said)
 
 
-def choice(label: str, *choices: str, default: Any = MISSING, **said: Any) -> Any:
+def choice(label: str, *choices: str, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     return _make("choice", label, "", default, choices=choices, **said)
 
 
-def series(label: str, unit: str = "", *, default: Any = MISSING, **said: Any) -> Any:
+def series(label: str, unit: str = "", *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     """A list of numbers (a single number is read as a list of one)."""
     return _make("series", label, unit, default, **said)
 
 
-def integers(label: str, *, default: Any = MISSING, **said: Any) -> Any:
+def integers(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     return _make("integers", label, "", default, **said)
 
 
-def table(label: str, cls: type, *, default: Any = MISSING, **said: Any) -> Any:
+def table(label: str, cls: type, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     """A sub-table, itself an Inputs class."""
     return _make("table", label, "", default, table=cls, **said)
 
 
-def tables(label: str, cls: type, *, default: Any = MISSING, **said: Any) -> Any:
+def tables(label: str, cls: type, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     """An array of tables; its elements are addressed by their `name`, else by index."""
     return _make("tables", label, "", default, table=cls, **said)
 
 
-def reasons(label: str, **said: Any) -> Any:
+def reasons(label: str, **said: Unpack[Said]) -> tuple[tuple[str, str], ...]:
     """A table whose keys are ids, each with a reason in words; in the Inputs class pairs of both."""
     return _make("reasons", label, "", (), **said)
 
@@ -136,11 +162,11 @@ class Key:
     key: str
     attribute: str
     about: Quantity
-    field: Field[Any]
+    field: Field[Any]  # Any: the type of its default
 
 
 @cache
-def keys(inputs: Any) -> dict[str, Key]:
+def keys(inputs: type) -> dict[str, Key]:
     """The keys of an Inputs class in their order: file key → Key."""
     found = {}
     for f in fields(inputs):
@@ -178,7 +204,7 @@ class Published:
     unit: str
     label: Text
     symbol: str
-    inside: Any
+    inside: float
     former: str = ""
 
     @property
@@ -187,12 +213,12 @@ class Published:
         return (self.id, self.former) if self.former else (self.id,)
 
 
-def value(label: str, unit: str = "", symbol: str = "", *, default: Any = MISSING, former: str = "") -> Any:
+def value(label: str, unit: str = "", symbol: str = "", *, default: T = REQUIRED, former: str = "") -> T:
     """A field of a result, in SI; `None` means that there is no such value in this design.  `former`: the name that it had."""
     return field(default=default, kw_only=True, metadata={"value": Described(Text(label), unit, symbol, former)})
 
 
-def group(*, spread: bool = False, default: Any = MISSING, former: str = "") -> Any:
+def group(*, spread: bool = False, default: T = REQUIRED, former: str = "") -> T:
     """A field that holds further results or a dict of them.  `spread`: its own name is left out of the address.  `former`: the name
     that it had."""
     return field(default=default, kw_only=True, metadata={"group": spread, "former": former})
@@ -214,7 +240,7 @@ def inputs(cls: type[T]) -> type[T]:
 
 
 @cache
-def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool, str], ...]:
+def _shown(cls: type) -> tuple[tuple[str, Described | None, bool, str], ...]:
     """The fields of a class of results that are shown: a value's description, or whether a group is spread and the name that it had."""
     found = []
     for f in fields(cls):
@@ -224,28 +250,28 @@ def _shown(cls: Any) -> tuple[tuple[str, Described | None, bool, str], ...]:
     return tuple(found)
 
 
-def insides(result: Any) -> list[Any]:
+def insides(result: object) -> list[float]:
     """All values of a result as the formulas returned them, without their addresses."""
-    found: list[Any] = []
+    found: list[float] = []
     _gather(result, found)
     return found
 
 
-def _gather(result: Any, found: list[Any]) -> None:
-    kind: Any = type(result)
-    if kind is dict:
+def _gather(result: object, found: list[float]) -> None:
+    if isinstance(result, dict):
         for part in result.values():
             _gather(part, found)
-    elif kind is Stated:
+    elif isinstance(result, Stated):
         found.append(result.number)
     else:
+        kind: type = type(result)
         for name, about, _, _ in _shown(kind):
             content = getattr(result, name)
             if content is not None:
                 found.append(content) if about is not None else _gather(content, found)
 
 
-def published(result: Any, prefix: str, formerly: str = "") -> Iterator[Published]:
+def published(result: object, prefix: str, formerly: str = "") -> Iterator[Published]:
     """All values of a result with their addresses, in the order in which they are declared.  `formerly`: the prefix that they had."""
     if isinstance(result, dict):
         for name, part in result.items():
@@ -254,7 +280,7 @@ def published(result: Any, prefix: str, formerly: str = "") -> Iterator[Publishe
     if isinstance(result, Stated):
         yield _published(prefix, result.about, result.number, formerly)
         return
-    kind: Any = type(result)
+    kind: type = type(result)
     for name, about, spread, formerly_named in _shown(kind):
         content = getattr(result, name)
         if content is None:
@@ -270,7 +296,7 @@ def published(result: Any, prefix: str, formerly: str = "") -> Iterator[Publishe
             yield from published(content, f"{prefix}.{name}", had)
 
 
-def _published(id: str, about: Described, inside: Any, former: str = "") -> Published:
+def _published(id: str, about: Described, inside: float, former: str = "") -> Published:
     unit = UNITS[about.unit]
     shown = unit.all_shown(inside) if getattr(inside, "ndim", 0) else unit.shown(float(inside))  # an array: many designs at once
     return Published(id, shown, about.unit, about.label, about.symbol, inside, former)

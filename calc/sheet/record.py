@@ -6,8 +6,9 @@ The standard library compiles six methods for every frozen dataclass, 1.4 ms a c
 as a table of label, value and unit; a keyword that it does not know is named in the error, with the nearest that it knows.
 """
 
-from dataclasses import MISSING, FrozenInstanceError, dataclass, field
-from typing import Any, TypeVar, dataclass_transform
+from collections.abc import Callable, Container, Iterable
+from dataclasses import MISSING, Field, FrozenInstanceError, dataclass, field
+from typing import TypeVar, dataclass_transform
 
 from . import printed
 
@@ -26,13 +27,13 @@ def record(cls: type[T]) -> type[T]:
     return made
 
 
-def _init(fields: dict[str, Any]) -> Any:
+def _init(fields: dict[str, Field[object]]) -> Callable[..., None]:
     """The `__init__` of a record with these fields, written for speed: a solve makes 1,500 records."""
     known, names, put = tuple(fields), frozenset(fields), object.__setattr__
     defaults = {name: f.default for name, f in fields.items() if f.default is not MISSING}
     factories = {name: f.default_factory for name, f in fields.items() if f.default_factory is not MISSING}
 
-    def __init__(self: Any, *placed: Any, **given: Any) -> None:
+    def __init__(self: object, *placed: object, **given: object) -> None:
         if placed:
             first = dict(zip(known, placed))
             if len(placed) > len(known) or not first.keys().isdisjoint(given):
@@ -49,7 +50,7 @@ def _init(fields: dict[str, Any]) -> Any:
     return __init__
 
 
-def _wrong(given: dict[str, Any], values: dict[str, Any], known: list[str]) -> str:
+def _wrong(given: Iterable[str], values: Container[str], known: list[str]) -> str:
     """Which keyword is unknown, and which was meant; else which one is missing."""
     from difflib import get_close_matches
 
@@ -60,5 +61,5 @@ def _wrong(given: dict[str, Any], values: dict[str, Any], known: list[str]) -> s
     return f'unknown "{unknown}"; ' + (f'did you mean "{near[0]}"?' if near else f"it takes {', '.join(known)}")
 
 
-def _refuse(self: Any, name: str, value: Any = None) -> None:
+def _refuse(self: object, name: str, value: object = None) -> None:
     raise FrozenInstanceError(f"cannot change {name} of {type(self).__name__}")

@@ -3,7 +3,6 @@
 
 import math
 from collections.abc import Callable
-from typing import Any
 
 from .quantity import keys
 from .record import record
@@ -20,7 +19,7 @@ class Change:
     """One key with the value that it would have, in the unit of the key; None: left out.  `words`: in the field's own label and unit."""
 
     key: str
-    value: Any
+    value: object
     words: Text
 
 
@@ -28,12 +27,12 @@ class Change:
 class Remedy:
     """Keys that are changed together, and what that does."""
 
-    changes: tuple[tuple[str, Any], ...]
+    changes: tuple[tuple[str, object], ...]
     effect: Text
     words: Text
 
 
-def change(inputs: type, key: str, value: Any, *, place: str = "", bound: str = "") -> Change:
+def change(inputs: type, key: str, value: object, *, place: str = "", bound: str = "") -> Change:
     """A change of `key`, the last part of which is a field of the class `inputs`.
 
     `place`: the element that has the key, as the user names it.  `bound`: ">=" or "<=" where more, or less, does as well.
@@ -44,7 +43,7 @@ def change(inputs: type, key: str, value: Any, *, place: str = "", bound: str = 
     return Change(key, value, Text(template, label=label, value=_written(value, about.unit)))
 
 
-def _written(value: Any, unit: str) -> Any:
+def _written(value: object, unit: str) -> Text | Amount:
     if isinstance(value, (list, tuple)):
         return Text("[{values}] {unit}", values=Text("; ").join([Text("{x}", x=Amount(x, digits=6)) for x in value]), unit=unit)
     return Amount(value, unit, digits=6) if isinstance(value, (int, float)) else Text("{value}", value=str(value))
@@ -64,7 +63,7 @@ def sentence(remedies: tuple[Remedy, ...]) -> Text:
 
 
 def by_key(
-    inputs: type, key: str, value: Any, *, place: str = "", bound: str = "", effect: Text = EMPTY
+    inputs: type, key: str, value: object, *, place: str = "", bound: str = "", effect: Text = EMPTY
 ) -> Callable[[], tuple[Remedy, ...]]:  # fmt: skip
     """What makes the remedy of one key, when it is wanted."""
     return lambda: (remedy(change(inputs, key, value, place=place, bound=bound), effect=effect),)

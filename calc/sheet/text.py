@@ -13,12 +13,12 @@ language finds again; the fields that hold sentences are annotated `Text`, so th
 """
 
 from collections.abc import Iterable, Mapping
-from typing import Any, TypeVar
+from typing import TypeVar
 
 from .number import DIGITS, short
 
 T = TypeVar("T", bound="Text")
-Part = Any  # Text, Amount, int, float, or a name (any other str)
+Part = object  # Text, Amount, int, float, or a name (any other str)
 
 
 class Amount:
@@ -68,7 +68,7 @@ class Text(str):
         known = WITHOUT_PARTS.get(template)
         return known if known is not None else WITHOUT_PARTS.setdefault(template, _text(cls, template, parts))
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return _text, (type(self), self.template, self.parts, self.one, self.number)
 
     def __add__(self, other: str) -> "Text":
@@ -133,7 +133,7 @@ class Small(Text):
         made.template, made.parts, made.one, made.number = label.template, label.parts, label.one, label.number
         return made
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> tuple[object, ...]:
         return Small, (_text(Text, self.template, self.parts, self.one, self.number),)
 
 

@@ -21,7 +21,7 @@ class Line:
 
     __slots__ = ("about", "arguments", "formula", "value")
 
-    def __init__(self, formula: "Formula[..., Any]", arguments: Mapping[str, Any], value: Any, about: Text = EMPTY) -> None:
+    def __init__(self, formula: "Formula[..., object]", arguments: Mapping[str, object], value: object, about: Text = EMPTY) -> None:
         self.formula, self.arguments, self.value, self.about = formula, arguments, value, about
 
 
@@ -34,7 +34,7 @@ class _Setting(Generic[T]):
 
     __slots__ = ("_token", "value", "variable")
 
-    def __init__(self, variable: ContextVar[Any], value: T) -> None:
+    def __init__(self, variable: ContextVar[Any], value: T) -> None:  # Any: the variable holds more types than this one value
         self.variable, self.value = variable, value
 
     def __enter__(self) -> T:

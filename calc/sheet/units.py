@@ -5,7 +5,11 @@ Inside the program every number is in SI (temperatures in °C, speeds in revolut
 number is shown and which ending its key has in a design file: `mm` → `bore_mm`.
 """
 
-from typing import Annotated, Any
+from typing import Annotated, TypeVar
+
+from .arrays import Array
+
+A = TypeVar("A", float, Array)
 
 # --- units as types: a float to the type checker, a unit to the formula -------------------------------------------------
 Number = Annotated[float, ""]
@@ -69,7 +73,7 @@ class Unit:
         """The number as the user sees it, without the last digits that the conversion itself makes."""
         return float(f"{inside / self.factor:.14g}")
 
-    def all_shown(self, inside: Any) -> Any:
+    def all_shown(self, inside: A) -> A:
         """The same for an array, with all its digits."""
         return inside / self.factor
 

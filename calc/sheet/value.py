@@ -28,7 +28,7 @@ class LinkedFloat(float):
     __slots__ = ("link",)
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return float, (float(self),)
 
 
@@ -36,14 +36,14 @@ class LinkedComplex(complex):
     __slots__ = ("link",)
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return complex, (complex(self),)
 
 
 class LinkedInt(int):  # Python allows an int no slots
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return int, (int(self),)
 
 
@@ -53,19 +53,20 @@ class LinkedStr(str):
     __slots__ = ("link",)
     link: Link
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[object, ...]:
         return str, (str.__str__(self),)
 
 
-KINDS: dict[type, Callable[[Any], Any]] = {float: LinkedFloat, complex: LinkedComplex, int: LinkedInt, str: LinkedStr}
+# a type → what makes a linked number of one of that type: Any, since no annotation says so
+KINDS: dict[type, Callable[..., Any]] = {float: LinkedFloat, complex: LinkedComplex, int: LinkedInt, str: LinkedStr}
 KINDS |= {kind: kind for kind in KINDS.values()}  # type: ignore[misc]
 UNLINKED = {float, int, str, complex, bool, type(None)}
-PLAIN: dict[type, Callable[[Any], Any]] = {LinkedFloat: float, LinkedComplex: complex}  # a linked number → the same without its link
+PLAIN: dict[type, Callable[..., object]] = {LinkedFloat: float, LinkedComplex: complex}  # a linked number → the same without its link
 
 
 def linked(x: T, link: Link | None) -> T:
     """The same number with a link; what cannot carry one (None, a bool, a record) as it is."""
-    kind: Any = KINDS.get(type(x))
+    kind = KINDS.get(type(x))
     if kind is None:
         parts: T = tuple(linked(part, link) for part in x) if type(x) is tuple else x  # type: ignore[assignment, attr-defined]
         return parts
@@ -76,7 +77,7 @@ def linked(x: T, link: Link | None) -> T:
     return number
 
 
-def link_of(x: Any) -> Link | None:
+def link_of(x: object) -> Link | None:
     """Where a number came from; of a tuple, a list, a dict or a record: all that is in it."""
     if type(x) in UNLINKED:
         return None
@@ -94,9 +95,9 @@ def link_of(x: Any) -> Link | None:
 
 def joined_links(links: Iterable[Link | None]) -> Link | None:
     """Several links as one, each once."""
-    parts: dict[Any, None] = {}
+    parts: dict[Line | str, None] = {}
     for link in links:
-        if type(link) is tuple:
+        if isinstance(link, tuple):
             for one in link:
                 parts[one] = None
         elif link is not None:
@@ -104,23 +105,27 @@ def joined_links(links: Iterable[Link | None]) -> Link | None:
     return tuple(parts) if len(parts) > 1 else next(iter(parts), None)
 
 
-def unlinked(x: Any) -> Any:
+def unlinked(x: T) -> T:
     """The same without links, for arithmetic on many points at once, which plain numbers do faster."""
+    return cast(T, _unlinked(x))
+
+
+def _unlinked(x: object) -> object:
     plain = PLAIN.get(type(x))
     if plain is not None:
         return plain(x)
     if type(x) is tuple:
-        return tuple(map(unlinked, x))
+        return tuple(map(_unlinked, x))
     if type(x) is dict:
-        return {key: unlinked(part) for key, part in x.items()}
+        return {key: _unlinked(part) for key, part in x.items()}
     if hasattr(x, "__dataclass_fields__") or getattr(x, "of_numbers", False):
         other = object.__new__(type(x))  # copy.copy takes three times as long
-        other.__dict__.update({name: unlinked(part) for name, part in x.__dict__.items()})
+        other.__dict__.update({name: _unlinked(part) for name, part in x.__dict__.items()})
         return other
     return x
 
 
-def based_on(x: T, *sources: Any) -> T:
+def based_on(x: T, *sources: object) -> T:
     """A number that a solver, a search or plain arithmetic got from these sources."""
     number = linked(x, joined_links(map(link_of, sources)))
     if getattr(number, "parts", None) is not None:  # an array: element by element, where all that it was made of knows its elements
@@ -130,7 +135,7 @@ def based_on(x: T, *sources: Any) -> T:
     return number
 
 
-def converged(formula: "Formula[..., Any]", x: T, last: Callable[[T], R], closes: Callable[[R], Any]) -> R:
+def converged(formula: "Formula[..., object]", x: T, last: Callable[[T], R], closes: Callable[[R], object]) -> R:
     """The last pass of an iteration on x, recorded: x has a line of its own, made of all that enters the pass from outside.
 
     `formula` says in words how x was found; `last` makes the pass; `closes` takes out of its result what had to agree with x.
