@@ -1,16 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One search for whatever has to be chosen: candidates, limits, dominance, ranking, and why the neighbours fail.
+"""One search for whatever has to be chosen: candidates, limits, ranking, and why the neighbours fail.
 
-It knows nothing of engines.  A step says its variables (from the metadata of its inputs, or a standard series), its limits (those of its
+It knows nothing of engines.  A step says its variables (multiples of a step, or a standard series), its limits (those of its
 own checks) and what it wants least of.  Candidates come in two kinds, and each has its evaluation:
 
-- many at once, as arrays: `judged` puts a limit on all of them, `passing` and `first` choose, `nondominated` and `stretch` sort out;
+- many at once, as arrays: `judged` puts a limit on all of them, `least` and `first` choose, `stretch` and `narrowed` find how far it goes;
 - one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they can, stop at the
   first limit that fails, and keep to a `Budget`.
 """
 
 import math
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, Generic, TypeVar
 
@@ -41,7 +41,7 @@ def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -
 
     `own` numbers stand in the place of a multiple that they equal but for rounding, else between them.
     """
-    steps: Any = np.arange(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1) * step
+    steps: Array = np.multiply(np.arange(math.ceil(low / step - 1e-6), math.floor(high / step + 1e-6) + 1), step)
     given = list(own)
     for number in given:
         steps = steps[np.abs(steps - number) > step * 1e-5]
@@ -55,22 +55,6 @@ def preferred(series: str, low: float, high: float) -> tuple[float, ...]:
     decades = range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1)
     numbers = (float(f"{x * 10.0**n:.12g}") for n in decades for x in RENARD[series])
     return tuple(x for x in numbers if low * (1 - SAME) <= x <= high * (1 + SAME))
-
-
-def values_of(about: Quantity, low: float | None = None, high: float | None = None, own: Iterable[float] = ()) -> Sequence[Any]:
-    """What an input may be, in its own unit: its choices, or whole numbers or multiples of its step between its ends.
-
-    `low` and `high` narrow the ends of the input, which has to have both where they are left out.
-    """
-    if about.kind == "choice":
-        return about.choices
-    ends = [x for x in (low, about.low) if x is not None], [x for x in (high, about.high) if x is not None]
-    if not all(ends):
-        raise ValueError(f"{about.label} has no {'low' if not ends[0] else 'high'} end to search from")
-    step = 1.0 if about.kind == "integer" else about.step or 0.1
-    found = multiples(step, max(ends[0]), min(ends[1]), own)
-    found = found if about.above is None else found[found > about.above]
-    return [round(x) for x in found] if about.kind == "integer" else list(found)
 
 
 def allowed(about: Quantity, numbers: Iterable[float]) -> bool:
@@ -102,14 +86,14 @@ class Judged:
     """One limit on any number of candidates: value, limit and margin, arrays of one shape (or numbers).  `margin` is that of a check, −∞
     where there is no number.  `rule`: whatever the step calls the limit by; `where`: what governs it, in the step's own terms."""
 
-    rule: Any
-    value: Any
-    limit: Any
-    margin: Any
+    rule: Any  # the step's own class, as `where`
+    value: Array
+    limit: float | tuple[float, float] | Array
+    margin: Array
     where: Any = None
 
 
-def judged(rule: Any, value: Any, limit: float | tuple[float, float] | Array, sense: str = ">=", where: Any = None) -> Judged:
+def judged(rule: object, value: Array, limit: float | tuple[float, float] | Array, sense: str = ">=", where: object = None) -> Judged:
     """`value` against `limit` (a number, (low, high), or one for each candidate), both in one unit."""
     if isinstance(limit, tuple):
         low, high = limit
@@ -128,30 +112,17 @@ def least(limits: Iterable[Judged]) -> Array:
     return margin
 
 
-def governing(limits: Iterable[Judged], index: Any = ...) -> Judged:
+def governing(limits: Iterable[Judged], index: int) -> Judged:
     """The limit with the least margin of one candidate."""
     return min(limits, key=lambda one: float(one.margin[index]))
 
 
-def first(kept: BoolArray, *wanted: Array) -> Any:
+def first(kept: BoolArray, *wanted: Array) -> tuple[np.intp, ...] | None:
     """The index of the candidate that is kept with the least of what is wanted, and of equal ones the least of the next; None: none is."""
     if not kept.any():
         return None
     orders = [np.where(kept, numbers, np.inf).ravel() for numbers in reversed(wanted)]
     return np.unravel_index(np.lexsort(orders)[0], kept.shape)
-
-
-def nondominated(*wanted: Array) -> BoolArray:
-    """Which candidates no other one beats: less of one of the objectives and no more of any; shape (n,)."""
-    points = np.stack(wanted, axis=-1)
-    order = np.lexsort(points.T[::-1])
-    kept = np.zeros(len(points), dtype=bool)
-    front: list[Any] = []
-    for i in order:  # whoever beats a point stands before it in this order
-        if not any((other <= points[i]).all() and (other < points[i]).any() for other in front):
-            front.append(points[i])
-            kept[i] = True
-    return kept
 
 
 def stretch(kept: BoolArray, i: int) -> tuple[int, int] | None:
@@ -212,7 +183,7 @@ class Trial(Generic[R]):
     """What one candidate gives, and its rank: 0 needs no better one.  `result` None: it fails, and `why`."""
 
     result: R | None
-    rank: Any = 0
+    rank: float = 0
     why: Text = EMPTY
 
 

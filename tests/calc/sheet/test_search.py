@@ -7,11 +7,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from calc.bearings.inputs import BearingsInputs
-from calc.gears.wheel_inputs import Wheel
 from calc.sheet.changes import applied, assignments, digits, whole
 from calc.sheet.check import Check
-from calc.sheet.quantity import Quantity, inputs, keys, quantity, table, text
+from calc.sheet.quantity import Quantity, inputs, quantity, table, text
 from calc.sheet.search import (
     MODULES,
     Budget,
@@ -27,12 +25,10 @@ from calc.sheet.search import (
     least_whole,
     multiples,
     narrowed,
-    nondominated,
     preferred,
     rounded,
     smallest,
     stretch,
-    values_of,
 )
 from calc.sheet.text import EMPTY, Small, Text
 
@@ -52,16 +48,6 @@ def test_preferred_numbers():
     twenty = preferred("R20", 1.0, 9.0)
     assert len(twenty) == 20 and all(b / a == pytest.approx(10 ** (1 / 20), rel=0.02) for a, b in pairwise(twenty))
     assert set(preferred("R10", 1, 9)) <= set(twenty) and MODULES == tuple(sorted(MODULES))
-
-
-def test_values_come_from_the_metadata_of_an_input():
-    supply, shift = keys(BearingsInputs)["supply"].about, keys(Wheel)["profile_shift"].about
-    assert set(values_of(supply)) >= {"hole", "groove"}
-    assert values_of(shift, 0.98) == pytest.approx([0.98, 0.99, *np.arange(1.0, 3.005, 0.01)])
-    assert values_of(Quantity("integer", Text("Holes"), low=1, high=4)) == [1, 2, 3, 4]
-    assert values_of(Quantity("number", Text("Width"), above=0, high=1, step=0.5), low=0) == [0.5, 1.0]
-    with pytest.raises(ValueError, match="high end"):
-        values_of(Quantity("number", Text("Width"), low=1))
 
 
 def test_what_an_input_allows():
@@ -106,13 +92,6 @@ def test_the_first_by_several_orders():
     wanted, then = np.array([[0, 2, 1], [1, 3, 0]]), np.array([[0, 0, 5], [4, 0, 0]])
     assert first(kept, wanted, then) == (1, 0)
     assert first(np.zeros(3, bool), np.arange(3)) is None
-
-
-def test_nobody_beats_those_of_the_front():
-    random = np.random.default_rng(1)
-    points = random.integers(0, 8, (60, 3)).astype(float)
-    beaten = [any((p <= q).all() and (p < q).any() for p in points) for q in points]
-    assert nondominated(*points.T).tolist() == [not b for b in beaten]
 
 
 def test_the_stretch_around_or_nearest_to_a_candidate():
