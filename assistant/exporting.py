@@ -80,7 +80,10 @@ def drawing_text(document: Document, results: Results) -> str:
         raise BadInput(
             document.place, [InputError(0, "countershaft", "", Text("there is no shaft to draw: {reason}", reason=found.reason))]
         )
-    outline = found.solution.outline
+    from calc.countershaft.result import CountershaftResult
+
+    solved = results.result(CountershaftResult)
+    outline = solved.outline if solved is not None else None
     if outline is None:
         raise BadInput(
             document.place,
@@ -126,12 +129,14 @@ def _positions(train: "TrainResult", gears: "GearsInputs") -> dict[str, tuple[fl
 
 def _train(document: Document, results: Results, wheel: str | None) -> "TrainResult":
     """The solved train.  Raises BadInput where there is none, or not the wheel."""
-    found = results.outcomes["gears"]
+    from calc.gears.result import TrainResult
+
+    train = results.result(TrainResult)
     if results.design.gears is None:
         raise BadInput(document.place, [InputError(0, "gears", "", Text("needed for a drawing of the gears: add [gears]"))])
-    if found.result is None:
-        raise BadInput(document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=found.reason))])
-    train: TrainResult = found.result
+    if train is None:
+        reason = results.outcomes["gears"].reason
+        raise BadInput(document.place, [InputError(0, "gears", "", Text("there are no gears to draw: {reason}", reason=reason))])
     if wheel is not None and wheel not in train.wheels:
         raise BadInput(
             "contralbero export",

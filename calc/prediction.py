@@ -5,8 +5,8 @@ from collections.abc import Callable
 from dataclasses import is_dataclass, replace
 from difflib import get_close_matches
 from functools import partial
-from typing import Any
 
+from .bearings.inputs import BearingInputs
 from .design import Design
 from .measured import Measured
 from .sheet.later import Later
@@ -16,15 +16,9 @@ from .sheet.text import EMPTY, SPACE, Amount, Name, Text
 
 Values = dict[str, Published]
 COLUMNS = (
-    (Text("Value"), ""),
-    (Text("Speed"), "rpm"),
-    (Text("Measured"), ""),
-    (Text("Uncertainty"), ""),
-    (Text("Predicted"), ""),
-    (Text("Unit"), ""),
-    (Text("Deviation"), "%"),
-    (Text("Verdict"), ""),
-)
+    (Text("Value"), ""), (Text("Speed"), "rpm"), (Text("Measured"), ""), (Text("Uncertainty"), ""), (Text("Predicted"), ""),
+    (Text("Unit"), ""), (Text("Deviation"), "%"), (Text("Verdict"), ""),
+)  # fmt: skip
 TITLE = Text("Measured beside predicted")
 NO_VALUE = Text("this design has no such value")
 NOTE = Text(
@@ -60,7 +54,7 @@ class Predicted:
         return None if speed is None else speed * 60
 
 
-def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], predicted: Callable[[], Predicted]) -> dict[str, Outcome[Any]]:
+def with_measured(design: Design, outcomes: dict[str, Outcome[object]], predicted: Callable[[], Predicted]) -> dict[str, Outcome[object]]:
     """The outcomes, each with a table of what was measured of it, made when it is looked at."""
     for key in {row.step for row in design.measured} & outcomes.keys():
         outcome, rows = outcomes[key], [row for row in design.measured if row.step == key]
@@ -69,7 +63,7 @@ def with_measured(design: Design, outcomes: dict[str, Outcome[Any]], predicted: 
     return outcomes
 
 
-def _tables(outcome: Outcome[Any], rows: list[Measured], predicted: Callable[[], Predicted]) -> tuple[Table, ...]:
+def _tables(outcome: Outcome[object], rows: list[Measured], predicted: Callable[[], Predicted]) -> tuple[Table, ...]:
     return measured_table(rows, predicted()), *outcome.tables
 
 
@@ -120,10 +114,10 @@ def _predicted(row: Measured, design: Design, values: Values) -> tuple[float | N
 
 def _input(design: Design, address: str) -> tuple[float, str] | None:
     """A number of the design by the key of the file, in the unit of that key."""
-    here: Any = design
+    here: object = design
     for part in address.split("."):
-        kind: Any = type(here) if is_dataclass(here) else None
-        key = keys(kind).get(part) if kind is not None else None
+        kind: type = type(here)
+        key = keys(kind).get(part) if is_dataclass(here) else None
         if key is None:
             return None
         here, about = getattr(here, key.attribute), key.about
@@ -142,22 +136,23 @@ def _of_bench(address: str, design: Design, speed: float) -> bool:
 def at_speed(design: Design, speed: float, values: Values) -> Design:
     """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
     assert design.engine is not None
-    changed = replace(design, engine=replace(design.engine, rated_speed=speed), measured=())
-    if design.bearings is None:
+    changed, own = replace(design, engine=replace(design.engine, rated_speed=speed), measured=()), design.bearings
+    if own is None:
         return changed
-    sides: dict[str, Any] = {}
-    for place in ("front", "rear"):
-        side = getattr(design.bearings, place)
-        made = values.get(f"bearings.{place}.clearance")
-        if side.clearance_factor is not None and made is not None:
-            sides[place] = replace(side, clearance=made.inside, clearance_factor=None)
-    oil: dict[str, Any] = {}
+    front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))
+    own = replace(own, front=_as_made(own.front, front), rear=_as_made(own.rear, rear))
     if design.engine.bench:
         import numpy as np
 
         run = sorted(design.engine.bench, key=lambda row: row.speed)
         if run[0].speed <= speed <= run[-1].speed:
             speeds = [row.speed for row in run]
-            oil["supply_temperature"] = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
-            oil["supply_pressure"] = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
-    return replace(changed, bearings=replace(design.bearings, **sides, **oil))
+            temperature = float(np.interp(speed, speeds, [row.oil_temperature for row in run]))
+            pressure = float(np.interp(speed, speeds, [row.oil_pressure for row in run]))
+            own = replace(own, supply_temperature=temperature, supply_pressure=pressure)
+    return replace(changed, bearings=own)
+
+
+def _as_made(side: BearingInputs, clearance: Published | None) -> BearingInputs:
+    """A bearing whose clearance does not follow the speed."""
+    return side if side.clearance_factor is None or clearance is None else replace(side, clearance=clearance.inside, clearance_factor=None)

@@ -6,6 +6,7 @@ from dataclasses import replace
 from .bearings.inputs import BearingsInputs
 from .bearings.selection.case import Case
 from .design import Design
+from .gears.result import TrainResult
 from .sheet.errors import NoSolution
 from .sheet.text import Text
 from .solve import Results, solve
@@ -17,7 +18,7 @@ def bearings_case(design: Design, results: Results | None = None) -> Case:
     if design.bearings is None:
         raise NoSolution(Text("there are no bearings to choose"), Text("the design has no [bearings]"), Text("give the table"))
     done = results if results is not None else solve(design)
-    gear = shaft_gear(design, done.outcomes["gears"].result)
+    gear = shaft_gear(design, done.result(TrainResult))
 
     def with_bearings(bearings: BearingsInputs, *, last: bool = False) -> Results:
         return solve(replace(design, bearings=bearings), done, enough=(lambda outcome: outcome.key == "bearings") if last else None)

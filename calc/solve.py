@@ -11,7 +11,7 @@ each other go together in a record (`BearingMaterials`, `MeshOil`, `ShaftInTrain
 from collections.abc import Callable, Iterator
 from dataclasses import field, replace
 from functools import cache, partial
-from typing import Any
+from typing import TypeVar
 
 from . import step_inputs as h
 from .bearings import solve as bearings
@@ -39,6 +39,7 @@ from .sheet.quantity import Published
 from .sheet.record import record
 from .sheet.step import Curve, Outcome, accepted
 
+R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
 
 
@@ -47,7 +48,7 @@ class Results:
     """What a design gives, step by step in the order of the screen."""
 
     design: Design
-    outcomes: dict[str, Outcome[Any]]  # by the key of the step, each with a result of its own class
+    outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # for the next solve: the arguments and the outcome of each part
 
     def __str__(self) -> str:
@@ -60,6 +61,10 @@ class Results:
             rows.append((f"  {step.title}", outcome.verdict, words))
         fails = [f"  {check}" for check in self.checks() if check.verdict == "fail"]
         return "\n".join([aligned(f"{self.design.name}: {self.verdict}", iter(rows)), *fails])
+
+    def result(self, kind: type[R]) -> R | None:
+        """What the step gave whose results are of this class; None where it is not solved."""
+        return next((outcome.result for outcome in self.outcomes.values() if isinstance(outcome.result, kind)), None)
 
     def values(self) -> dict[str, Published]:
         return {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}

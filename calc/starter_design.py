@@ -13,10 +13,13 @@ from itertools import pairwise
 from .countershaft import formulas as f
 from .countershaft.inputs import Holes, Journal
 from .countershaft.making.holes import calibration
+from .countershaft.result import CountershaftResult
 from .countershaft.sizing import formulas as sizes
 from .countershaft.sizing.sectors import Sized, size
 from .design import Design
+from .engine.solve import EngineResult
 from .gears import formulas as g
+from .imbalance.solve import ImbalanceResult
 from .sheet.errors import NoSolution
 from .sheet.linked_array import gathered
 from .sheet.number import short
@@ -85,7 +88,9 @@ def _none(results: Results) -> str:
     from .imbalance.checks import shafts_words
 
     what = " and ".join(f"a {SECOND_ORDER[c.id][0]} of {short(c.value)} {c.unit}" for c in left)
-    how = shafts_words(imbalance.solution.remedy["second_order_shafts"].shafts)
+    found = results.result(ImbalanceResult)
+    assert found is not None
+    how = shafts_words(found.remedy["second_order_shafts"].shafts)
     return f"{said} Second order leaves {what}, which {how} times crank speed would take (speed_ratio)."
 
 
@@ -105,22 +110,24 @@ def _slope(design: Design) -> Radian:
     assert design.countershaft is not None and design.bearings is not None
     journals = tuple(Journal(diameter=b.diameter, length=b.length) for b in (design.bearings.front, design.bearings.rear))
     alone = replace(design, countershaft=replace(design.countershaft, journals=journals), bearings=None, friction=None)
-    found = solve(alone).outcomes["countershaft"].result
-    return math.inf if found is None else max(found.slope_front, found.slope_rear)
+    found = solve(alone).result(CountershaftResult)
+    slopes = (found.slope_front, found.slope_rear) if found is not None else (None,)
+    return max(math.inf if slope is None else slope for slope in slopes)
 
 
 def _backward(results: Results) -> tuple[complex, complex, float]:
     """Force and couple of first order that turn backward, cylinder 1 at TDC, and the angular speed."""
-    _, F, _, C = results.outcomes["imbalance"].solution.orders["order_1"].vectors
-    return F, C, results.outcomes["engine"].solution.angular_speed
+    train, imbalance = results.result(EngineResult), results.result(ImbalanceResult)
+    assert train is not None and imbalance is not None
+    _, F, _, C = imbalance.orders["order_1"].vectors
+    return F, C, train.angular_speed
 
 
 def _envelope(made: Design, results: Results, core: float) -> _Shaft:
     """The smallest outer radius at which the utilisation is comfortable, with the bearings that go with it."""
-    engine = made.engine
-    assert engine is not None
-    F, C, omega = _backward(results)
-    z = results.outcomes["engine"].solution.crank.z
+    engine, train = made.engine, results.result(EngineResult)
+    assert engine is not None and train is not None
+    (F, C, omega), z = _backward(results), train.crank.z
     span = _up(max(float(max(z) - min(z)) + engine.cylinder_pitch, 1.5 * engine.bore), 2e-3)
     rho = made.materials[STEEL].density
     with untraced():

@@ -31,8 +31,8 @@ def run(asked: Namespace) -> int:
     files = [Path(name) for name in asked.files] or list(SCENARIOS)
     solved = [(path, *_solved(path)) for path in files]
     unsolved = [(path, outcome) for path, _, results in solved if (outcome := results.outcomes["friction"]).result is None]
-    found = [(path, document, results) for path, document, results in solved if results.outcomes["friction"].result is not None]
-    shown = [(path, results.design.name, _tables(results.outcomes["friction"])) for path, _, results in found]
+    found = [(path, document, results, f) for path, document, results in solved if (f := results.result(FrictionResult)) is not None]
+    shown = [(path, results.design.name, _tables(f, results.outcomes["friction"])) for path, _, results, f in found]
     written = _write(Path(asked.output), found) if asked.output else []
     if asked.json:
         import json
@@ -61,12 +61,12 @@ def _solved(path: Path) -> tuple[Document, Results]:
     return document, solve(made)
 
 
-def _tables(outcome: Outcome[FrictionResult]) -> tuple[Table, ...]:
+def _tables(friction: FrictionResult, outcome: Outcome[object]) -> tuple[Table, ...]:
     """The scenarios, then what other models say at the design's own conditions."""
-    return *tables(outcome.solution), *(table for table in outcome.tables if table.id.startswith("models_"))
+    return *tables(friction), *(table for table in outcome.tables if table.id.startswith("models_"))
 
 
-def _write(folder: Path, found: list[tuple[Path, Document, Results]]) -> list[Path]:
+def _write(folder: Path, found: list[tuple[Path, Document, Results, FrictionResult]]) -> list[Path]:
     """The files that were written."""
     from reports.report import write
 
@@ -77,9 +77,9 @@ def _write(folder: Path, found: list[tuple[Path, Document, Results]]) -> list[Pa
             str(folder), [InputError(0, "-o", "", Text("is no folder to write to: {reason}", reason=error.strerror or str(error)))]
         ) from None
     written = []
-    for path, document, results in found:
+    for path, document, results, friction in found:
         curves, report = folder / f"{path.stem}_curves.csv", folder / f"{path.stem}.pdf"
-        write_asked(curves, curves_text(results.outcomes["friction"].solution.scenarios))
+        write_asked(curves, curves_text(friction.scenarios or {}))
         write(document, results, path.read_bytes(), report)
         written += [curves, report]
     return written
