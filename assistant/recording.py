@@ -2,7 +2,7 @@
 """A replay taken down while a design is edited: where it began, every edit since, and what came out."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -13,6 +13,7 @@ from calc.sheet.errors import BadInput
 from .places import Place
 
 if TYPE_CHECKING:
+    from calc.replay import Step
     from calc.solve import Results
 
 REL = 1e-6  # what a recorded value may differ by when it is played again
@@ -57,9 +58,9 @@ class Recording:
             self.edited(data)
             self.close()
 
-    def steps(self) -> list[dict[str, Any]]:
+    def steps(self) -> "list[Step]":
         """The steps as a replay file has them."""
-        found: list[dict[str, Any]] = []
+        found: list[Step] = []
         states = [self.start]
         for after in self._moves:
             if after is None:
@@ -79,7 +80,7 @@ class Recording:
         return "\n".join([head, *(_row(key, row) for key, row in rows)])
 
 
-def _row(key: str, row: dict[str, Any]) -> str:
+def _row(key: str, row: Mapping[str, object]) -> str:
     """One element of an array of tables, each under a header of its own."""
     import tomli_w
 
@@ -95,7 +96,7 @@ class _Change:
     value: Any
 
 
-def step(before: Table, after: Table) -> dict[str, Any]:
+def step(before: Table, after: Table) -> "Step":
     """The step that leads from one design to another: key by key where that can be said, else the tables of whole steps."""
     small = _step(before, list(_changes(before, after)))
     if small is not None and _leads(before, small, after):
@@ -105,7 +106,7 @@ def step(before: Table, after: Table) -> dict[str, Any]:
     return large
 
 
-def _leads(before: Table, step: dict[str, Any], after: Table) -> bool:
+def _leads(before: Table, step: "Step", after: Table) -> bool:
     """The replay comes to the same design by this step; it need not where an element is renamed among other changes."""
     from calc.replay import played
 
@@ -134,15 +135,16 @@ def _elements(value: Any) -> bool:
     return isinstance(value, list) and all(isinstance(item, dict) for item in value)
 
 
-def _step(before: Table, changes: list[_Change]) -> dict[str, Any] | None:
+def _step(before: Table, changes: list[_Change]) -> "Step | None":
     """The step with these changes, None where one of them has no key."""
-    keys = [_key(before, change.place) for change in changes]
-    if None in keys:
+    keys = [key for change in changes if (key := _key(before, change.place)) is not None]
+    if len(keys) < len(changes):
         return None
     gone = [key for key, change in zip(keys, changes) if change.value is None]
-    given = {str(key): change.value for key, change in zip(keys, changes) if change.value is not None}
+    given = {key: change.value for key, change in zip(keys, changes) if change.value is not None}
     if len(changes) > 1:
-        return ({"unset": gone} if gone else {}) | ({"set": given} if given else {})
+        taken: Step = {"unset": gone} if gone else {}
+        return taken | {"set": given} if given else taken
     return {"unset": gone[0]} if gone else {"set": keys[0], "to": changes[0].value}
 
 

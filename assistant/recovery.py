@@ -152,9 +152,13 @@ class Memory:
 
     def settings(self) -> Settings:
         """`settings.toml` in this folder; what is not understood in it is left at its own choice."""
-        found = self._settings()
-        kinds = {"language": str, "theme": str, "guide": bool}
-        return Settings(**{name: found[name] for name, kind in kinds.items() if isinstance(found.get(name), kind)})
+        found, own = self._settings(), Settings()
+        language, theme, guide = (found.get(name) for name in ("language", "theme", "guide"))
+        return Settings(
+            language if isinstance(language, str) else own.language,
+            theme if isinstance(theme, str) else own.theme,
+            guide if isinstance(guide, bool) else own.guide,
+        )
 
     def set_setting(self, name: str, value: str | bool) -> None:
         """Keep a choice; comments stay.  Nothing depends on this being kept."""

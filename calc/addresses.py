@@ -4,7 +4,6 @@
 import re
 import tomllib
 from collections.abc import Iterator
-from typing import Any
 
 from .design import STEPS, Design
 from .sheet.errors import BadInput, InputError
@@ -12,7 +11,7 @@ from .sheet.quantity import Key, Quantity, keys
 from .sheet.text import Text
 
 NAME = re.compile(r"[A-Za-z0-9-]+\Z")
-Table = dict[str, Any]
+Table = dict[str, object]  # of a TOML document; what stands under a key is narrowed where it is read
 
 
 def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]:
@@ -21,7 +20,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
     With `whole` the key may be that of a table, which else has to be one of a value in it.
     """
     found: list[str | int] = []
-    here: Any = data
+    here: object = data
     cls: type | None = Design
     parts = key.split(".")
     for i, part in enumerate(parts):
@@ -73,31 +72,45 @@ def quantity_of(data: Table, key: str) -> Quantity:
     return about
 
 
-def value_at(data: Table, key: str, whole: bool = False) -> Any:
+def value_at(data: Table, key: str, whole: bool = False) -> object:
     """The value at a dotted key as it stands in the file, None where it is left out; with `whole` a table too."""
-    here: Any = data
+    here: object = data
     for part in address(data, key, whole):
-        here = here[part] if isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
+        here = here[part] if isinstance(here, list) and isinstance(part, int) else here.get(part) if isinstance(here, dict) else None
     return here
 
 
-def changed(here: Any, where: tuple[str | int, ...], value: Any) -> Any:
+def as_table(content: object) -> Table:
+    """What stands in a document as a table, an empty one where there is none."""
+    return content if isinstance(content, dict) else {}
+
+
+def as_list(content: object) -> list[object]:
+    """What stands in a document as a list: of one, where it is a number or a word alone; empty where there is nothing."""
+    return content if isinstance(content, list) else [] if content is None else [content]
+
+
+def changed(data: Table, where: tuple[str | int, ...], value: object) -> Table:
     """The same nested tables with one place changed; nothing is changed in place.  None takes the key out."""
+    return as_table(_changed(data, where, value))
+
+
+def _changed(here: object, where: tuple[str | int, ...], value: object) -> object:
     if not where:
         return value
     first, rest = where[0], where[1:]
     if isinstance(here, list):
         gone = not rest and value is None
-        return [changed(item, rest, value) if n == first else item for n, item in enumerate(here) if not (gone and n == first)]
-    made = dict(here)
+        return [_changed(item, rest, value) if n == first else item for n, item in enumerate(here) if not (gone and n == first)]
+    made = dict(as_table(here))
     if rest or value is not None:
-        made[first] = changed(here.get(first, {}), rest, value)
+        made[str(first)] = _changed(made.get(str(first), {}), rest, value)
     else:
-        made.pop(first, None)  # None: left out, the program chooses
+        made.pop(str(first), None)  # None: left out, the program chooses
     return made
 
 
-def parse_assignment(text: str) -> tuple[str, Any]:
+def parse_assignment(text: str) -> tuple[str, object]:
     """`KEY=VALUE` of the command line; VALUE is TOML, or else plain text.  An empty value leaves the key out."""
     key, equals, value = text.partition("=")
     key, value = key.strip(), value.strip()
@@ -126,7 +139,7 @@ def unknown(key: str, known: dict[str, Key]) -> Text:
     return Text("is not known") + (Text('; did you mean "{near}"?', near=near[0]) if near else Text("; known here are ") + ", ".join(known))
 
 
-def written(value: Any) -> str:
+def written(value: object) -> str:
     text = (
         f'"{value}"'
         if isinstance(value, str)
@@ -143,17 +156,17 @@ def quantities(data: Table) -> Iterator[tuple[str, Quantity]]:
     """Every key that this document may hold, with its description, in the order of the form."""
     for step in STEPS:
         if step.key in data:
-            yield from _quantities(step.inputs, data[step.key], step.key)
+            yield from _quantities(step.inputs, as_table(data[step.key]), step.key)
 
 
-def _quantities(cls: type, data: Any, prefix: str) -> Iterator[tuple[str, Quantity]]:
+def _quantities(cls: type, data: Table, prefix: str) -> Iterator[tuple[str, Quantity]]:
     for key, about in keys(cls).items():
         here = f"{prefix}.{key}"
-        content = data.get(key) if isinstance(data, dict) else None
-        if about.about.kind == "table":
-            yield from _quantities(about.about.table, content or {}, here)  # type: ignore[arg-type]
-        elif about.about.kind == "tables":
-            for i, item in enumerate(content or []):
-                yield from _quantities(about.about.table, item, f"{here}.{item.get('name', i)}")  # type: ignore[arg-type]
-        else:
+        inner = about.about.table
+        if inner is None:
             yield here, about.about
+        elif about.about.kind == "table":
+            yield from _quantities(inner, as_table(data.get(key)), here)
+        else:
+            for i, item in enumerate(map(as_table, as_list(data.get(key)))):
+                yield from _quantities(inner, item, f"{here}.{item.get('name', i)}")

@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 from .sheet.quantity import choice, inputs, keys, quantity, tables, text
 from .sheet.record import record
 from .sheet.text import Amount, Text
-from .sheet.value import linked
+from .sheet.value import Link, linked
 
 T = TypeVar("T")
 TABLES = Path(__file__).parent / "tables"
@@ -173,9 +173,11 @@ class Material:
     source: str = text("Source", default="the user")
 
 
-def _row(cls: Any, row: dict[str, Any]) -> Any:
+def _row(cls: type[T], row: dict[str, object]) -> T:
     """One row in SI.  A value may stand with its confidence and source: `{ is = 93.27, confidence = "high", source = "…" }`."""
-    known, values, claims = keys(cls), {}, []
+    kind: type = cls
+    known, claims = keys(kind), []
+    values: dict[str, object] = {}
     for key, value in row.items():
         if isinstance(value, dict):
             claims.append(Claim(key, value["is"], Text(value["confidence"]), Text(value["source"])))
@@ -183,12 +185,12 @@ def _row(cls: Any, row: dict[str, Any]) -> Any:
         if key in BESIDE:
             continue
         about = known[key].about
-        if about.table is not None:
+        if about.table is not None and isinstance(value, list):
             value = tuple(_row(about.table, item) for item in value)
         elif about.kind == "text" and key != "name":
-            value = Text(value)  # a word of the program, not of a user
+            value = Text(str(value))  # a word of the program, not of a user
         values[known[key].attribute] = about.units.inside(value) if isinstance(value, float) else value
-    return cls(**values, claims=tuple(claims)) if claims else cls(**values)
+    return cls(**(values | {"claims": tuple(claims)}) if claims else values)
 
 
 @cache
@@ -246,10 +248,10 @@ class ByName(Mapping[str, T]):
 
 
 @lru_cache(maxsize=256)
-def _named_by(key: Any, row: Any) -> Any:
+def _named_by(key: Link, row: Any) -> Any:  # the cache knows no type of its own for each row
     """A row whose numbers are linked to the key that names it; those of the design itself have keys of their own."""
-    cls: Any = type(row)
-    names = [about.attribute for about in keys(cls).values() if about.about.kind in ("number", "choice")]
+    kind: type = type(row)
+    names = [about.attribute for about in keys(kind).values() if about.about.kind in ("number", "choice")]
     if any(hasattr(getattr(row, name), "link") for name in names):
         return row
     link = f"{key} ({row.name})" if isinstance(key, str) and not key.endswith(")") else key

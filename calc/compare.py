@@ -7,8 +7,9 @@ Nothing is solved here.  A and B change places without changing what is found: e
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
+from .addresses import Table, as_list, as_table
 from .design import STEPS, Design
 from .sheet.check import ORDER, Check
 from .sheet.quantity import Published, Quantity, keys
@@ -20,18 +21,9 @@ if TYPE_CHECKING:
 EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
-LAST = (
-    "accepted",
-    "oil",
-    "material",
-    "schema",
-    "name",
-    "note",
-    "author",
-    "checker",
-    "revision",
-    "date",
-)  # stand behind what is calculated with
+LAST = (  # stand behind what is calculated with
+    "accepted", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date",
+)  # fmt: skip
 T = TypeVar("T")
 
 
@@ -42,8 +34,8 @@ class InputDifference:
     key: str  # elements of arrays by name, else by index, as everywhere
     label: Text
     unit: str
-    a: Any
-    b: Any
+    a: object
+    b: object
 
     @property
     def step(self) -> str:
@@ -169,7 +161,7 @@ class Comparison:
         return tuple(c for c in self.checks if c.both and not c.moved)
 
 
-def compare(a: Any, b: Any, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
+def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""
     return Comparison(
         tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
@@ -178,41 +170,42 @@ def compare(a: Any, b: Any, results_a: "Results", results_b: "Results", same: fl
 
 
 # --- inputs -----------------------------------------------------------------------------------------------------------------
-def inputs(a: Any, b: Any) -> list[InputDifference]:
+def inputs(a: Table, b: Table) -> list[InputDifference]:
     """The keys that differ between the tables of two design files: the steps in their order, then what only names or explains."""
     found = list(_keys(Design, a, b, ""))
     return sorted(found, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
 
 
-def _keys(cls: type, a: Any, b: Any, prefix: str) -> Iterator[InputDifference]:
+def _keys(cls: type, a: Table, b: Table, prefix: str) -> Iterator[InputDifference]:
     for key, known in keys(cls).items():
         about, mine, theirs = known.about, a.get(key), b.get(key)
         if mine is theirs or mine == theirs:
             continue
         here = f"{prefix}{key}"
         if about.kind == "tables":
-            yield from _elements(about, mine or [], theirs or [], here)
+            yield from _elements(about, as_list(mine), as_list(theirs), here)
         elif about.kind == "reasons":
-            for id in {**(mine or {}), **(theirs or {})}:
-                if (mine or {}).get(id) != (theirs or {}).get(id):
-                    yield InputDifference(f"{here}.{id}", about.label, "", (mine or {}).get(id), (theirs or {}).get(id))
+            one, other = as_table(mine), as_table(theirs)
+            for id in one | other:
+                if one.get(id) != other.get(id):
+                    yield InputDifference(f"{here}.{id}", about.label, "", one.get(id), other.get(id))
         elif about.kind == "table" and mine is not None and theirs is not None:
             assert about.table is not None
-            yield from _keys(about.table, mine, theirs, f"{here}.")
+            yield from _keys(about.table, as_table(mine), as_table(theirs), f"{here}.")
         elif _plain(about, mine) != _plain(about, theirs):
             yield InputDifference(here, about.label, about.unit, mine, theirs)
 
 
-def _plain(about: Quantity, content: Any) -> Any:
+def _plain(about: Quantity, content: object) -> object:
     """One number stands for a list of one, and a choice may look like a number."""
     if content is None:
         return None
     if about.kind in ("series", "integers"):
-        return content if isinstance(content, list) else [content]
+        return as_list(content)
     return str(content) if about.kind == "choice" else content
 
 
-def _elements(about: Quantity, a: list[Any], b: list[Any], here: str) -> Iterator[InputDifference]:
+def _elements(about: Quantity, a: list[object], b: list[object], here: str) -> Iterator[InputDifference]:
     """The elements of two arrays of tables, matched by name, else by index."""
     assert about.table is not None
     if not a or not b:
@@ -228,8 +221,8 @@ def _elements(about: Quantity, a: list[Any], b: list[Any], here: str) -> Iterato
             yield InputDifference(f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other)
 
 
-def _named(items: list[Any]) -> dict[str, Any]:
-    return {str(item.get("name", n)): item for n, item in enumerate(items)}
+def _named(items: list[object]) -> dict[str, Table]:
+    return {str(item.get("name", n)): item for n, item in enumerate(map(as_table, items))}
 
 
 def _united(a: Iterable[T], b: Iterable[T]) -> list[T]:

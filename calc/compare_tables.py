@@ -5,7 +5,6 @@ A number is written with as many digits as it takes to tell it from the other on
 """
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
 from .compare import CheckDifference, Comparison, InputDifference, Judged, ValueDifference, turn
 from .design import STEPS
@@ -38,7 +37,7 @@ def input_texts(d: InputDifference, *, full: bool = False) -> tuple[Text, Text]:
     return _content(d.a, missing, full), _content(d.b, missing, full)
 
 
-def _content(content: Any, missing: Text, full: bool) -> Text:
+def _content(content: object, missing: Text, full: bool) -> Text:
     if content is None:
         return missing
     if isinstance(content, dict):
@@ -51,7 +50,7 @@ def _content(content: Any, missing: Text, full: bool) -> Text:
                 return SEMICOLON.join(_content(item, missing, full) for item in content)
             return plural("{n} element", "{n} elements", n=len(content))
         return SEMICOLON.join(_content(item, missing, full) for item in content)
-    return Name(content) if isinstance(content, str) else _number(content, MOST_DIGITS)
+    return _number(content, MOST_DIGITS) if isinstance(content, (int, float)) else Name(str(content))
 
 
 def _number(number: float, digits: int) -> Text:

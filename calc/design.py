@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A design: the six Inputs in order.  A seventh step is one new folder, two adjacent lines here and its call in solve.py."""
 
-from collections.abc import Iterable, Mapping
-from typing import Any
+from collections.abc import Collection, Iterable, Mapping
 
 from .bearings.inputs import BearingsInputs
 from .bearings.materials.data import application_problem, applications, bush_problem, bushes
@@ -213,7 +212,7 @@ class Design:
                     )
                     break
 
-    def _names(self) -> Iterable[tuple[str, Any, Any]]:
+    def _names(self) -> Iterable[tuple[str, str | None, Collection[str]]]:
         known_oils, solids = self.oils, self.materials
         if self.engine is not None and self.engine.throw is not None:
             yield "engine.throw.material", self.engine.throw.material, solids

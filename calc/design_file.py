@@ -9,9 +9,9 @@ import re
 import tomllib
 from dataclasses import MISSING, field, replace
 from pathlib import Path
-from typing import Any
+from typing import TypeVar
 
-from .addresses import NAME, Table, address, changed, join, unknown, written
+from .addresses import NAME, Table, address, as_list, changed, join, unknown, written
 from .design import Design
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import Quantity, keys
@@ -19,6 +19,7 @@ from .sheet.record import record
 from .sheet.text import Text
 from .sheet.value import linked
 
+T = TypeVar("T")
 LARGEST_FILE = 1_000_000  # bytes; a design has a few thousand
 
 
@@ -38,7 +39,7 @@ class Document:
 
         return hashlib.sha256(self.raw).hexdigest() if self.raw else ""
 
-    def with_value(self, key: str, value: Any) -> "Document":
+    def with_value(self, key: str, value: object) -> "Document":
         """The same document with one key changed (`bearings.front.length_mm`, `gears.wheels.shaft.teeth`); None takes it out.
 
         A table, or an element of an array of tables, is changed whole by a table, an array by a list of tables.
@@ -145,7 +146,7 @@ class _Reader:
         self.document = document
         self.errors: list[InputError] = []
 
-    def error(self, key: str, value: Any, reason: Text, kind: str = "text") -> Any:
+    def error(self, key: str, value: object, reason: Text, kind: str = "text") -> object:
         """Note an error; gives what stands for the wrong value while the rest is checked."""
         self.errors.append(InputError(self.line(key), key, "" if value is None else written(value), reason))
         return PLACEHOLDER[kind]
@@ -156,13 +157,13 @@ class _Reader:
             key = key.rpartition(".")[0]
         return self.document.lines.get(key, 1) if key else 1
 
-    def inputs(self, cls: type, data: Table, prefix: str, address: str = "") -> Any:
+    def inputs(self, cls: type[T], data: Table, prefix: str, address: str = "") -> T:
         """One Inputs object.  Where something in it is wrong, a placeholder stands there, so that the rest is still checked.
 
         `prefix` is its key with elements of arrays by index, `address` that with their names: by it explain says where a number stands.
         """
-        known = keys(cls)
-        values: Table = {}
+        kind: type = cls
+        known, values = keys(kind), Table()
         for key in data:
             if key not in known:
                 self.error(join(prefix, key), None, getattr(cls, "REFUSED", {}).get(key) or unknown(key, known))
@@ -185,7 +186,7 @@ class _Reader:
                 raise  # a placeholder may stop a cross-check, nothing else may
         return made
 
-    def value(self, about: Quantity, value: Any, key: str, address: str) -> Any:
+    def value(self, about: Quantity, value: object, key: str, address: str) -> object:
         match about.kind:
             case "table":
                 if not isinstance(value, dict):
@@ -205,9 +206,9 @@ class _Reader:
                 return _keyed(about, value, address)
         return _keyed(about, self.number(about, value, key), address)
 
-    def number(self, about: Quantity, value: Any, key: str) -> Any:
+    def number(self, about: Quantity, value: object, key: str) -> object:
         whole = about.kind in ("integer", "integers")
-        if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
+        if isinstance(value, bool) or not isinstance(value, (int, float)) or (whole and isinstance(value, float)):
             point = Text("; write {value}", value=value.replace(",", ".")) if isinstance(value, str) and COMMA.fullmatch(value) else ""
             return self.error(key, value, Text("must be {allowed}{point}", allowed=about.allowed(), point=point), "number")
         if abs(value) > 1e300 or not math.isfinite(value):
@@ -218,8 +219,8 @@ class _Reader:
             return self.error(key, value, Text("must be {allowed}{why}", allowed=about.allowed(), why=why), "number")
         return value if whole else about.units.inside(float(value))
 
-    def series(self, about: Quantity, value: Any, key: str) -> Any:
-        items = value if isinstance(value, list) else [value]
+    def series(self, about: Quantity, value: object, key: str) -> object:
+        items = as_list(value)
         if about.count and not about.count[0] <= len(items) <= about.count[1]:
             low, high = about.count
             return self.error(
@@ -236,11 +237,11 @@ class _Reader:
             return self.error(key, value, Text("is empty; needs {allowed}", allowed=about.allowed()), "series")
         return tuple(self.number(about, item, key) for item in items)
 
-    def tables(self, about: Quantity, value: Any, key: str, address: str) -> Any:
+    def tables(self, about: Quantity, value: object, key: str, address: str) -> object:
         if not isinstance(value, list) or not all(isinstance(item, dict) for item in value):
             return self.error(key, value, Text("must be an array of tables: [[") + key + "]]", "tables")
         names = [item.get("name") for item in value]
-        made = tuple(
+        made: tuple[object, ...] = tuple(
             self.inputs(about.table, item, f"{key}.{i}", f"{address}.{i if name is None else name}")  # type: ignore[arg-type]
             for i, (item, name) in enumerate(zip(value, names))
         )
@@ -253,7 +254,7 @@ class _Reader:
                     self.error(f"{key}.{i}.name", name, Text("stands twice; every element needs a name of its own"))
         return made
 
-    def reasons(self, value: Any, key: str) -> tuple[tuple[str, str], ...]:
+    def reasons(self, value: object, key: str) -> tuple[tuple[str, str], ...]:
         if not isinstance(value, dict):
             self.error(key, value, Text("must be a table: [{key}]", key=key))
             return ()
@@ -263,14 +264,14 @@ class _Reader:
         return tuple((id, reason.strip()) for id, reason in value.items() if isinstance(reason, str))
 
 
-def _keyed(about: Quantity, value: Any, address: str) -> Any:
+def _keyed(about: Quantity, value: object, address: str) -> object:
     """A number, or a word that may choose numbers, with the key that it stands under; what only names or tells something has none."""
     if about.kind in ("text", "choice") and (not value or address.rpartition(".")[2] in ("name", "note", "source", "label")):
         return value
     return linked(value, address)
 
 
-def _plain(data: Any, key: str) -> Any:
+def _plain(data: object, key: str) -> object:
     """What stands at a key below this table, if it is a number or a word; else None."""
     for part in key.split("."):
         here = data.get(part) if isinstance(data, dict) else data[int(part)] if isinstance(data, list) and part.isdigit() else None
@@ -281,7 +282,7 @@ def _plain(data: Any, key: str) -> Any:
 def design(document: Document) -> Design:
     """The checked design in SI.  Raises BadInput with every error of the document, in the order of its lines."""
     reader = _Reader(document)
-    made: Design = reader.inputs(Design, document.data, "")
+    made = reader.inputs(Design, document.data, "")
     if reader.errors:
         raise BadInput(document.place, reader.errors)
     return made

@@ -3,9 +3,8 @@
 
 import math
 from collections.abc import Iterable
-from typing import Any
 
-from .addresses import quantities, value_at
+from .addresses import as_list, quantities, value_at
 from .design_file import Document, design
 from .sheet.check import Check, grouped
 from .sheet.errors import BadInput
@@ -61,10 +60,10 @@ def _keys(check: Check, known: dict[str, Quantity]) -> list[str]:
 def _moved(document: Document, results: Results, key: str, about: Quantity) -> Moved:
     """The change of an input in its unit, and all checks after it."""
     old = value_at(document.data, key)
-    numbers = old if isinstance(old, list) else [old]
+    numbers = [x for x in as_list(old) if isinstance(x, (int, float))]
     size = max(map(abs, numbers)) * SMALL or (about.step or 1.0) * 0.01
     for change in (1, -1) if about.kind == "integer" else (size, -size):
-        new: Any = [x + change for x in numbers]
+        new = [x + change for x in numbers]
         try:
             after = solve(design(document.with_value(key, new if isinstance(old, list) else new[0])), results)
         except BadInput:

@@ -5,7 +5,6 @@ import math
 import tomllib
 from collections.abc import Iterator
 from functools import cache
-from typing import Any
 
 from .catalogue import TABLES
 from .design_file import design, read
@@ -41,29 +40,20 @@ class Misprint:
 
 def documents() -> dict[str, str]:
     """The documents by the short names of the register, each with what it is."""
-    return {name: about["title"] for name, about in _table()["source"].items()}
+    return {name: about["title"] for name, about in _tables()[0].items()}
 
 
 def misprints(source: str = "") -> Iterator[Misprint]:
     """All that is known to be wrong, or what is wrong in one document."""
-    for row in _table()["row"]:
+    for row in _tables()[1]:
         if not source or row["source"] == source:
             yield _misprint(**row)
 
 
 def _misprint(
-    source: str,
-    place: str,
-    lines: str,
-    about: str,
-    printed: str,
-    why: str,
-    right: str = "",
-    design: str = "",
-    value: str = "",
-    sum: str = "",
-    unit: str = "",
-) -> Misprint:
+    source: str, place: str, lines: str, about: str, printed: str, why: str, right: str = "", design: str = "", value: str = "",
+    sum: str = "", unit: str = "",
+) -> Misprint:  # fmt: skip
     numbers = {}
     if sum:
         numbers["sum"] = with_unit(short(worked_out(sum), DIGITS), unit)
@@ -80,8 +70,10 @@ def worked_out(arithmetic: str) -> float:
 
 
 @cache
-def _table() -> dict[str, Any]:
-    return tomllib.loads((TABLES / "errata.toml").read_text(encoding="utf-8"))
+def _tables() -> tuple[dict[str, dict[str, str]], list[dict[str, str]]]:
+    """What is said of each document, and the rows."""
+    data = tomllib.loads((TABLES / "errata.toml").read_text(encoding="utf-8"))
+    return data["source"], data["row"]
 
 
 @cache

@@ -3,7 +3,6 @@
 
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, is_dataclass
-from typing import Any
 
 from .design import Design
 from .sheet.check import Check
@@ -104,7 +103,7 @@ def shortened(inputs: Iterable[str], design: Design) -> list[str]:
     return list(keys)
 
 
-def _columns(inputs: Any, prefix: str = "") -> Iterator[list[tuple[str, str]]]:
+def _columns(inputs: object, prefix: str = "") -> Iterator[list[tuple[str, str]]]:
     """Of each number of each array of tables, its keys by element, each with the key of them all."""
     for key in keys_of(_class(inputs)).values():
         content, here = getattr(inputs, key.attribute), f"{prefix}.{key.key}" if prefix else key.key
@@ -115,5 +114,5 @@ def _columns(inputs: Any, prefix: str = "") -> Iterator[list[tuple[str, str]]]:
                 yield [(f"{here}.{getattr(one, 'name', i)}.{part.key}", f"{here}.*.{part.key}") for i, one in enumerate(content)]
 
 
-def _class(inputs: Any) -> Any:
+def _class(inputs: object) -> type:
     return type(inputs)

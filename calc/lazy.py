@@ -3,13 +3,12 @@
 
 from collections.abc import Callable, Collection
 from importlib import import_module
-from typing import Any
 
 
-def lazy(package: str, names: Collection[str]) -> Callable[[str], Any]:
+def lazy(package: str, names: Collection[str]) -> Callable[[str], object]:
     """The `__getattr__` of a package whose `names` stand in its module `public`."""
 
-    def get(name: str) -> Any:
+    def get(name: str) -> object:
         if name in names:
             return getattr(import_module(f"{package}.public"), name)
         raise AttributeError(f"module {package!r} has no attribute {name!r}")

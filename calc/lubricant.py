@@ -7,7 +7,7 @@ thinning of multigrade oils at high shear rate is not part of these laws.
 
 from bisect import bisect_right
 from itertools import pairwise
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -210,7 +210,7 @@ class Lubricant:
         C_2, C_1 = self._line_at(T)
         return kinematic_viscosity(C_2=C_2, C_1=C_1, T=T, c=self.c)
 
-    def _line_at(self, T: Any) -> tuple[Number, Number]:
+    def _line_at(self, T: Celsius) -> tuple[Number, Number]:
         """Intercept and slope; of an array of temperatures an array each."""
         if not self.lines:
             return self.C_2, self.C_1

@@ -8,9 +8,9 @@ first, a kind and what follows: "geometry: sector and core", "rule of this progr
 import re
 import tomllib
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import field, replace
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from .sheet.record import record
 from .sheet.text import SEMICOLON, Text
@@ -68,10 +68,10 @@ class Publication:
     edition: str
     status: str
     known: str
-    where: Mapping[str, str]
-    places: Mapping[str, str]
-    title_from_memory: bool
-    status_from_memory: bool
+    where: Mapping[str, str] = field(default_factory=dict)
+    places: Mapping[str, str] = field(default_factory=dict)
+    title_from_memory: bool = False
+    status_from_memory: bool = False
 
     def known_at(self, clause: str) -> Text:
         """How we know what it says there.  A source may say of itself that it is from memory."""
@@ -136,16 +136,10 @@ class Origin:
 @cache
 def register() -> Mapping[str, Publication]:
     """Every publication by its name."""
-    rows: list[dict[str, Any]] = tomllib.loads(TABLE.read_text(encoding="utf-8"))["publication"]
     places: dict[str, dict[str, str]] = tomllib.loads(PLACES.read_text(encoding="utf-8"))
-    return {
-        row["name"]: Publication(
-            name=row["name"], title=row["title"], edition=row["edition"], status=row["status"], known=row["known"],
-            where=row.get("where", {}), places=places.get(row["name"], {}), title_from_memory=row.get("title_from_memory", False),
-            status_from_memory=row.get("status_from_memory", False),
-        )
-        for row in rows
-    }  # fmt: skip
+    rows = tomllib.loads(TABLE.read_text(encoding="utf-8"))["publication"]
+    known = (Publication(**{key: said for key, said in row.items() if key != "read"}) for row in rows)
+    return {row.name: replace(row, places=places.get(row.name, {})) for row in known}
 
 
 def publication(name: str) -> Publication | None:
@@ -217,7 +211,7 @@ LIKELY = re.compile(
 
 @cache
 def _names() -> re.Pattern[str]:
-    """Any of the names, as a whole: "ISO 1" does not stand in "ISO 1328-1"."""
+    """Matches a name as a whole: "ISO 1" does not stand in "ISO 1328-1"."""
     names = "|".join(re.escape(name) for name in sorted(register(), key=len, reverse=True))
     return re.compile(rf"(?<![\w-])(?:{names})(?::\d{{4}})?(?![\w-])")
 

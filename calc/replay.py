@@ -5,9 +5,9 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TypedDict, TypeGuard
 
-from .addresses import value_at
+from .addresses import Table, value_at
 from .design_file import Document, design, read
 from .sheet.check import ORDER
 from .sheet.errors import BadInput, InputError
@@ -15,14 +15,28 @@ from .sheet.number import short
 from .sheet.text import Text
 from .solve import Results, solve
 
-STEP_KEYS = {"set", "to", "unset", "undo", "report"}
-EXPECT_KEYS = {"value", "check", "step", "is", "unit", "rel", "abs", "verdict", "kind", "source", "after"}
 STEP = Text(
     'must be set = "KEY", to = VALUE, or unset = "KEY", or set = { "KEY" = VALUE, … } and unset = ["KEY", …] for several at once, '
     'or undo = true, or report = "out.pdf"'
 )
 KINDS = ("reference", "recorded")
 Report = Callable[[Document, Results, Path], None]
+
+
+class Step(TypedDict, total=False):
+    """One [[step]] of a replay."""
+
+    set: str | Table
+    to: object
+    unset: str | list[str]
+    undo: bool
+    report: str
+
+
+Expect = TypedDict("Expect", {
+    "value": str, "check": str, "step": str, "is": float, "unit": str, "rel": float, "abs": float, "verdict": str, "kind": str,
+    "source": str, "after": int,
+}, total=False)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -49,8 +63,8 @@ class Script:
 
     place: str
     start: Document
-    steps: tuple[dict[str, Any], ...]
-    expects: tuple[dict[str, Any], ...]
+    steps: tuple[Step, ...]
+    expects: tuple[Expect, ...]
     lines: dict[str, int]
 
 
@@ -76,6 +90,7 @@ def load(path: Path | str) -> Script:
         if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
             error(key, Text("must be an array of tables: [[{key}]]", key=key))
             steps, expects = [], []
+    assert isinstance(steps, list) and isinstance(expects, list)
     for i, row in enumerate(steps):
         _check_step(f"step.{i}", row, error)
     for i, row in enumerate(expects):
@@ -96,8 +111,8 @@ def load(path: Path | str) -> Script:
     return Script(raw.place, start, tuple(steps), tuple(expects), raw.lines)
 
 
-def _check_step(key: str, row: dict[str, Any], error: Callable[[str, Text], None]) -> None:
-    for unknown in set(row) - STEP_KEYS:
+def _check_step(key: str, row: Table, error: Callable[[str, Text], None]) -> None:
+    for unknown in set(row) - Step.__annotations__.keys():
         error(f"{key}.{unknown}", Text("is not known; a step has set and to, or unset, or undo, or report"))
     one, many = isinstance(row.get("set"), str), isinstance(row.get("set"), dict) and bool(row["set"])
     gone = row.get("unset")
@@ -110,9 +125,9 @@ def _check_step(key: str, row: dict[str, Any], error: Callable[[str, Text], None
         error(key, STEP)
 
 
-def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[str, Text], None]) -> None:
-    for unknown in set(row) - EXPECT_KEYS:
-        error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(EXPECT_KEYS)))
+def _check_expect(key: str, row: Table, steps: int, error: Callable[[str, Text], None]) -> None:
+    for unknown in set(row) - Expect.__annotations__.keys():
+        error(f"{key}.{unknown}", Text("is not known; an expectation has ") + ", ".join(sorted(Expect.__annotations__)))
     named = [row[name] for name in ("value", "check", "step") if name in row]
     if len(named) != 1 or not isinstance(named[0], str):
         error(key, Text("must name one value, check or step"))
@@ -133,7 +148,7 @@ def _check_expect(key: str, row: dict[str, Any], steps: int, error: Callable[[st
         error(f"{key}.after", Text("must be a step from 0 to {steps}", steps=steps))
 
 
-def _number(x: Any) -> bool:
+def _number(x: object) -> TypeGuard[float]:
     return isinstance(x, (int, float)) and not isinstance(x, bool) and abs(x) < 1e300 and math.isfinite(x)
 
 
@@ -158,14 +173,14 @@ def run(script: Script, report: Report | None = None) -> list[Compared]:
     return compared
 
 
-def changes(step: dict[str, Any]) -> list[tuple[str, Any]]:
+def changes(step: Step) -> list[tuple[str, object]]:
     """What one step changes, in the order in which it is done: keys that it takes out (None), then keys that it sets."""
     gone, given = step.get("unset", []), step.get("set", {})
     taken = [(key, None) for key in ([gone] if isinstance(gone, str) else gone)]
     return [*taken, *([(given, step["to"])] if isinstance(given, str) else given.items())]
 
 
-def played(document: Document, step: dict[str, Any]) -> Document:
+def played(document: Document, step: Step) -> Document:
     """The document with the changes of one step.  Raises BadInput where there is no such key; the design is not checked."""
     for key, value in changes(step):
         if value is None and value_at(document.data, key, whole=True) is None:
@@ -174,7 +189,7 @@ def played(document: Document, step: dict[str, Any]) -> Document:
     return document
 
 
-def _edited(script: Script, number: int, document: Document, step: dict[str, Any]) -> Document:
+def _edited(script: Script, number: int, document: Document, step: Step) -> Document:
     """The document after one step; an edit that can not be made is an error of the replay file, at that step."""
     try:
         edited = played(document, step)
@@ -185,7 +200,7 @@ def _edited(script: Script, number: int, document: Document, step: dict[str, Any
     return edited
 
 
-def compare(results: Results, row: dict[str, Any]) -> Compared:
+def compare(results: Results, row: Expect) -> Compared:
     """One expectation against results."""
     kind, source = row.get("kind", ""), row.get("source", "")
     if "value" not in row:

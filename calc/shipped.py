@@ -5,17 +5,28 @@ import json
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, TypedDict
 
 from .catalogue import TABLES
 from .sheet.text import Text
 
 if TYPE_CHECKING:
+    from .addresses import Table
     from .design import Design
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
 SCENARIOS = tuple(DESIGNS / f"thesis_{name}.toml" for name in ("temperatures", "oils", "tip_relief"))  # of the gear friction thesis
+
+
+class _Row(TypedDict, total=False):
+    """An engine as the table has it; `design`: the file that has it instead."""
+
+    what: str
+    source: str
+    design: str
+    engine: "Table"
+    imbalance: "Table"
 
 
 @dataclass(frozen=True)
@@ -29,24 +40,25 @@ class ShippedEngine:
 
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
-    return {name: ShippedEngine(_engine(row)["name"], row["what"], row["source"]) for name, row in _rows().items()}
+    return {name: ShippedEngine(str(_engine(row)["name"]), row["what"], row["source"]) for name, row in _rows().items()}
 
 
 def engine_design(name: str) -> str:
     """The text of a design for a shipped engine: complete where first order asks for a shaft at −1, else engine and imbalance."""
     row = _rows()[name]
     if "design" in row:
-        return cast(str, (DESIGNS / row["design"]).read_text(encoding="utf-8"))
-    engine, imbalance = row["engine"], {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
+        return (DESIGNS / row["design"]).read_text(encoding="utf-8")
+    engine, title = row["engine"], str(row["engine"]["name"])
+    imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
     from .design_file import design, parse
     from .starter_design import begun  # numpy, which a list of the engines does not need
 
     def read(tables: str) -> "Design":
-        return design(parse(_text(engine["name"], "", tables).encode("utf-8"), name))
+        return design(parse(_text(title, "", tables).encode("utf-8"), name))
 
     said, shaft = begun(read(body), body, read)
-    return _text(engine["name"], Text("{row}. Data: {row2}. {said}", row=row["what"], row2=row["source"], said=said), body + shaft)
+    return _text(title, Text("{row}. Data: {row2}. {said}", row=row["what"], row2=row["source"], said=said), body + shaft)
 
 
 def _text(name: str, note: str, tables: str) -> str:
@@ -54,17 +66,18 @@ def _text(name: str, note: str, tables: str) -> str:
     return f"{_lines({'schema': 1, 'name': name, 'note': note})}\n{tables}"
 
 
-def _engine(row: dict[str, Any]) -> dict[str, Any]:
+def _engine(row: _Row) -> "Table":
     """The engine of a row, which may stand in a complete design."""
     if "design" not in row:
-        return cast("dict[str, Any]", row["engine"])
-    return cast("dict[str, Any]", tomllib.loads((DESIGNS / row["design"]).read_text(encoding="utf-8"))["engine"])
+        return row["engine"]
+    engine: Table = tomllib.loads((DESIGNS / row["design"]).read_text(encoding="utf-8"))["engine"]
+    return engine
 
 
-def _rows() -> dict[str, Any]:
+def _rows() -> dict[str, _Row]:
     return tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))
 
 
-def _lines(table: dict[str, Any]) -> str:
+def _lines(table: "Table") -> str:
     """Key by key in TOML, a list on one line; texts, numbers and lists of numbers are written there as in JSON."""
     return "".join(f"{key} = {json.dumps(value, ensure_ascii=False)}\n" for key, value in table.items())

@@ -5,10 +5,10 @@ The imbalance step computes all its rows in one call on arrays; the others are s
 """
 
 import csv
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
 from itertools import product
-from typing import Any, TextIO
+from typing import TextIO, TypeVar
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from .engine.inputs import EngineInputs
 from .imbalance import checks as imbalance_checks
 from .imbalance import solve as imbalance
 from .imbalance.inputs import ImbalanceInputs
+from .sheet.arrays import Array
 from .sheet.check import step_verdict, worst
 from .sheet.errors import BadInput, InputError
 from .sheet.quantity import keys, published
@@ -27,6 +28,8 @@ from .sheet.text import Text
 from .solve import Results, solve
 from .step_inputs import shaft_axis, shaft_teeth
 
+T = TypeVar("T")
+Cell = float | str | None
 MOST_ROWS = 1_000_000
 SHOWN_ERRORS = 20
 FORM = Text("must be KEY=LOW:HIGH:NUMBER or KEY=VALUE,VALUE,…, like engine.rated_speed_rpm=1000:3000:21")
@@ -37,7 +40,7 @@ class Varied:
     """One input and the values that it takes, in the unit of its key."""
 
     key: str
-    values: tuple[Any, ...]
+    values: tuple[float | str, ...]
 
 
 @dataclass(frozen=True)
@@ -45,7 +48,7 @@ class Swept:
     """`header` of the columns and the rows under it: inputs that were varied, values in shown units, verdicts.  None: no such value."""
 
     header: tuple[str, ...]
-    rows: list[list[Any]]
+    rows: list[list[Cell]]
     verdicts: list[str]
 
     def write(self, file: TextIO) -> None:
@@ -85,7 +88,7 @@ def varied(document: Document, texts: Sequence[str]) -> list[Varied]:
     return found
 
 
-def _values(said: str, whole: bool, words: bool) -> tuple[Any, ...]:
+def _values(said: str, whole: bool, words: bool) -> tuple[float | str, ...]:
     """`1000:3000:21` or `1000,1500,2000`."""
     parts = [part.strip() for part in said.split("," if "," in said or words else ":")]
     if words:
@@ -123,7 +126,7 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
     rows = _together(document, base, inputs, grid) if _vectorised(base, inputs, step) else _each(document, inputs, grid, step)
     names: dict[str, None] = {}
     units: dict[str, str] = {}
-    filled: list[tuple[dict[str, Any], dict[str, str]]] = []
+    filled: list[tuple[dict[str, float | None], dict[str, str]]] = []
     for values, verdicts in rows:
         for id, (_, unit) in values.items():
             units.setdefault(id, unit)
@@ -140,7 +143,7 @@ def sweep(document: Document, inputs: Sequence[Varied], step: str | None = None,
 Row = tuple[dict[str, tuple[float | None, str]], dict[str, str]]
 
 
-def _each(document: Document, inputs: Sequence[Varied], grid: list[tuple[Any, ...]], step: str | None) -> Iterator[Row]:
+def _each(document: Document, inputs: Sequence[Varied], grid: list[tuple[float | str, ...]], step: str | None) -> Iterator[Row]:
     """Design by design; all are checked before the first is solved."""
     designs, errors = [], []
     for at in grid:
@@ -178,14 +181,14 @@ def _vectorised(base: Design, inputs: Sequence[Varied], step: str | None) -> boo
     return all(v.key in plain for v in inputs)
 
 
-def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: list[tuple[Any, ...]]) -> Iterator[Row]:
+def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: list[tuple[float | str, ...]]) -> Iterator[Row]:
     """One call of the imbalance step on arrays."""
     assert base.engine is not None and base.imbalance is not None
-    changed: dict[str, dict[str, Any]] = {"engine": {}, "imbalance": {}}
+    changed: dict[str, dict[str, Array]] = {"engine": {}, "imbalance": {}}
     for i, v in enumerate(inputs):
         table, key = address(document.data, v.key)
         about = keys(EngineInputs if table == "engine" else ImbalanceInputs)[str(key)]
-        changed[str(table)][about.attribute] = np.array([about.about.units.inside(at[i]) for at in grid])
+        changed[str(table)][about.attribute] = np.array([about.about.units.inside(float(at[i])) for at in grid])
     errors = []
     for v in inputs:  # the range of every number once, by the ordinary path; then what only the whole engine can show
         for value in v.values:
@@ -195,12 +198,11 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
                 errors += [InputError(0, f"--vary {v.key}", e.value, e.reason) for e in bad.errors if e.key == v.key]
     _raise(document, errors)
     for k, at in enumerate(grid):
-        numbers: dict[str, Any] = {name: float(column[k]) for name, column in changed["engine"].items()}
-        one = replace(base.engine, **numbers)
+        one = _with(base.engine, {name: float(column[k]) for name, column in changed["engine"].items()})
         errors += [InputError(0, f"{_words(inputs, at)}: engine.{key}", "", reason) for key, reason in one.problems()]
     _raise(document, errors)
-    engines = replace(base.engine, **changed["engine"])
-    cranks = replace(base.imbalance, **changed["imbalance"])
+    engines = _with(base.engine, changed["engine"])
+    cranks = _with(base.imbalance, changed["imbalance"])
     e = engine.values(engines)
     found = imbalance.values(cranks, engines, e, shaft_teeth(base), shaft_axis(base))
     columns = {v.id: (_cells(np.broadcast_to(v.shown, len(grid))), v.unit) for v in published(found, "imbalance")}
@@ -218,23 +220,29 @@ def _together(document: Document, base: Design, inputs: Sequence[Varied], grid: 
         yield one_row, {"imbalance": step_verdict(judged_by)}
 
 
-def _cells(numbers: Any) -> list[float | None]:
+def _cells(numbers: Array) -> list[float | None]:
     """The cells of a column; where a design has no such value (NaN: the axis of a circle) the cell is empty."""
     return [None if number != number else float(f"{number:.14g}") for number in numbers.tolist()]
 
 
-def _at(x: Any, k: int) -> Any:
+def _with(record: T, attributes: Mapping[str, object]) -> T:
+    """A record with other attributes; what is typed for one number may hold one of every row."""
+    return type(record)(**{**vars(record), **attributes})
+
+
+def _at(x: T, k: int) -> T:
     """The k-th of many results that were computed together."""
     if isinstance(x, np.ndarray):
-        return x[k].item()
+        one: T = x[k].item()
+        return one
     if is_dataclass(x) and not isinstance(x, type):
-        return replace(x, **{f.name: _at(getattr(x, f.name), k) for f in fields(x)})
+        return _with(x, {f.name: _at(getattr(x, f.name), k) for f in fields(x)})
     if isinstance(x, dict):
-        return {name: _at(part, k) for name, part in x.items()}
-    return tuple(_at(part, k) for part in x) if isinstance(x, tuple) else x
+        return type(x)({name: _at(part, k) for name, part in x.items()})
+    return type(x)(_at(part, k) for part in x) if isinstance(x, tuple) else x
 
 
-def _words(inputs: Sequence[Varied], at: Sequence[Any]) -> str:
+def _words(inputs: Sequence[Varied], at: Sequence[float | str]) -> str:
     return ", ".join(f"{v.key}={value:g}" if isinstance(value, float) else f"{v.key}={value}" for v, value in zip(inputs, at))
 
 

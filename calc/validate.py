@@ -8,8 +8,9 @@ sources print and this program does not give is told with its reason.
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any
+from typing import TypedDict
 
+from .addresses import Table
 from .bearings.film.table import eccentricity_from, film_at
 from .catalogue import TABLES, Oil
 from .design_file import Document, design, read
@@ -27,6 +28,13 @@ KINDS = {
     "worked out": "Worked out from a source's numbers, or by another calculation",
     "measured": "Measured by others",
 }
+
+
+Expect = TypedDict("Expect", {"value": str, "what": str, "is": float, "unit": str, "abs": float, "rel": float}, total=False)
+Case = TypedDict("Case", {  # a design, a film by S and length_ratio, or an oil, and what its source has
+    "source": str, "kind": str, "expect": list[Expect], "design": str | Table, "set": Table, "why": str, "S": float, "length_ratio": float,
+    "nu_40": float, "nu_100": float, "law": str, "temperature": float, "is": float, "abs": float, "rel": float,
+}, total=False)  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -73,8 +81,8 @@ def _deviation(theirs: float, ours: float) -> float:
 
 def rows() -> list[Row]:
     """Every comparison, kind by kind, case by case."""
-    known = _known()
-    found = [row for case in known["case"] for row in _case(case, known["designs"])]
+    designs, known = _known()
+    found = [row for case in known["case"] for row in _case(case, designs)]
     found += [row for film in known["film"] for row in _film(film)]
     found += [_oil(oil) for oil in known["oil"]]
     found += _raimondi_boyd()
@@ -83,19 +91,21 @@ def rows() -> list[Row]:
 
 def unmet() -> Iterator[Unmet]:
     """What the sources print and this program does not give."""
-    known = _known()
+    designs, known = _known()
     for case in known["unmet"]:
-        values = _solved(_document(case, known["designs"])).values()
+        values = _solved(_document(case, designs)).values()
         for expect in case["expect"]:
             found = values[expect["value"]]
             yield Unmet(case["source"], expect["value"], float(expect["is"]), found.shown, found.unit, case["why"])
 
 
-def _known() -> dict[str, Any]:
-    return tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
+def _known() -> tuple[dict[str, Table], dict[str, list[Case]]]:
+    """The designs that are given once for several cases, and the cases by their kind."""
+    data = tomllib.loads((TABLES / "validation.toml").read_text(encoding="utf-8"))
+    return data.pop("designs"), data
 
 
-def _document(case: dict[str, Any], designs: dict[str, Any]) -> Document:
+def _document(case: Case, designs: dict[str, Table]) -> Document:
     """`design` is a whole one, or the name of a shipped file or of one of `designs`; `set` changes keys of it."""
     given = designs.get(case["design"], case["design"]) if isinstance(case["design"], str) else case["design"]
     document = read(DESIGNS / given) if isinstance(given, str) else Document(given, case["source"])
@@ -104,7 +114,7 @@ def _document(case: dict[str, Any], designs: dict[str, Any]) -> Document:
     return document
 
 
-def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
+def _case(case: Case, designs: dict[str, Table]) -> Iterator[Row]:
     values = _solved(_document(case, designs)).values()
     for expect in case["expect"]:
         published = float(expect["is"])
@@ -114,7 +124,7 @@ def _case(case: dict[str, Any], designs: dict[str, Any]) -> Iterator[Row]:
         yield Row(case["kind"], case["source"], expect["value"], published, ours, tolerance, expect.get("unit", ""))
 
 
-def _film(case: dict[str, Any]) -> Iterator[Row]:
+def _film(case: Case) -> Iterator[Row]:
     """A worked example of the film: what stands at its S and l/d."""
     S, ratio = case["S"], case["length_ratio"]
     ours = film_at(eccentricity_from(S, ratio), ratio)
@@ -125,7 +135,7 @@ def _film(case: dict[str, Any]) -> Iterator[Row]:
         yield Row(case["kind"], case["source"], what, published, found, abs(published) * expect["rel"], unit)
 
 
-def _oil(case: dict[str, Any]) -> Row:
+def _oil(case: Case) -> Row:
     """A viscosity of an oil by the law, from those at 40 and 100 °C, mm²/s; its density does not count."""
     oil = Oil(name="oil", nu40=case["nu_40"] * 1e-6, nu100=case["nu_100"] * 1e-6, rho15=900.0, base="mineral")
     ours = Lubricant(oil, case["law"]).at(case["temperature"]).nu / UNITS["mm²/s"].factor

@@ -10,7 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from ..addresses import quantities, value_at
+from ..addresses import as_list, quantities, value_at
 from ..sheet.changes import Changes, digits
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
@@ -192,10 +192,10 @@ def _numbers(state: State, step: str, checks: tuple[Check, ...], named: set[str]
         given = value_at(state.document.data, key)
         if given is None and key not in named:
             continue
-        alone = not isinstance(given, list)
-        numbers = [0.0] if given is None else [given] if alone else given
-        if all(isinstance(x, (int, float)) and not isinstance(x, bool) for x in numbers) and numbers:
-            yield Number(key, tuple(float(x) for x in numbers), alone and about.kind != "series", about)
+        standing = [0.0] if given is None else as_list(given)
+        numbers = tuple([float(x) for x in standing if isinstance(x, (int, float)) and not isinstance(x, bool)])
+        if numbers and len(numbers) == len(standing):
+            yield Number(key, numbers, not isinstance(given, list) and about.kind != "series", about)
 
 
 def _named(checks: tuple[Check, ...]) -> set[str]:
