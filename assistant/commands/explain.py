@@ -27,7 +27,8 @@ def _scenario(asked: Namespace, document: Document, design: Design) -> int:
     """A scenario is the design with its keys set: that one is explained."""
     from calc.friction.studies.scenarios import as_design
 
-    assert (friction := design.friction) is not None
+    friction = design.friction
+    assert friction is not None
     scenario = next(s for s in friction.scenarios if asked.value.startswith(f"friction.scenarios.{s.name}."))
     name, rest = scenario.name, asked.value.removeprefix(f"friction.scenarios.{scenario.name}.")
     changes = as_design(friction, scenario, design.bearings is not None)
