@@ -27,7 +27,7 @@ def chain(results: Results, value_id: str) -> list[Link]:
 
 def origin(results: Results, value_id: str) -> str | None:
     """The key of a value that is an input itself, or that a name brings in."""
-    return next((leaf for leaf in leaves(link_of(results.values()[value_id].inside)) if isinstance(leaf, str)), None)
+    return next((leaf for leaf in leaves(link_of(results.traced().values()[value_id].inside)) if isinstance(leaf, str)), None)
 
 
 def needs(line: Line) -> tuple[list[Line], list[str]]:
@@ -40,7 +40,7 @@ class Chains:
     """The chains of the values of one solved design."""
 
     def __init__(self, results: Results) -> None:
-        self.results = results
+        self.results = results = results.traced()
         self.values = results.values()
         told = [(line, step) for step, outcome in enumerate(results.outcomes.values()) for line in outcome.lines]
         self.lines, self.steps = [line for line, _ in told], [step for _, step in told]
@@ -62,8 +62,9 @@ class Chains:
         """The value that a check is on; None where it judges none that is published."""
         if check.value_id in self.values:
             return check.value_id
+        known = next((one for one in self.results.checks() if one.id == check.id), check)
         return next(
-            (self.value_of[leaf] for leaf in leaves(link_of(check.value)) if isinstance(leaf, Line) and leaf in self.value_of), None
+            (self.value_of[leaf] for leaf in leaves(link_of(known.value)) if isinstance(leaf, Line) and leaf in self.value_of), None
         )
 
     def leading_to(self, value_ids: Iterable[str]) -> set[int]:

@@ -31,13 +31,14 @@ from .imbalance import solve as imbalance
 from .prediction import Predicted, with_measured
 from .sheet.check import Check, worst
 from .sheet.garbage import seldom_collected
-from .sheet.later import Later
+from .sheet.later import Later, Many
 from .sheet.number import short
 from .sheet.parts import Enough, Kept, Parts
 from .sheet.printed import aligned
 from .sheet.quantity import Published
 from .sheet.record import record
 from .sheet.step import Curve, Outcome, accepted
+from .sheet.trace import Line, recorded
 
 R = TypeVar("R")
 TITLES = {step.key: step.title for step in STEPS}
@@ -50,6 +51,8 @@ class Results:
     design: Design
     outcomes: dict[str, Outcome[object]]  # by the key of the step, each with a result of its own class
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # for the next solve: the arguments and the outcome of each part
+    recorded: bool = False  # whether the lines were recorded with the numbers
+    _told: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version of it
 
     def __str__(self) -> str:
         """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of its step."""
@@ -73,6 +76,14 @@ class Results:
         for outcome in self.outcomes.values():
             yield from outcome.checks
 
+    def traced(self, stop: Callable[[], bool] = bool) -> "Results":
+        """The same with its lines, and with its numbers linked to them: solved once more, when somebody looks for the first time."""
+        if self.recorded:
+            return self
+        if not self._told or self._told[0].design is not self.design:
+            self._told[:] = [solve(self.design, self._told[0] if self._told else None, stop, traced=True)]
+        return self._told[0]
+
     @property
     def predicted(self) -> Predicted:
         """What this design gives at the speeds of measurements."""
@@ -88,22 +99,37 @@ class Results:
 
 
 def solve(
-    design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None
+    design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None,
+    *, traced: bool = False,
 ) -> Results:  # fmt: skip
     """All six steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
+
+    `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or asks for `traced()`.
 
     `stop` is asked between the parts whether nobody waits for the results any more; then Cancelled is raised.
     `enough` is asked after each part: where what it gave decides all that is asked, the outcomes so far are returned.
     """
-    part = Parts(TITLES, before.parts if before else {}, stop=stop, enough=enough)
-    with seldom_collected():
+    kept = before.parts if before is not None and before.recorded >= traced else {}
+    part = Parts(TITLES, kept, stop=stop, enough=enough)
+    told = [] if before is None else [before] if before.recorded else list(before._told)
+    with seldom_collected(), recorded(traced):
         try:
-            return _solve(part, design)
+            outcomes = _solve(part, design)
         except Enough:
-            return Results(design, part.last, part.kept)
+            outcomes = part.last
+    results = Results(design, outcomes, part.kept, traced, told)
+    if not traced:
+        outcomes |= {key: replace(outcome, lines=Later(partial(_lines, results, key))) for key, outcome in outcomes.items()}
+    if design.measured:
+        outcomes |= with_measured(design, outcomes, cache(lambda: results.predicted))
+    return results
 
 
-def _solve(part: Parts, design: Design) -> Results:
+def _lines(results: Results, key: str) -> Many[Line]:
+    return results.traced().outcomes[key].lines
+
+
+def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
     materials, oils, first_speed = design.materials, design.oils, h.first_speed(design)
 
     if design.engine is not None:
@@ -164,9 +190,7 @@ def _solve(part: Parts, design: Design) -> Results:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
     if g.result is not None:
         g = replace(g, curves=g.curves + Later(partial(_gear_curves, g.result)))
-    outcomes = accepted((e, i, c, b, g, f), design.accepted)
-    results = Results(design, outcomes, part.kept)
-    return replace(results, outcomes=with_measured(design, outcomes, cache(lambda: results.predicted))) if design.measured else results
+    return accepted((e, i, c, b, g, f), design.accepted)
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:

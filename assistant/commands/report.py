@@ -20,7 +20,7 @@ def run(asked: Namespace) -> int:
     spare(target, asked.file)
     gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made
     try:
-        results = solve(design(document))
+        results = solve(design(document), traced=True)
         from reports.report import write
 
         write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)

@@ -163,7 +163,7 @@ class BackgroundSolve:
         try:
             if not self.written(results, step):
                 try:
-                    whole = said(outcome.whole, say)
+                    whole = said(results.traced(stop).outcomes[step.key].whole, say)
                     calculation = sheet(whole, STEPS.index(step) + 1, say, stop)
                     values = () if whole.result is None else (values_table(whole, say),)
                     page = Page(outcome, say, whole, calculation, (*whole.curves, *whole.tables, *values))

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, TypeVar, overload
 
 import numpy as np
 
+from .trace import recording
 from .value import KINDS, PLAIN, Link, joined_links, link_of, linked
 
 if TYPE_CHECKING:
@@ -89,6 +90,8 @@ def linked_array(x: "Array", link: Link | None, parts: tuple[Link | None, ...]) 
 def gathered(numbers: Iterable[object], dtype: type = float) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
+    if not recording.get():
+        return np.array(numbers, dtype=dtype)
     parts = tuple(map(link_of, numbers))
     return linked_array(np.array(numbers, dtype=dtype), joined_links(parts), parts)
 

@@ -144,7 +144,7 @@ class Outcome(Generic[R]):
     state: State = "solved"
     result: R | None = None
     checks: tuple[Check, ...] = ()
-    lines: tuple[Line, ...] = ()
+    lines: Many[Line] = ()
     curves: Many[Curve] = ()
     tables: Many[Table] = ()
     errata: tuple[Erratum, ...] = ()

@@ -14,7 +14,7 @@ equal to it, shown, hashed and pickled like it; arithmetic outside of a formula 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, Any, TypeVar, Union, cast
 
-from .trace import Line, recorder, subject
+from .trace import Line, recorder, recording, subject
 
 if TYPE_CHECKING:
     from .formula import Formula
@@ -127,6 +127,8 @@ def _unlinked(x: object) -> object:
 
 def based_on(x: T, *sources: object) -> T:
     """A number that a solver, a search or plain arithmetic got from these sources."""
+    if not recording.get():
+        return x
     number = linked(x, joined_links(map(link_of, sources)))
     if getattr(number, "parts", None) is not None:  # an array: element by element, where all that it was made of knows its elements
         parts = [getattr(source, "parts", ()) for source in sources if link_of(source) is not None]
