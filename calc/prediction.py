@@ -136,7 +136,8 @@ def _of_bench(address: str, design: Design, speed: float) -> bool:
 def at_speed(design: Design, speed: float, values: Values) -> Design:
     """The design at another speed of its engine: clearances as they were made, oil as the bench run had it there."""
     assert design.engine is not None
-    changed, own = replace(design, engine=replace(design.engine, rated_speed=speed), measured=()), design.bearings
+    engine, own = replace(design.engine, rated_speed=speed, rated_power=None), design.bearings
+    changed = replace(design, engine=engine, measured=())
     if own is None:
         return changed
     front, rear = (values.get(f"bearings.{place}.clearance") for place in ("front", "rear"))

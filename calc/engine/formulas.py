@@ -14,9 +14,11 @@ from ..sheet.units import (
     MetrePerSecond,
     MetrePerSecond2,
     Number,
+    Pascal,
     Radian,
     RadPerSecond,
     RevPerSecond,
+    Watt,
 )  # fmt: skip
 
 
@@ -117,6 +119,14 @@ def mean_piston_speed(s: Metre, n: RevPerSecond) -> MetrePerSecond:
     9.27262
     """
     return 2 * s * n
+
+
+@formula("p_me", "definition of the brake mean effective pressure", unit="bar")
+def brake_mean_pressure(P_e: Watt, strokes: Number, V_h: CubicMetre, n: RevPerSecond) -> Pascal:
+    """>>> brake_mean_pressure(P_e=50000.0, strokes=4, V_h=0.0022277, n=43.333)
+    1035915.99...
+    """
+    return P_e * strokes / (2 * V_h * n)
 
 
 @formula("β", "Finotti 2013, 2.1: angle of the rod")

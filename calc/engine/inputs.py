@@ -126,6 +126,10 @@ class EngineInputs:
     rated_speed: float = quantity(
         "Rated speed", "rpm", low=1, high=30000, symbol="n", help="The speed at which forces and bearings are judged."
     )
+    rated_power: float | None = quantity(
+        "Rated power", "kW", default=None, above=0, high=1e5, symbol="P_e",
+        help="Brake power at rated speed: gives the brake mean effective pressure, and the share of it that the train's losses take.",
+    )  # fmt: skip
     flywheel_inertia: float | None = quantity(
         "Inertia of the flywheel", "kg·m²", default=None, above=0, high=1e5, symbol="J",
         help="Moment of inertia of the flywheel; with the gas it gives the speed irregularity.",

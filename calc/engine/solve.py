@@ -19,7 +19,7 @@ from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about, trace
-from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, PhasorNumber, Radian, RadPerSecond
+from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Pascal, PhasorNumber, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import curves as train
 from . import formulas as f
@@ -52,6 +52,7 @@ class EngineResult:
     stroke: Metre = value("Stroke", "mm", "s")
     displacement: CubicMetre = value("Displacement", "cm³", "V_h")
     mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
+    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None)
     piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
     piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
     acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
@@ -154,6 +155,9 @@ def values(engine: EngineInputs) -> EngineResult:
     stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
     volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
     mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
+    p_me, P_e = None, engine.rated_power
+    if P_e is not None:
+        p_me = f.brake_mean_pressure(P_e=P_e, strokes=engine.strokes, V_h=volume, n=engine.rated_speed)
     alpha = each(np.arange(size := points(lam, delta), dtype=float) * (2 * np.pi / size))
     beta = f.rod_angle(lam=column(lam), alpha=alpha, delta=column(delta))
     speed = f.relative_speed(alpha=alpha, beta=beta)
@@ -166,7 +170,7 @@ def values(engine: EngineInputs) -> EngineResult:
     spectrum = phasors(harmonics(exact))
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
-        stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, piston_speed_max=fastest,
+        stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, brake_mean_pressure=p_me, piston_speed_max=fastest,
         piston_speed_max_angle=at_fastest, acceleration_max=a_max, acceleration_min=a_min, acceleration_min_angle=at_lowest,
         crank=crank(engine, phi_0), unlike=unlike,
         harmonics=elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),

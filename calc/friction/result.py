@@ -32,6 +32,11 @@ def carbon_dioxide(e_CO2: Number, m_B: KilogramPerSecond) -> KilogramPerSecond:
     return e_CO2 * m_B
 
 
+@formula("P/P_e", "definition: losses of the train over the engine's rated power")
+def engine_share(P: Watt, P_e: Watt) -> Number:
+    return P / P_e
+
+
 @result
 class MeshResult:
     """One mesh: what is judged, and beside it the source's model and four regressions, all at the same power."""
@@ -111,6 +116,7 @@ class FrictionResult:
     wheel_bearing_loss: Watt | None = value("Bearings of the wheels", "W", "ΣP_L")
     other_loss: Watt = value("Other losses", "W", "ΣP_X")
     total_loss: Watt = value("Sum of the losses", "W", "P")
+    engine_share: Number | None = value("Losses over the engine's rated power", "%", "P/P_e", default=None)
     crank_power: Watt = value("Power at the first driver", "W", "P_1")
     crank_torque: NewtonMetre = value("Torque at the first driver", "N·m", "T_1")
     delivered_power: Watt | None = value("Power that the last wheel delivers", "W")

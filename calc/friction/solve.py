@@ -25,7 +25,7 @@ from .balance.closure import Drive, Forces, balance, drive
 from .inputs import FrictionInputs
 from .journals import OnShaft, journals_of
 from .mesh.geometry import MeshGeometry, WheelGeometry
-from .result import FrictionResult, torque
+from .result import FrictionResult, engine_share, torque
 
 QUIET = partial(np.errstate, over="ignore", divide="ignore", invalid="ignore")  # what is not finite is refused
 
@@ -108,6 +108,15 @@ def closed(d: Drive, power: Watt | None = None) -> Outcome[FrictionResult]:
     finite(result, "friction", EXTREME)
     with QUIET(), untraced():
         return checks.outcome(d, result, lines)
+
+
+def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outcome[FrictionResult]:
+    """The same outcome with its losses as a share of the engine's rated power, where that is given."""
+    if outcome.result is None or P_e is None:
+        return outcome
+    with trace() as lines, about(Text("train")):
+        share = engine_share(P=outcome.result.total_loss, P_e=P_e)
+    return replace(outcome, result=replace(outcome.result, engine_share=share), lines=(*outcome.lines, *lines))
 
 
 def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:

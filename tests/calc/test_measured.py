@@ -4,7 +4,7 @@
 import pytest
 
 from calc.design_file import Document, design, read
-from calc.prediction import compared_table
+from calc.prediction import at_speed, compared_table
 from calc.sheet.errors import BadInput
 from calc.shipped import DESIGNS
 from calc.solve import solve
@@ -34,6 +34,10 @@ def test_a_row_at_the_speed_of_the_design():
 def test_another_speed_is_solved_with_the_couple_that_it_has():
     row = table({"value": "imbalance.order_1.couple_backward", "speed_rpm": 1300, "is": 150.0, "unit": "N·m"}, step="imbalance").rows[0]
     assert row[4] == pytest.approx(572.932 / 4, rel=1e-5) and row[7] == ""
+
+
+def test_the_rated_power_is_that_of_no_other_speed():
+    assert measured().engine.rated_power == 50e3 and at_speed(measured(), 1300 / 60, {}).engine.rated_power is None
 
 
 def test_at_another_speed_the_clearance_stays_and_the_oil_is_that_of_the_bench():

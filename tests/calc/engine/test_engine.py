@@ -32,6 +32,12 @@ def test_the_rod_by_thirds_where_its_centre_of_gravity_is_not_known():
     assert e.reciprocating_mass == pytest.approx(1.178 + 1.015 / 3)
 
 
+def test_what_the_rated_power_tells():
+    """Finotti 2013, 1.3.2.2: 50 kW at 2600 rpm from 2.228 L."""
+    assert result(rated_power=50e3).brake_mean_pressure == pytest.approx(50e3 * 120 / 2600 / 2.228e-3, rel=2e-4)
+    assert result().brake_mean_pressure is None
+
+
 def test_accelerations_at_the_dead_centres():
     """ω²r(1+λ) = 5267.8 m/s² at TDC; λ > ¼: the minimum −0.69863 ω²r is at 138.98°, not at BDC (λ = 0.3282)."""
     e = result()

@@ -147,6 +147,8 @@ def test_mean_torque_is_the_work_of_the_cycle(changes, strokes):
     assert found.indicated_work == pytest.approx(work(engine, e), rel=1e-7)
     assert found.indicated_power == pytest.approx(expected * e.angular_speed, rel=1e-7)
     assert found.indicated_mean_pressure == pytest.approx(work(engine, e) / (math.pi / 4 * engine.bore**2 * e.stroke), rel=1e-7)
+    rated = values(replace(engine, rated_power=found.indicated_power))
+    assert rated.brake_mean_pressure == pytest.approx(found.indicated_mean_pressure, rel=1e-9)  # as if nothing were lost
     assert curve.limits == (("mean", found.mean_torque),)
     assert curve.series[2].x[-1] == pytest.approx(180 * strokes)
     assert curve.series[2].y[:-1].mean() == pytest.approx(expected, rel=2e-3)  # the drawn degrees miss the corners
@@ -203,7 +205,7 @@ def test_speed_irregularity_against_the_energy_of_a_fine_scan(changes):
     engine, e, fires = engine_of(**changes)
     gas = GasInputs(**DIESEL)
     found, _, _ = torque.solve(engine, e, fires, gas, 2.0)
-    epsilon = np.linspace(0, 4 * np.pi, 144001)
+    epsilon = np.linspace(0, 4 * np.pi, 72001)
     T = sum(part.sum(-1) for part in torque.at(engine, e, prepare(engine, e, gas), fires, epsilon[:, None])[:2]) - found.mean_torque
     energy = np.cumsum((T[1:] + T[:-1]) / 2) * epsilon[1]
     assert found.energy_fluctuation == pytest.approx(np.ptp(energy), rel=1e-5)

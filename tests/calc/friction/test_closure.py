@@ -37,6 +37,14 @@ def test_the_losses_are_the_power_at_the_crank():
     assert VALUES["crank_torque"] == pytest.approx(VALUES["crank_power"] / (2 * np.pi * CRANK_SPEED), rel=1e-9)
 
 
+def test_the_losses_as_a_share_of_what_the_engine_gives(gamma_results):
+    outcome = gamma_results.outcomes["friction"]
+    share = outcome.result.engine_share
+    assert share == pytest.approx(outcome.result.total_loss / 50e3) == pytest.approx(228.7 / 50e3, rel=1e-3)
+    assert link_of(share).arguments["P_e"].link == "engine.rated_power_kW"
+    assert TRAIN.result.engine_share is None
+
+
 def test_every_mesh_passes_on_what_the_next_takes_in():
     names, wheels = list(r753()), [mesh.driven.name for mesh in r753().values()]
     for name, wheel, following in zip(names, wheels, [*names[1:], None]):
