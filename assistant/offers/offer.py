@@ -16,7 +16,7 @@ CHOICES = {
     "engine": Text("firing orders, the one that leaves least first"),
     "countershaft": Text("shafts in the envelope, the lightest first"),
     "bearings": Text("plain bearings that pass at every corner, the nearest and the least power first"),
-    "gears": Text("profile shifts and tip cuts, the least specific sliding first"),
+    "gears": Text("profile shifts and tip cuts, the least specific sliding first; teeth of an idler between walls"),
 }
 
 

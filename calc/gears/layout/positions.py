@@ -107,6 +107,12 @@ def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axi
         placing.put(first, 0j, Text("crank"))
 
 
+def fixed_axes(gears: GearsInputs, shaft_axis: complex | None) -> set[str]:
+    """The wheels that `_anchors` gives a place."""
+    axes = {w.name for w in gears.wheels if w.position is not None} | ({gears.meshes[-1].driven} if shaft_axis is not None else set())
+    return axes | {gears.meshes[0].driver} if axes else axes
+
+
 def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:
     return {m.driver if m.driven == name else m.driven: m for m in meshes if name in (m.driver, m.driven)}
 

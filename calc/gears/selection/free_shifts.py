@@ -14,6 +14,7 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
 from ..inputs import GearsInputs
+from ..layout.positions import fixed_axes
 from ..result import ToothSystem
 from ..train import Train, settle
 
@@ -78,8 +79,11 @@ def settled(gears: GearsInputs, system: ToothSystem) -> Train | None:
         return None
 
 
-def freedoms(gears: GearsInputs, system: ToothSystem) -> tuple[Freedom, ...]:
-    """All ways, the one that is nearest to the design first.  Raises NoSolution where a given centre distance can not be."""
+def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = None) -> tuple[Freedom, ...]:
+    """All ways, the one that is nearest to the design first.  Raises NoSolution where a given centre distance can not be.
+
+    A distance between two given axes is not left free where it can be held; `axis`: that of the last wheel, from the crank's.
+    """
     parts = tied(gears)
     if len(parts) == 1:
         return (_freedom("train", Text("train"), gears, system, parts),)
@@ -95,7 +99,9 @@ def freedoms(gears: GearsInputs, system: ToothSystem) -> tuple[Freedom, ...]:
         whole = tied(fixed := replace(gears, meshes=meshes))
         found.append(replace(_freedom("held", name, fixed, system, whole), held=held))
     found.append(_freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts))
-    return tuple(found)
+    axes = fixed_axes(gears, axis)
+    between = [i for i, mesh in enumerate(gears.meshes) if {mesh.driver, mesh.driven} <= axes]
+    return tuple(way for way in found if all(way.gears.meshes[i].centre_distance for i in between)) or tuple(found)
 
 
 def tied(gears: GearsInputs) -> list[tuple[str, ...]]:

@@ -94,10 +94,10 @@ class Found:
         return next((str(n) for n, one in enumerate(self.all, 1) if one is row), "")
 
 
-def search(gears: GearsInputs, progress: Progress | None = None) -> Found:
-    """Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
+def search(gears: GearsInputs, progress: Progress | None = None, axis: complex | None = None) -> Found:
+    """`axis`: of the last wheel, from the crank's.  Raises NoSolution where no shift keeps every rule, with the rules that stop it."""
     case = Case(tooth_system(gears), gears)
-    every = freedoms(gears, case.system)
+    every = freedoms(gears, case.system, axis)
     ways = tuple(one for one in every if len(one.free) in GRID)
     if not ways:
         raise NoSolution(Text("more shifts are free than can be searched"), advice=Text("give the centre distances of the train"))

@@ -1,0 +1,161 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The teeth of an idler, and by them its place, where walls or neighbours stand around the train.
+
+An idler's teeth do not change the ratio.  For each number of them the profile shifts stay as they are and its centre distances follow; the
+layout then finds its place, and the checks of the geometry and of the layout say what is against it.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from ...sheet.changes import Changes
+from ...sheet.check import ORDER, Check
+from ...sheet.errors import NoSolution
+from ...sheet.progress import Progress, tell
+from ...sheet.quantity import keys
+from ...sheet.record import record
+from ...sheet.step import Table
+from ...sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ...sheet.units import Metre, RevPerSecond
+from ..inputs import GearsInputs, Wheel
+from ..layout.result import WheelLayout
+from ..layout.solve import ShaftInTrain, layout
+from ..solve import geometry
+from ..train import tooth_system
+from .free_shifts import HELD, settled
+from .tables import NOW, NUMBER
+
+PART = 3  # of the present teeth: by so many as this part of them more and fewer are tried
+LEAST = int(keys(Wheel)["teeth"].about.low or 1)
+SPEED: RevPerSecond = 1.0  # geometry and layout judge nothing by it
+OF_TEETH = ("span_teeth", "measured_span", "measured_over_balls", "measured_over_pins", "measured_chordal_thickness")
+
+
+@record
+class Idler:
+    """A wheel between two others, with one number of teeth.  `against`: what is open of its own checks, the worst first."""
+
+    wheel: str
+    teeth: int
+    changes: Changes  # empty: the design as it is
+    place: WheelLayout
+    largest: float  # specific sliding at the start of contact, in its own meshes
+    against: tuple[Check, ...]
+    refused: Text = EMPTY  # why there is no such train
+
+    @property
+    def passes(self) -> bool:
+        return self.place.position is not None and all(check.verdict != "fail" for check in self.against)
+
+    @property
+    def rank(self) -> tuple[bool, int, int, float]:
+        """Those that pass, then the fewest warnings, then the fewest notes, then the least sliding."""
+        warns, notes = (sum(check.verdict == verdict for check in self.against) for verdict in ("warn", "note"))
+        return not self.passes, warns, notes, self.largest
+
+
+def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None = None) -> list[list[Idler]]:
+    """The numbers of teeth of each wheel that drives and is driven and has no given place, the best first.
+
+    None where nothing stands around the train, or where it has no place.  `axis`: that of the last wheel, from the crank's.
+    """
+    found = []
+    between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {gears.meshes[-1].driven}
+    for wheel in gears.wheels if gears.walls or gears.neighbours else ():
+        if wheel.name in between and wheel.position is None:
+            rows = sorted(_tried(gears, wheel.name, axis, progress), key=lambda row: row.rank)
+            if any(row.place.position is not None for row in rows):
+                found.append(rows)
+    return found
+
+
+def _tried(gears: GearsInputs, name: str, axis: complex | None, progress: Progress | None) -> Iterator[Idler]:
+    wheel = next(w for w in gears.wheels if w.name == name)
+    now, said = wheel.teeth, [attribute for attribute in OF_TEETH if getattr(wheel, attribute) is not None]
+    given = {i: m.centre_distance for i, m in enumerate(gears.meshes) if name in (m.driver, m.driven) and m.centre_distance is not None}
+    free_now = _without_backlash(gears, name, now, given)
+    low, high = max(LEAST, now - now // PART), now + now // PART
+    for teeth in range(low, high + 1) if free_now is not None else ():
+        tell(progress, (teeth - low) / (high + 1 - low), Text("{wheel} with {n} teeth", wheel=name, n=teeth))
+        if teeth == now:
+            yield _judged(gears, name, teeth, axis, {})
+        elif (free := _without_backlash(gears, name, teeth, given)) is not None and free_now is not None:
+            apart = {i: round(free[i] + a - free_now[i], HELD) for i, a in given.items()}
+            changes: Changes = {f"gears.wheels.{name}.teeth": teeth}
+            changes |= {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in apart.items()}
+            changes |= dict.fromkeys(f"gears.wheels.{name}.{key}" for key, about in keys(Wheel).items() if about.attribute in said)
+            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, changes)
+
+
+def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre | None]) -> GearsInputs:
+    """The train with other teeth of one wheel, none of what was said of the old ones, and other centre distances."""
+    wheel = next(w for w in gears.wheels if w.name == name)
+    wheel = replace(wheel, teeth=teeth, span_teeth=None, measured_span=None, measured_over_balls=None, measured_over_pins=None,
+        measured_chordal_thickness=None)  # fmt: skip
+    wheels = tuple(wheel if w.name == name else w for w in gears.wheels)
+    meshes = tuple(replace(m, centre_distance=apart.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
+    return replace(gears, wheels=wheels, meshes=meshes)
+
+
+def _without_backlash(gears: GearsInputs, name: str, teeth: int, given: Iterable[int]) -> dict[int, Metre] | None:
+    """Centre distances by the shifts of the design, which stay; None where there are none."""
+    system = tooth_system(gears)
+    if (now := settled(gears, system)) is None:
+        return None
+    wheels = tuple(replace(w, profile_shift=now.shifts[w.name]) for w in gears.wheels)
+    train = settled(_with(replace(gears, wheels=wheels), name, teeth, dict.fromkeys(given)), system)
+    return None if train is None else {i: train.distances[gears.meshes[i].key] for i in given}
+
+
+def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, changes: Changes) -> Idler:
+    try:
+        made = geometry(gears, SPEED)
+        placed = layout(gears, made.solution, ShaftInTrain(axis))
+    except NoSolution as none:
+        return Idler(name, teeth, changes, WheelLayout(), math.inf, (), none.what)
+    meshes = {key: mesh for key, mesh in made.solution.meshes.items() if name in (mesh.driver, mesh.driven)}
+    sliding = [abs(zeta) for m in meshes.values() for zeta in (m.specific_sliding_driver, m.specific_sliding_driven)]
+    own = {name, *meshes, *(wheel for wheel, there in placed.solution.wheels.items() if there.nearest == name)}
+    against = [one for one in (*made.checks, *placed.checks) if one.open and one.id.split(".")[1] in own]
+    against.sort(key=lambda one: -ORDER.index(one.verdict))
+    return Idler(name, teeth, changes, placed.solution.wheels[name], max(sliding), tuple(against))
+
+
+# --- as tables ---------------------------------------------------------------------------------------------------------------
+def idler_table(rows: Sequence[Idler], first: int, top: int) -> Table:
+    """The design, the numbers that pass, numbered from `first`, and those beside them, which do not."""
+    passing = passed(rows)
+    near = {row.teeth + n for row in rows if row.passes or not row.changes for n in (-1, 1)}
+    fails = sorted((row for row in rows if row.teeth in near and row.changes and not row.passes), key=lambda row: row.teeth)
+    shown = [*((NOW, row) for row in rows if not row.changes), *((str(first + n), row) for n, row in enumerate(passing[:top]))]
+    cells = [_cells(number, row) for number, row in (*shown, *(("", row) for row in fails))]
+    title = Text("Teeth of {wheel}: its place, and what is against it", wheel=rows[0].wheel)
+    said = Text(
+        "With the profile shifts as they are. up, side: its axis from the crank's; room: to the nearest thing that it does not mesh with. "
+        "First the fewest warnings and notes, then the least sliding in its meshes. Rows without number fail; farther ones are left out."
+    )
+    left = len(passing) - top
+    note = said + Text(" {n} more; --top N shows more.", n=left) if left > 0 else said
+    labels = (NUMBER, ""), (Text("teeth"), ""), (Text("up"), "mm"), (Text("side"), "mm"), (Text("room"), "mm"), (Text("to"), "")
+    return Table(f"teeth_{rows[0].wheel}", title, (*labels, (Text("its own max |ζ_A|"), ""), (Text("against it"), "")), tuple(cells), note)
+
+
+def passed(rows: Iterable[Idler]) -> list[Idler]:
+    """The rows that can be written."""
+    return [row for row in rows if row.passes and row.changes]
+
+
+def _cells(number: str, row: Idler) -> tuple[str | float | None, ...]:
+    room = None if row.place.clearance is None else round(row.place.clearance * 1e3, 3)
+    p = row.place.position
+    at = (None, None) if p is None else (round(p.real * 1e3, 3), round(p.imag * 1e3, 3))
+    why = SEMICOLON.join(check.name for check in row.against[:2])
+    sliding = None if math.isinf(row.largest) else round(row.largest, 3)
+    return number, row.teeth, *at, room, row.place.nearest, sliding, row.refused or why
+
+
+def written(row: Idler) -> Text:
+    """What is said of a row that is written."""
+    room, to = Amount((row.place.clearance or 0.0) * 1e3, "mm", digits=3), row.place.nearest
+    return Text("now has {wheel} with {n} teeth, {room} from {to}", wheel=row.wheel, n=row.teeth, room=room, to=to)
