@@ -70,13 +70,13 @@ def _backlash(system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, dr
     slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
     return check(f"gears.{given.key}.backlash", Text("Smallest backlash {pair} by its tolerances", pair=mesh.title), mesh.backlash_min,
         ">=", 0.0, "µm", Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
-        Text("More off the span of the teeth, or closer centres, give more."), index=index,
+        Text("More off the span of the teeth, or a smaller tolerance of the centre distance, gives more."), index=index,
         remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope))  # fmt: skip
 
 
 def _contact(id: str, index: int, mesh: MeshResult) -> list[Check]:
     name, eps_alpha = Text("Transverse contact ratio {pair}", pair=mesh.title), mesh.transverse_contact_ratio
-    advice = Text("Cut less off the tips, give smaller profile shifts, or take more teeth of a smaller module.")
+    advice = Text("Cut less off the tips, bring the wheels closer together, or take more teeth of a smaller module.")
     hands_over = Text("{practice}: above 1 each pair hands over to the next, 0.1 for tolerances; the overlap of a helix is not counted",
         practice=p.PRACTICE)  # fmt: skip
     usual = Text("{name}, usual", name=name)

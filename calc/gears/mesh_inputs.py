@@ -2,10 +2,11 @@
 """What a mesh is described by: its two wheels, their centre distance, and the parts that make its tolerance."""
 
 from collections.abc import Iterable
+from typing import ClassVar
 
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, tables, text
 from ..sheet.text import Text
-from .wheel_inputs import INTERNAL
+from .wheel_inputs import INTERNAL, REFUSED
 
 
 @inputs
@@ -23,6 +24,8 @@ class Contributor:
 @inputs
 class Mesh:
     """Two wheels in mesh."""
+
+    REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
     driver: str = text("Driver", help="The wheel nearer to the crank.")
     driven: str = text("Driven", help="The wheel that it drives.")

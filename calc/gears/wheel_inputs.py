@@ -12,12 +12,14 @@ INTERNAL = Text(
     "external wheels have 5 teeth or more and a positive centre distance"
 )
 
+REFUSED = dict.fromkeys(("internal", "internal_teeth", "ring", "ring_gear", "annulus"), INTERNAL)  # keys that others have for them
+
 
 @inputs
 class Wheel:
     """One wheel of the train."""
 
-    REFUSED: ClassVar[dict[str, Text]] = {key: INTERNAL for key in ("internal", "internal_teeth", "ring")}  # keys that others have for them
+    REFUSED: ClassVar[dict[str, Text]] = REFUSED
 
     name: str = text("Name")
     teeth: int = integer("Teeth", low=5, high=1000, symbol="z", usual=(17, 100), source=THUMB, negative=INTERNAL,

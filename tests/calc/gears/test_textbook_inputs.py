@@ -47,6 +47,7 @@ def test_the_module_is_given_once(new, wanted):
 @pytest.mark.parametrize("old, new, key", [
     (r"teeth = \d+", "teeth = -70", "gears.wheels.0.teeth: -70: must be a whole number from 5 to 1000; "),
     (r"teeth = \d+", "teeth = 70\ninternal = true", "gears.wheels.0.internal: "),
+    (r"driven = ", "internal = true\ndriven = ", "gears.meshes.0.internal: "),
     (r"centre_distance_mm = [\d.]+", "centre_distance_mm = -40.0", "centre_distance_mm: -40.0: must be a number above 0 and up to 5000 mm; "),
 ])  # fmt: skip
 def test_internal_gears_are_refused_with_the_reason(old, new, key):
