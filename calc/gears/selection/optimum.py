@@ -95,8 +95,15 @@ def objective(found: States) -> Array:
     return cast(Array, np.max(meshes, axis=0) + OTHERS * np.sum(meshes, axis=0))
 
 
-def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = ()) -> Best | None:
-    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well."""
+def best(
+    case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near: Iterable[Mapping[str, float]] = (),
+    known: dict[bytes, States] | None = None,
+) -> Best | None:  # fmt: skip
+    """None where undercut leaves no shift at all.  `near`: shifts beside which several free ones are looked for as well.
+
+    `known`: grids that were evaluated with the same freedom and cuts for another bar; those of this one are put there.
+    """
+    grids = {} if known is None else known
     bounds = ends(case, freedom)
     low = np.array([math.ceil(bounds[name][0] * ROUND - 1e-6) for name in freedom.free])
     high = np.array([math.floor(bounds[name][1] * ROUND + 1e-6) for name in freedom.free])
@@ -110,7 +117,8 @@ def best(case: Case, freedom: Freedom, cuts: Mapping[str, float], bar: Bar, near
         return Best({freedom.free[0]: float(made.t[i])}, float(margin[i]), float(wanted[i]))
 
     def evaluate(points: Array) -> tuple[Array, Array]:
-        there = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
+        if (there := grids.get(key := points.tobytes())) is None:
+            there = grids[key] = evaluated(case, freedom, dict(zip(freedom.free, points.T / ROUND)), cuts)
         return keeps(there, case.system, bar), objective(there)
 
     side = GRID[len(freedom.free)]

@@ -170,9 +170,10 @@ def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, n
     `within`: rows of ways with less freedom, beside which is looked as well.
     """
     found: list[Row] = []
+    known: dict[bytes, States] = {}
     for bar in case.bars:
         near = [row.states.shifts for row in within if _keeps(case, row, bar)]
-        one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near])
+        one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known)
         if one is not None and one.margin >= 0:
             row = _row(case, name or way.name, way, one.free, cuts or {}, evaluated(case, way, one.free, cuts or {}))
             if not found or _shown(row) < _shown(found[-1]):

@@ -308,7 +308,7 @@ def test_a_way_with_more_freedom_starts_from_those_within_it(monkeypatch):
 
 
 def test_a_way_that_has_nothing_better_is_said_and_not_offered(monkeypatch):
-    def poor(case, way, cuts, bar, near=()):
+    def poor(case, way, cuts, bar, near=(), known=None):
         if way.key != "free":
             return best(case, way, cuts, bar, near)
         now = {"crank": 0.0142, "central": 0.014}
