@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """One search for whatever has to be chosen: candidates, limits, ranking, and why the neighbours fail.
 
-It knows nothing of engines.  A step says its variables (multiples of a step, or a standard series), its limits (those of its
-own checks) and what it wants least of.  Candidates come in two kinds, and each has its evaluation:
+It knows nothing of engines.  A step says its variables (multiples of a step), its limits (those of its own
+checks) and what it wants least of.  Candidates come in two kinds, and each has its evaluation:
 
 - many at once, as arrays: `judged` puts a limit on all of them, `least` and `first` choose, `stretch` and `narrowed` find how far it goes;
 - one after the other, where each costs a whole solution: `first_good`, `smallest` and `least_whole` try as few as they can, stop at the
@@ -26,13 +26,6 @@ T = TypeVar("T")
 R = TypeVar("R")
 
 DUST = 1e-9  # of the limit: a margin that is negative by rounding only
-SAME = 1e-9  # relative: two candidates that are one
-RENARD = {  # preferred numbers of one decade, ISO 3
-    "R5": (1.0, 1.6, 2.5, 4.0, 6.3),
-    "R10": (1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0),
-    "R20": (1.0, 1.12, 1.25, 1.4, 1.6, 1.8, 2.0, 2.24, 2.5, 2.8, 3.15, 3.55, 4.0, 4.5, 5.0, 5.6, 6.3, 7.1, 8.0, 9.0),
-}  # fmt: skip
-MODULES = (1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0)  # mm, ISO 54, series I
 
 
 # --- candidates ------------------------------------------------------------------------------------------------------------
@@ -46,15 +39,6 @@ def multiples(step: float, low: float, high: float, own: Iterable[float] = ()) -
     for number in given:
         steps = steps[np.abs(steps - number) > step * 1e-5]
     return np.sort(np.append(steps, given)) if given else steps
-
-
-def preferred(series: str, low: float, high: float) -> tuple[float, ...]:
-    """The numbers of a standard series ("R5", "R10", "R20" of ISO 3, "module" of ISO 54) from `low` to `high`."""
-    if series == "module":
-        return tuple(x for x in MODULES if low * (1 - SAME) <= x <= high * (1 + SAME))
-    decades = range(math.floor(math.log10(low)), math.floor(math.log10(high)) + 1)
-    numbers = (float(f"{x * 10.0**n:.12g}") for n in decades for x in RENARD[series])
-    return tuple(x for x in numbers if low * (1 - SAME) <= x <= high * (1 + SAME))
 
 
 def allowed(about: Quantity, numbers: Iterable[float]) -> bool:

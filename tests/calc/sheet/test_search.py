@@ -2,7 +2,6 @@
 """The one search: its candidates, its limits on arrays, and its trials one after the other, against plain loops."""
 
 import math
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -11,7 +10,6 @@ from calc.sheet.changes import applied, assignments, digits, whole
 from calc.sheet.check import Check
 from calc.sheet.quantity import Quantity, inputs, quantity, table, text
 from calc.sheet.search import (
-    MODULES,
     Budget,
     Trial,
     allowed,
@@ -25,7 +23,6 @@ from calc.sheet.search import (
     least_whole,
     multiples,
     narrowed,
-    preferred,
     rounded,
     smallest,
     stretch,
@@ -39,15 +36,6 @@ def test_multiples_stand_on_the_step_with_the_own_number_between_them():
     assert multiples(0.5, 1.2, 2.0, [1.7]).tolist() == [1.5, 1.7, 2.0]
     assert multiples(0.5, 1.2, 2.0, [1.5 + 1e-9]).tolist() == [1.5 + 1e-9, 2.0]
     assert multiples(0.5, 2.1, 2.4).size == 0
-
-
-def test_preferred_numbers():
-    assert preferred("R10", 2.0, 10.0) == (2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0, 10.0)
-    assert preferred("R5", 0.1, 1.0) == (0.1, 0.16, 0.25, 0.4, 0.63, 1.0)
-    assert preferred("module", 1.9, 3.0) == (2.0, 2.5, 3.0)
-    twenty = preferred("R20", 1.0, 9.0)
-    assert len(twenty) == 20 and all(b / a == pytest.approx(10 ** (1 / 20), rel=0.02) for a, b in pairwise(twenty))
-    assert set(preferred("R10", 1, 9)) <= set(twenty) and MODULES == tuple(sorted(MODULES))
 
 
 def test_what_an_input_allows():
