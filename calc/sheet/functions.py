@@ -46,9 +46,8 @@ def inv(angle: float) -> float:
 
 def cis(angle: float) -> complex:
     """The unit phasor e^{iα}."""
-    return (
-        complex(math.cos(angle), math.sin(angle)) if type(angle) in (float, LinkedFloat) else cast(complex, np.exp(1j * np.asarray(angle)))
-    )
+    plain = type(angle) in (float, LinkedFloat)
+    return complex(math.cos(angle), math.sin(angle)) if plain else cast(complex, np.exp(1j * np.asarray(angle)))
 
 
 def conj(z: complex) -> complex:

@@ -87,13 +87,13 @@ def linked_array(x: "Array", link: Link | None, parts: tuple[Link | None, ...]) 
     return array
 
 
-def gathered(numbers: Iterable[object], dtype: type = float) -> "Array":
+def gathered(numbers: Iterable[object]) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     if not recording.get():
         return np.array(numbers, dtype=dtype)
     parts = tuple(map(link_of, numbers))
-    return linked_array(np.array(numbers, dtype=dtype), joined_links(parts), parts)
+    return linked_array(np.array(numbers, dtype=float), joined_links(parts), parts)
 
 
 @overload

@@ -43,9 +43,8 @@ def rules() -> tuple[Rule, ...]:
 def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> Rule:
     kinds = kind.split()
     demand = kinds[-1] == "demand"
-    return Rule(
-        id, tuple(kinds[:-1] if demand else kinds), demand, cause, id if value == "=" else value, limit, tuple(moved_by.split()), why
-    )
+    value = id if value == "=" else value
+    return Rule(id, tuple(kinds[:-1] if demand else kinds), demand, cause, value, limit, tuple(moved_by.split()), why)
 
 
 @cache
@@ -101,16 +100,8 @@ def _names(pattern: list[str], parts: list[str]) -> dict[str, str] | None:
 def _filled(rule: Rule, names: dict[str, str], index: int | None) -> Rule:
     names = names if index is None else names | {"#": str(index)}
     keys = tuple(filled for key in rule.moved_by if "#" not in (filled := _put(key, names)))
-    return Rule(
-        _put(rule.id, names),
-        rule.kinds,
-        rule.demand,
-        _put(rule.cause, names),
-        _put(rule.value, names),
-        _put(rule.limit, names),
-        keys,
-        rule.why,
-    )
+    id, cause, value, limit = (_put(id, names) for id in (rule.id, rule.cause, rule.value, rule.limit))
+    return Rule(id, rule.kinds, rule.demand, cause, value, limit, keys, rule.why)
 
 
 def _put(id: str, names: dict[str, str]) -> str:

@@ -170,9 +170,8 @@ class Outcome(Generic[R]):
             more = self.further()
         except (NoSolution, ArithmeticError, ValueError) as error:
             more = Further(notes=(Text("Not everything can be shown: {error}.", error=text_of(error)),))
-        return replace(
-            self, curves=self.curves + more.curves, tables=self.tables + more.tables, notes=self.notes + more.notes, further=None
-        )  # fmt: skip
+        curves, tables, notes = self.curves + more.curves, self.tables + more.tables, self.notes + more.notes
+        return replace(self, curves=curves, tables=tables, notes=notes, further=None)
 
     @property
     def solution(self) -> R:
@@ -196,9 +195,8 @@ def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str]
         return found
     solved = [key for key, outcome in found.items() if outcome.state == "solved"]
     for key in solved:
-        others = (
-            id for id, _ in reasons if key == solved[0] and id.partition(".")[0] not in solved
-        )  # of no step, or of one without checks
+        # with the first of them what is of no step, or of one without checks
+        others = (id for id, _ in reasons if key == solved[0] and id.partition(".")[0] not in solved)
         mine = {id: reason for id, reason in reasons if id.startswith(f"{key}.")} | dict.fromkeys(others, "")
         found[key] = _accepted(found[key], mine) if mine else found[key]
     return found

@@ -110,8 +110,8 @@ def test_where_the_source_text_is_not_at_hand_name_and_arguments_stand_for_it(mo
     def no_source(_):
         raise OSError("could not get source code")
 
-    monkeypatch.setattr(expression.inspect, "getsource", no_source)
-    monkeypatch.setattr(expression.linecache, "getlines", lambda *_: [])
+    monkeypatch.setattr("inspect.getsource", no_source)
+    monkeypatch.setattr("linecache.getlines", lambda *_: [])
     expression.expression.cache_clear()
     try:
         assert line_text(only(pressure, 1000.0, 0.1, 0.05))[:2] == ("p: pressure(F = 1000, d = 0.1, l = 0.05)", "= 0.2 MPa")
