@@ -57,7 +57,7 @@ class LinkedStr(str):
         return str, (str.__str__(self),)
 
 
-# a type → what makes a linked number of one of that type: Any, since no annotation says so
+# a type → what makes a linked number of one of that type, which no annotation can say
 KINDS: dict[type, Callable[..., Any]] = {float: LinkedFloat, complex: LinkedComplex, int: LinkedInt, str: LinkedStr}
 KINDS |= {kind: kind for kind in KINDS.values()}  # type: ignore[misc]
 UNLINKED = {float, int, str, complex, bool, type(None)}
