@@ -3,7 +3,6 @@
 
 import re
 from collections.abc import Mapping
-from typing import Any
 
 from ...bearings.formulas import specific_load
 from ...catalogue import Material
@@ -79,28 +78,28 @@ def key(name: str) -> str:
 
 
 def _size(shaft: CountershaftInputs, own: Material, other: Material | None, R: Metre | None, r_0: Metre | None, mass: Kilogram) -> dict[str,
-    Any]:  # fmt: skip
+    float]:  # fmt: skip
     if other is None:
         return {}
-    sizes: dict[str, Any] = {"density": other.density}
+    sizes = {"density": other.density}
     if R is None or r_0 is None:
         return sizes
     wall = shaft.support.wall if shaft.support is not None else None
     if other.name == own.name:
-        return {**sizes, "outer_radius": R, "bore_growth": 0.0, "eccentric_mass": mass, "wall_left": wall}
+        sizes |= {"outer_radius": R, "bore_growth": 0.0, "eccentric_mass": mass}
+        return sizes if wall is None else sizes | {"wall_left": wall}
     R_m = f.radius_for(R=R, r_0=r_0, rho=own.density, rho_m=other.density)
     sizes |= {"outer_radius": R_m, "bore_growth": f.bore_growth(R_m=R_m, R=R)}
     sizes["eccentric_mass"] = f.mass_for(m=mass, rho=own.density, rho_m=other.density, R=R, R_m=R_m, r_0=r_0)
-    sizes["wall_left"] = f.wall_left(w=wall, R_m=R_m, R=R) if wall is not None else None
-    return sizes
+    return sizes if wall is None else sizes | {"wall_left": f.wall_left(w=wall, R_m=R_m, R=R)}
 
 
-def _whole(sized: dict[str, Any], own: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None) -> dict[str, Any]:
+def _whole(sized: dict[str, float], own: Material, mass: Kilogram, shaft_mass: Kilogram | None, seat: Seat | None) -> dict[str, float]:
     """The journal that grows with its seat, and the mass of the whole shaft; the rest of it keeps its shape."""
     if seat is None or "bore_growth" not in sized:
         return {}
     d = f.grown(d=seat.diameter, dD=sized["bore_growth"])
-    whole: dict[str, Any] = {"journal": d, "specific_load": specific_load(F=seat.load, d=d, l=seat.length)}
+    whole = {"journal": d, "specific_load": specific_load(F=seat.load, d=d, l=seat.length)}
     if shaft_mass is not None:
         m = f.whole_mass(
             m_new=sized["eccentric_mass"],
@@ -116,12 +115,12 @@ def _whole(sized: dict[str, Any], own: Material, mass: Kilogram, shaft_mass: Kil
     return whole
 
 
-def _cost(shaft: CountershaftInputs, one: Alternative | None, own: Alternative | None) -> dict[str, Any]:
+def _cost(shaft: CountershaftInputs, one: Alternative | None, own: Alternative | None) -> dict[str, float]:
     if shaft.cost is None or one is None:
         return {}
     N = shaft.cost.pieces_per_year
     year = f.first_year(K_T=one.tooling, K_D=one.development, N=N, c=one.piece)
-    costs: dict[str, Any] = {"first_year_cost": year}
+    costs = {"first_year_cost": year}
     if own is None or one.material == own.material:
         return costs
     theirs = f.first_year(K_T=own.tooling, K_D=own.development, N=N, c=own.piece)

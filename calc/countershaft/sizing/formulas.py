@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """The formulas of sizing: the closed form of a pure couple, the general pair of sectors, and what would be needed where they do not fit."""
 
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
+from ...sheet.arrays import Array
 from ...sheet.formula import formula
 from ...sheet.functions import argument, asin, cis, cos, joined, modulus, pi, power, resultant, sin, smallest, sqrt
 from ...sheet.text import Text
@@ -68,7 +69,7 @@ def pair_utilisation(K: SquareMetre, z_max: Metre) -> Number:
     return 2 * K / z_max**2
 
 
-def _relative(gamma: Any) -> Any:
+def _relative(gamma: Array) -> Array:
     """2·h(γ) = 4·q·sin γ/(1 + q)², which rises from 0 to 1 at 90°."""
     q = 1 - gamma * np.cos(gamma) / np.sin(gamma)
     return 4 * q * np.sin(gamma) / (1 + q) ** 2

@@ -17,7 +17,7 @@ All functions take arrays of tasks, a row each.
 
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
@@ -33,7 +33,7 @@ WINDOW = np.linspace(-1.0, 1.0, 13)
 Task = tuple[Array, Array, Array]
 
 
-def task(alpha: Any, product: Any) -> Task:
+def task(alpha: complex, product: complex) -> Task:
     """α turned onto the real axis: |α|, and the parts of Π along and across it; arrays of one axis."""
     a, p = np.broadcast_arrays(np.atleast_1d(alpha), np.atleast_1d(product))
     size = np.abs(a)
@@ -56,12 +56,12 @@ def amount(asked: Task, front: Array, rear: Array) -> Array:
     return np.where(np.maximum(s_f, s_r) <= 1, mass, np.inf)
 
 
-def utilisation(alpha: Any, product: Any) -> Array:
+def utilisation(alpha: complex, product: complex) -> Array:
     """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple together."""
     return cast(Array, _edge_minima(task(alpha, product))[1].min(-1))
 
 
-def lengths(alpha: Any, product: Any) -> tuple[Array, Array, Array]:
+def lengths(alpha: complex, product: complex) -> tuple[Array, Array, Array]:
     """β_f and β_r of least mass together, NaN where the envelope is too small; the utilisation."""
     asked = task(alpha, product)
     best, worst = _edge_minima(asked)
@@ -112,7 +112,7 @@ def _taken(x: Array, i: IndexArray) -> Array:
     return x.reshape(-1, n)[np.arange(i.size), i.ravel()].reshape(i.shape)
 
 
-def _reach(inside: Array, outside: Array, serves: Callable[[Array], Any], steps: Array, rounds: int) -> Array:
+def _reach(inside: Array, outside: Array, serves: Callable[[Array], BoolArray], steps: Array, rounds: int) -> Array:
     """How far from `inside`, which serves, towards `outside` it still does."""
     for _ in range(rounds):
         t = inside[..., None] + (outside - inside)[..., None] * steps
@@ -130,7 +130,7 @@ def _least(asked: Task, best: Array, fits: BoolArray) -> tuple[Array, Array]:
     t = from_[..., None] + (to - from_)[..., None] * ROW**2  # closer where the lengths are short, and their effect large
     front, rear = _edges(t)
 
-    def both_shorter(x: Array) -> Any:
+    def both_shorter(x: Array) -> BoolArray:
         return np.maximum(*shares(asked, front[..., None] - x, rear[..., None] - x)) <= 1
 
     most = _reach(np.zeros_like(t), t, both_shorter, ROW, 4)

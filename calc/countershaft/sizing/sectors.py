@@ -8,7 +8,6 @@ Vectors: real up, imaginary 90° further in the sense of crank rotation, cylinde
 """
 
 import math
-from typing import Any, cast
 
 import numpy as np
 
@@ -111,10 +110,10 @@ def pair(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, 
         couple=f.pair_couple(U=s.sector_unbalance(rho=rho, S=S, b=b), z_c=z_c, omega=omega))  # fmt: skip
 
 
-def pair_masses(C: Any, omega: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
+def pair_masses(C: NewtonMetre, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Array:
     """The mass of both sectors for arrays of any of the arguments; NaN where the envelope is too small."""
     with untraced(), np.errstate(invalid="ignore", divide="ignore"):
-        rho, R, r_0, z_max = (np.asarray(x, dtype=float) for x in (rho, R, r_0, z_max))
+        rho, R, r_0, z_max = (each(np.asarray(x, dtype=float)) for x in (rho, R, r_0, z_max))
         K = f.couple_number(C=C, rho=rho, omega=omega, R=R, r_0=r_0)
         fits = f.pair_utilisation(K=K, z_max=z_max) <= 1
         possible = each(np.where(fits, K, np.nan))
@@ -124,7 +123,7 @@ def pair_masses(C: Any, omega: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> A
         return np.where(K == 0, 0.0, masses)
 
 
-def masses(U: Any, P: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
+def masses(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre) -> Array:
     """The mass of both sectors for a force as well: unbalance U, product P, of the sectors alone; arrays of one axis, or numbers.
 
     NaN where the envelope is too small.  U and P are one task, or as many as there are envelopes; a pure couple takes the closed form.
@@ -132,10 +131,10 @@ def masses(U: Any, P: Any, rho: Any, R: Any, r_0: Any, z_max: Any) -> Array:
     if np.all(np.abs(U) * z_max <= DUST * np.abs(P)):
         return pair_masses(np.abs(P), 1.0, rho, R, r_0, z_max)
     with untraced():
-        k = np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0))
+        k = each(np.asarray(f.unbalance_per_length(rho=rho, R=R, r_0=r_0)))
     front, rear, _ = lengths.lengths(U / (k * z_max), P / (k * z_max**2))
     amount = lengths.amount(lengths.task(U / (k * z_max), P / (k * z_max**2)), front, rear)
-    return cast(Array, rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount))
+    return rho * (R**2 - r_0**2) * z_max * np.where(np.isnan(front), np.nan, amount)
 
 
 def size(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre3, R: Metre, r_0: Metre, z_max: Metre,
@@ -170,7 +169,7 @@ def _of_pair(P: PhasorKilogramMetre2, omega: RadPerSecond, rho: KilogramPerMetre
     with about(Text("sectors")):
         half = pair(f.couple_asked(P=P, omega=omega), omega, rho, R, r_0, z_max)
         rear = f.couple_direction(P=P)
-        common: dict[str, Any] = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
+        common = dict(length=half.length, half_angle=half.half_angle, mass=half.mass, radius=half.radius)
         return Sized(mass=f.both_masses(m_f=half.mass, m_r=half.mass), utilisation=half.utilisation, sector_length=half.length,
             sector_half_angle=half.half_angle, couple=half.couple, outer_radius=R, core_radius=r_0,
             front=SizedSector(**common, angle=f.opposite(angle=rear), z=f.front_place(b=half.length, z_max=z_max)),
@@ -195,7 +194,7 @@ def _of_search(U: PhasorKilogramMetre, P: PhasorKilogramMetre2, omega: RadPerSec
         sector_length=max(front.length, rear.length), sector_half_angle=max(front.half_angle, rear.half_angle))  # fmt: skip
 
 
-def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Any, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
+def _sector(name: str, U: PhasorKilogramMetre, b: Metre, z: Metre, k: Kilogram, rho: KilogramPerMetre3, R: Metre, r_0: Metre,
     z_max: Metre) -> SizedSector:  # fmt: skip
     if abs(U) <= DUST * k * z_max:  # the other one does all
         return SizedSector(length=0.0, half_angle=0.0, mass=0.0, radius=0.0, angle=0.0, z=z)
