@@ -5,7 +5,6 @@ Given as sections, or put together from the eccentric masses (or the sized secto
 """
 
 import math
-from typing import Any
 
 import numpy as np
 
@@ -84,10 +83,6 @@ class Outline:
     @property
     def end(self) -> Metre:
         return self.pieces[-1].end
-
-    def each(self, name: str) -> Any:
-        """One number of every piece, as an array."""
-        return gathered(getattr(piece, name) for piece in self.pieces)
 
 
 class NoOutline(Exception):
@@ -332,12 +327,13 @@ def _stretch(piece: Piece) -> Text:
     )
 
 
-def _extent(shape: Outline) -> tuple[Any, Any]:
-    z_1, z_2 = shape.each("start"), shape.each("end")
+def _extent(shape: Outline) -> tuple[Metre, Metre]:
+    """Length and middle of each piece."""
+    z_1, z_2 = column(shape.pieces, "start"), column(shape.pieces, "end")
     return lengths(z_1=z_1, z_2=z_2), middles(z_1=z_1, z_2=z_2)
 
 
-def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> tuple[Kilogram, Metre]:
+def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> tuple[Kilogram, Metre]:
     """Mass of the whole shaft and its centre of gravity along the axis."""
     A = each(shape.area)
     l, z = _extent(shape)
@@ -349,13 +345,13 @@ def weighed(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | Eccent
     return m_S, centre(rho=rho, A=A, l=l, z=z, m=m, z_m=z_m, m_S=m_S)
 
 
-def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[Extra | EccentricMass, ...]) -> KilogramMetre2:
+def turning_inertia(shape: Outline, rho: KilogramPerMetre3, extras: tuple[EccentricMass, ...]) -> KilogramMetre2:
     """Moment of inertia of the whole shaft about its axis."""
     gamma = each(gathered(math.pi if piece.half_angle is None else piece.half_angle for piece in shape.pieces))
     core = each(gathered(0.0 if piece.half_angle is None else piece.core_radius for piece in shape.pieces))
     l, _ = _extent(shape)
     m, e = column(extras, "mass"), column(extras, "radius")
-    I_p = s.polar_moment(gamma=gamma, R=shape.each("outer_radius"), r_0=core)
+    I_p = s.polar_moment(gamma=gamma, R=column(shape.pieces, "outer_radius"), r_0=core)
     return shaft_inertia(rho=rho, I_p=I_p, l=l, m=m, e=e) if extras else pieces_inertia(rho=rho, I_p=I_p, l=l)
 
 

@@ -4,7 +4,7 @@
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from ..bearings.formulas import heat_index, specific_load
 from ..catalogue import Material
@@ -18,7 +18,7 @@ from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome
 from ..sheet.text import Amount, Name, Text
 from ..sheet.trace import about, trace
-from ..sheet.units import Metre, NewtonMetre, RadPerSecond
+from ..sheet.units import Metre, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
 from .bending.shaft import Bending, bending
@@ -58,23 +58,26 @@ def solve(shaft: CountershaftInputs, imbalance: ImbalanceResult, omega: RadPerSe
             R = f.widest(d=max(d for d, _ in journals), c_R=shaft.radial_clearance or 0.0)
         F_S, C_S = _supplied(masses, shaft.extras, omega_S)
         result = _balance(shaft, todo, masses, F_S, C_S, omega_S)
+        if sized is not None:
+            result = replace(result, sector_half_angle=sized.sector_half_angle, sector_length=sized.sector_length,
+                utilisation=sized.utilisation, sector_mass=max(sized.front.mass, sized.rear.mass),
+                sector={"front": sized.front, "rear": sized.rear})  # fmt: skip
         outline = _outline(shaft, masses, sized, R, steel, journals, gear, to)
         bent = None
         if outline is not None:
-            points: tuple[Any, ...] = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
+            points = (*shaft.extras, *(masses if outline.plain else ()))  # what the outline itself does not hold
             m_S, z_S = weighed(outline, steel.density, points)
             J_S = turning_inertia(outline, steel.density, points)
             result = replace(result, outline=outline, mass=m_S, centre_of_gravity=z_S, moment_of_inertia=J_S)
             if not outline.derived:
-                to.values |= _beside(points, outline, steel, omega_S, F_S, C_S)
+                result = _beside(result, points, outline, steel, F_S, C_S)
             bent = bending(outline, steel, omega_S, shaft.bearing_positions, points, shaft.sector_effectiveness, shaft.fillet_radius)
             result = _with_bending(result, bent, steel, to, certain=sized is not None or not outline.derived)
         elif slopes:
             result = replace(result, slope_front=slopes[0], slope_rear=slopes[-1])
             to.notes.append(SLOPES_GIVEN)
         result = _with_supports(shaft, masses, journals, result, bent, to)
-        making(shaft, todo, masses, result, R, materials, journals, to)
-    result = replace(result, **to.values)
+        result = making(shaft, todo, masses, result, R, materials, journals, to)
     return Outcome("countershaft", result=result, checks=(*checks(shaft, todo, result, journals, gear), *to.checks), lines=tuple(lines),
         curves=Later(partial(_curves, todo, result, omega, shaft.bearing_positions)) + to.curves, tables=to.tables,
         notes=Later(lambda: (*notes(shaft, journals), *to.notes)))  # fmt: skip
@@ -104,8 +107,6 @@ def _sized(shaft: CountershaftInputs, todo: Task, omega: RadPerSecond, steel: Ma
         sized = size(U, P, omega, steel.density, *envelope, shaft.extras)
     except TooSmall as small:
         raise NoSolution(small.what, small.tried, small.advice + _room(shaft, journals)) from small
-    to.values |= dict(sector_half_angle=sized.sector_half_angle, sector_length=sized.sector_length, utilisation=sized.utilisation,
-        sector_mass=max(sized.front.mass, sized.rear.mass), sector={"front": sized.front, "rear": sized.rear})  # fmt: skip
     to.notes += size_notes(shaft)
     return sized
 
@@ -142,16 +143,14 @@ def _outline(shaft: CountershaftInputs, masses: tuple[EccentricMass, ...], sized
     return outline
 
 
-def _beside(points: tuple[Any, ...], outline: Outline, steel: Material, omega: RadPerSecond, F_S: complex, C_S: complex) -> dict[str,
-    NewtonMetre]:  # fmt: skip
-    """How far the given sections are from the given masses: both must be one shaft."""
+def _beside(result: CountershaftResult, points: tuple[EccentricMass, ...], outline: Outline, steel: Material, F_S: complex,
+    C_S: complex) -> CountershaftResult:  # fmt: skip
+    """The same result with how far the given sections are from the given masses: both must be one shaft."""
     with about(Text("given sections")):
-        F_x, C_x = _of(points, omega) if points else (0j, 0j)
-        F_O, C_O = vectors_of(outline, steel.density, omega, F_x, C_x)
-        return {
-            "outline_force_deviation": f.force_deviation(F_O=F_O, F_S=F_S),
-            "outline_couple_deviation": f.couple_deviation(C_O=C_O, C_S=C_S),
-        }
+        F_x, C_x = _of(points, result.omega) if points else (0j, 0j)
+        F_O, C_O = vectors_of(outline, steel.density, result.omega, F_x, C_x)
+        return replace(result, outline_force_deviation=f.force_deviation(F_O=F_O, F_S=F_S),
+            outline_couple_deviation=f.couple_deviation(C_O=C_O, C_S=C_S))  # fmt: skip
 
 
 def _with_bending(result: CountershaftResult, bent: Bending, steel: Material, to: Gathered, certain: bool) -> CountershaftResult:
@@ -206,7 +205,7 @@ def _supplied(masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omeg
     return f.whole_force(F_m=F_m, F_x=F_x), f.whole_couple(C_m=C_m, C_x=C_x)
 
 
-def _of(parts: tuple[Any, ...], omega: RadPerSecond) -> tuple[complex, complex]:
+def _of(parts: tuple[EccentricMass, ...], omega: RadPerSecond) -> tuple[complex, complex]:
     """Force and couple of some elements."""
     m, e, gamma, z = (column(parts, name) for name in ("mass", "radius", "angle", "z"))
     C = f.shaft_couple(omega=omega, m=m, e=e, z=z, gamma=gamma)

@@ -6,11 +6,11 @@ and reactions are complex and turn with the shaft.  A moment is positive where a
 supports, so that the moments over inner supports come out below zero (hogging).
 """
 
-from typing import Any, cast
+from typing import cast
 
 import numpy as np
 
-from ..sheet.arrays import ComplexArray, phasors
+from ..sheet.arrays import Array, BoolArray, ComplexArray, IndexArray, each, phasors
 from ..sheet.errors import NoSolution
 from ..sheet.formula import formula
 from ..sheet.text import Text
@@ -31,7 +31,7 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     M[0] = -np.sum((load * (support[0] - place))[first])
     M[-1] = -np.sum((load * (place - support[-1]))[last])
     if n > 2:
-        span, a, b, inside = _spans(load, place, support)
+        span, a, b, inside = _spans(place, support)
         L_s, load = L[span], load[inside]
         right, left = np.zeros(n, dtype=complex), np.zeros(n, dtype=complex)
         np.add.at(right, span + 1, load * a * (L_s**2 - a**2) / L_s)
@@ -50,7 +50,7 @@ def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetr
     """Forces of the supports on the shaft, from the loads and the moments over the supports: all arrays."""
     load, place, support = _arrays(F, z, z_s)
     moment = M
-    span, a, b, inside = _spans(load, place, support)
+    span, a, b, inside = _spans(place, support)
     L = np.diff(support)
     carried = np.zeros(support.size, dtype=complex)
     carried[0] += np.sum(load[place < support[0]])
@@ -63,7 +63,7 @@ def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetr
     return cast(PhasorNewton, -carried)
 
 
-def reactions(F: Any, z: Any, positions: Any) -> ComplexArray:
+def reactions(F: PhasorNewton, z: Metre, positions: tuple[Metre, ...]) -> ComplexArray:
     """Forces of the supports on the shaft, front to rear.  `positions` rise; loads may lie between or beyond them.
 
     Raises NoSolution for less than two supports or two in one place.
@@ -72,14 +72,15 @@ def reactions(F: Any, z: Any, positions: Any) -> ComplexArray:
         raise NoSolution(Text("reactions of the shaft's supports"),
             Text("{count} supports at {what} mm", count=len(positions), what=', '.join(f'{p * 1000.0:g}' for p in positions)),
             Text("Give at least two bearing_positions_mm that rise from front to rear."))  # fmt: skip
-    return phasors(support_reactions(F=F, z=z, z_s=positions, M=support_moments(F=F, z=z, z_s=positions)))
+    z_s = each(positions)
+    return phasors(support_reactions(F=F, z=z, z_s=z_s, M=support_moments(F=F, z=z, z_s=z_s)))
 
 
-def _arrays(F: Any, z: Any, z_s: Any) -> tuple[Any, Any, Any]:
+def _arrays(F: PhasorNewton, z: Metre, z_s: Metre) -> tuple[ComplexArray, Array, Array]:
     return np.asarray(F, dtype=complex), np.asarray(z, dtype=float), np.asarray(z_s, dtype=float)
 
 
-def _spans(load: Any, place: Any, support: Any) -> tuple[Any, Any, Any, Any]:
+def _spans(place: Array, support: Array) -> tuple[IndexArray, Array, Array, BoolArray]:
     """Of each load between the outer supports: its span, and its distances from the support ahead of it and from that behind it."""
     inside = (place >= support[0]) & (place <= support[-1])
     span = np.clip(np.searchsorted(support, place[inside], side="right") - 1, 0, support.size - 2)

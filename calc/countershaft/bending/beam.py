@@ -11,7 +11,8 @@ makes it so between two supports: M = −E·I·θ'.  All numbers in SI.
 """
 
 import math
-from typing import Any, cast
+from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
 
@@ -19,6 +20,9 @@ from ...sheet.arrays import Array, ComplexArray, IndexArray
 from ...sheet.record import record
 from ...sheet.units import Metre, RadPerSecond
 from ...sheet.value import Link
+
+Numbers = float | Sequence[float] | Array  # one for all pieces, or one for each
+Loads = complex | Sequence[complex] | ComplexArray
 
 ELEMENT = 10e-3  # m: the longest element; a frequency of a stout shaft is then right to some 10⁻⁵, statics are with any
 SAME = 1e-6  # m: places that lie closer become one node
@@ -61,12 +65,12 @@ class Bent:
     moment: ComplexArray
     link: Link | None = None  # what the beam and its load were made of
 
-    def moment_at(self, z: Any) -> Any:
+    def moment_at(self, z: Array) -> ComplexArray:
         """The bending moment at places, linear between the points at which it is known."""
         return np.interp(z, self.moment_z, self.moment.real) + 1j * np.interp(z, self.moment_z, self.moment.imag)
 
 
-def _shapes(L: Any, Phi: Any) -> tuple[Any, Any]:
+def _shapes(L: Array, Phi: Array) -> tuple[Array, Array]:
     """Deflection and rotation of an element as polynomials of ξ = z/L: coefficients by element, unknown and power.
 
     The solution of the unloaded Timoshenko element for unit displacements of its ends (Przemieniecki, Theory of Matrix Structural
@@ -88,7 +92,7 @@ def _shapes(L: Any, Phi: Any) -> tuple[Any, Any]:
     return np.moveaxis(w, 2, 0) / (1 + Phi)[:, None, None], np.moveaxis(theta, 2, 0) / (1 + Phi)[:, None, None]
 
 
-def _nodes(ends: Any, places: Any, longest: Metre) -> Array:
+def _nodes(ends: Array, places: Array, longest: Metre) -> Array:
     """Every end of a piece and every place with a pin, a force or a mass, and what is needed between to keep elements short."""
     marks = np.sort(np.concatenate([ends, places]))
     marks = marks[np.concatenate([[True], np.diff(marks) > SAME])]
@@ -98,12 +102,13 @@ def _nodes(ends: Any, places: Any, longest: Metre) -> Array:
     return np.append(np.repeat(marks[:-1], parts) + number * np.repeat(apart / parts, parts), marks[-1])
 
 
-def _nearest(z: Any, places: Any) -> Any:
-    return np.abs(z[None, :] - np.asarray(places, dtype=float)[:, None]).argmin(1)
+def _nearest(z: Array, places: Array) -> IndexArray:
+    return cast(IndexArray, np.abs(z[None, :] - places[:, None]).argmin(1))
 
 
-def beam(ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins: Any, forces: tuple[Any, Any] = ((), ()),
-    masses: tuple[Any, Any] = ((), ()), rotary: Any = None, longest: Metre = ELEMENT) -> Beam:  # fmt: skip
+def beam(ends: Numbers, stiffness: Numbers, shear: Numbers, line_mass: Numbers, load: Loads, pins: Numbers,
+    forces: tuple[Numbers, Loads] = ((), ()), masses: tuple[Numbers, Numbers] = ((), ()), rotary: Numbers = 0.0,
+    longest: Metre = ELEMENT) -> Beam:  # fmt: skip
     """A beam of pieces between `ends` (one more than pieces).
 
     `load` per length: one number of each piece, or a row of two, at its ends.  `shear` may be infinite (Bernoulli's beam).  `forces` and
@@ -128,7 +133,7 @@ def beam(ends: Any, stiffness: Any, shear: Any, line_mass: Any, load: Any, pins:
     K = np.array([[one, a, -one, a], [a, b, -a, c], [-one, -a, one, -a], [a, c, -a, b]])
     K = np.moveaxis(K, 2, 0) * (12 * EI / (L**3 * (1 + Phi)))[:, None, None]
     M = (mu * L)[:, None, None] * (w @ over_length @ w.transpose(0, 2, 1))
-    of_section = np.broadcast_to(np.asarray(0.0 if rotary is None else rotary, dtype=float), ends.size - 1)[piece]
+    of_section = np.broadcast_to(np.asarray(rotary, dtype=float), ends.size - 1)[piece]
     R = (of_section * L)[:, None, None] * (theta @ over_length[:3, :3] @ theta.transpose(0, 2, 1))
     f = L[:, None] * (w @ over_length[:, 0] * q[:, :1] + w @ over_length[:, 1] * (q[:, 1:] - q[:, :1]))
 

@@ -161,7 +161,7 @@ def piece_moments(z_1: Metre, z_2: Metre, u: Bent) -> NewtonMetre:
 
 @formula("M_h", FINITE, shows="|M| at the shoulder")
 def shoulder_moment(z: Metre, u: Bent) -> NewtonMetre:
-    return float(abs(u.moment_at(z)))
+    return float(abs(u.moment_at(np.asarray(z))))
 
 
 @formula("σ", "elasticity, elementary bending, nominal: farthest fibre of the whole section", unit="MPa")

@@ -8,24 +8,40 @@ bracket.  Sections at other angles than the load's are taken as if they bent in 
 
 import math
 from dataclasses import replace
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
 from ... import fatigue
 from ...catalogue import Material
 from ...journal_rules import SLOPE
-from ...sheet.arrays import Array, ComplexArray, column, each, many
+from ...sheet.arrays import Array, BoolArray, ComplexArray, column, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.linked_array import gathered
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text
 from ...sheet.trace import about
-from ...sheet.units import Metre, NewtonMetre, Number, Pascal, Radian, RadPerSecond, RevPerSecond
+from ...sheet.units import (
+    Kilogram,
+    KilogramMetre,
+    KilogramPerMetre,
+    Metre,
+    Metre4,
+    Newton,
+    NewtonMetre,
+    NewtonMetre2,
+    Number,
+    Pascal,
+    PhasorNewton,
+    PhasorNewtonPerMetre,
+    Radian,
+    RadPerSecond,
+    RevPerSecond,
+)  # fmt: skip
 from ...sheet.value import based_on, link_of
 from ..formulas import mass_force
-from ..inputs import Extra
+from ..inputs import EccentricMass
 from ..outline import Outline
 from . import formulas as f
 from .beam import Beam, beam, bend, displaced
@@ -77,33 +93,36 @@ class Bending:
     notes: tuple[Text, ...] = ()
 
 
+class _Given(TypedDict):
+    """What the solution is found from, beside E·I."""
+
+    S_s: Newton
+    mu: KilogramPerMetre
+    q: PhasorNewtonPerMetre
+    F: PhasorNewton
+    m: Kilogram
+    omega: RadPerSecond
+    z: Metre
+    z_B: Metre
+
+
 @record
 class _Shaft:
     """What the variants of stiffness have in common."""
 
     outline: Outline
     ends: Array
-    sector: Any
-    shear: Any
-    line_mass: Any
-    q: Any
-    forces: Any
-    places: Any
-    masses: Any
-    positions: Any
-    omega: RadPerSecond
+    sector: BoolArray
+    places: Metre  # of the further elements
+    positions: tuple[Metre, ...]
+    given: _Given
 
-    def model(self, EI: Any, longest: Metre = FINE, rotary: Any = None) -> Beam:
-        forces, masses = (self.places, self.forces), (self.places, self.masses)
-        return beam(self.ends, EI, self.shear, self.line_mass, self.q, self.positions, forces, masses, rotary, longest)
-
-    def given(self, EI: Any) -> dict[str, Any]:
-        """What the solution is found from."""
-        return dict(EI=EI, S_s=self.shear, mu=self.line_mass, q=self.q, F=self.forces, m=self.masses, omega=self.omega, z=self.ends,
-            z_B=self.positions)  # fmt: skip
+    def model(self, EI: NewtonMetre2, longest: Metre = FINE, rotary: KilogramMetre = 0.0) -> Beam:
+        x, places = self.given, self.places
+        return beam(self.ends, EI, x["S_s"], x["mu"], x["q"], self.positions, (places, x["F"]), (places, x["m"]), rotary, longest)
 
 
-def bending(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...] = (),
+def bending(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...] = (),
     effectiveness: Number = 1.0, fillet_radius: Metre | None = None) -> Bending:  # fmt: skip
     """The bending of a shaft that turns at `omega` on journals whose middles lie at `positions`.
 
@@ -114,31 +133,32 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         shaft = _prepared(outline, material, omega, positions, extras)
         I = each(outline.inertia)
         EI = f.bending_stiffness(E=material.E, I=I)
-        core = f.core_inertia(I=I, r_0=outline.each("core_radius"), sector=shaft.sector)
+        core = f.core_inertia(I=I, r_0=column(outline.pieces, "core_radius"), sector=shaft.sector)
         EI_s = _shared(material, core, effectiveness, I)
+    given = shaft.given
     with about(Text("bending of the shaft, full stiffness")):
         stiff = shaft.model(EI)
-        bent_stiff = replace(bend(stiff, omega), link=link_of(shaft.given(EI)))
-        slopes_stiff = many(f.slopes(**shaft.given(EI), u=bent_stiff))
+        bent_stiff = replace(bend(stiff, omega), link=link_of((EI, given)))
+        slopes_stiff = many(f.slopes(EI=EI, **given, u=bent_stiff))
     with about(Text("bending of the shaft")):
         model = stiff if effectiveness == 1 else shaft.model(EI_s)
-        bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of(shaft.given(EI_s)))
-        slopes = many(f.slopes(**shaft.given(EI_s), u=bent))
-        M_max = f.largest_moment(**shaft.given(EI_s), u=bent)
+        bent = bent_stiff if effectiveness == 1 else replace(bend(model, omega), link=link_of((EI_s, given)))
+        slopes = many(f.slopes(EI=EI_s, **given, u=bent))
+        M_max = f.largest_moment(EI=EI_s, **given, u=bent)
         frequencies = _frequencies(shaft, material, core, effectiveness, (EI_s, EI))
-        stressed = stresses(outline, bent, M_max, fillet_radius)
+        stressed, notes = stresses(outline, bent, M_max, fillet_radius)
         stressed |= _fatigue(stressed.get("notch_stress"), material)
         at_limit = _share_at_limit(shaft, material.E, core, (effectiveness, float(slopes.max())), (1.0, float(slopes_stiff.max())))
     plane = _plane(shaft)
     back = np.exp(-1j * plane)
-    return Bending(largest_moment=M_max, **stressed, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
+    return Bending(largest_moment=M_max, **stressed, notes=notes, effectiveness_at_limit=at_limit, slopes=slopes, slopes_stiff=slopes_stiff,
         natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1],
         natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
         reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
         deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
 
 
-def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, Any]:
+def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, float]:
     """The fillet that governs, from standstill to full speed and back; the stress stands still in the turning shaft."""
     bears = fatigue.strength(material) if notch_stress is not None else None
     if bears is None or not notch_stress:
@@ -151,7 +171,7 @@ def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> None:
+def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]) -> None:
     elements = [(z, Text("{z} mm (a bearing)", z=Amount(z * 1000.0, form="g"))) for z in positions]
     elements += [(x.z, Text("{z} mm ({name})", z=Amount(x.z * 1000.0, form="g"), name=x.name)) for x in extras]
     outside = [text for z, text in elements if not outline.start - SAME <= z <= outline.end + SAME]
@@ -162,25 +182,29 @@ def _places(outline: Outline, positions: tuple[Metre, ...], extras: tuple[Extra,
             Text("Let [[countershaft.sections]] reach that far."))  # fmt: skip
 
 
-def _prepared(outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[Extra, ...]) -> _Shaft:
+def _prepared(
+    outline: Outline, material: Material, omega: RadPerSecond, positions: tuple[Metre, ...], extras: tuple[EccentricMass, ...]
+) -> _Shaft:
     G = f.shear_modulus(E=material.E, nu=material.poisson)
     kappa = f.shear_coefficient(nu=material.poisson)
     A, S = each(outline.area), each(outline.moment)
     masses, e, gamma, z = (column(extras, name) for name in ("mass", "radius", "angle", "z"))
-    forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else np.zeros(0, dtype=complex)
-    return _Shaft(outline=outline, ends=gathered([*outline.each("start"), outline.end]),
-        sector=np.array([p.half_angle is not None for p in outline.pieces]), shear=f.shear_stiffness(kappa=kappa, G=G, A=A),
-        line_mass=f.line_mass(rho=material.density, A=A), q=f.line_load(omega=omega, rho=material.density, S=S), forces=forces, places=z,
-        masses=masses, positions=positions, omega=omega)  # fmt: skip
+    forces = mass_force(omega=omega, m=masses, e=e, gamma=gamma) if extras else each(np.zeros(0, dtype=complex))
+    ends = gathered([*column(outline.pieces, "start"), outline.end])
+    given = _Given(S_s=f.shear_stiffness(kappa=kappa, G=G, A=A), mu=f.line_mass(rho=material.density, A=A),
+        q=f.line_load(omega=omega, rho=material.density, S=S), F=forces, m=masses, omega=omega, z=each(ends),
+        z_B=each(positions))  # fmt: skip
+    sector = np.array([p.half_angle is not None for p in outline.pieces])
+    return _Shaft(outline=outline, ends=ends, sector=sector, places=z, positions=positions, given=given)
 
 
-def _shared(material: Material, core: Any, eta: Number, inertia: Any) -> Any:
+def _shared(material: Material, core: Metre4, eta: Number, inertia: Metre4) -> NewtonMetre2:
     """The bending stiffness with a share of what the sectors add to the core."""
     return f.bending_stiffness(E=material.E, I=f.shared_inertia(I_0=core, eta=eta, I=inertia))
 
 
 def _frequencies(
-    shaft: _Shaft, material: Material, core: Any, eta: Number, stiffnesses: tuple[Any, Any]
+    shaft: _Shaft, material: Material, core: Metre4, eta: Number, stiffnesses: tuple[NewtonMetre2, NewtonMetre2]
 ) -> tuple[RevPerSecond, RevPerSecond, RevPerSecond]:
     """The lowest natural frequency with the shared and with the whole stiffness, and the first without rotary inertia.
 
@@ -190,20 +214,26 @@ def _frequencies(
     inertia = each(outline.inertia)
     if shaft.sector.any():
         gamma = each(gathered(math.pi if p.half_angle is None else p.half_angle for p in outline.pieces))  # π: the full cylinder
-        side = f.sideways_inertia(R=outline.each("outer_radius"), r_0=outline.each("core_radius"), gamma=gamma)
+        side = f.sideways_inertia(R=column(outline.pieces, "outer_radius"), r_0=column(outline.pieces, "core_radius"), gamma=gamma)
         weaker = f.weaker_inertia(I=inertia, I_side=side)
         if np.any(weaker < inertia * (1 - 1e-9)):
             stiffnesses = _shared(material, core, eta, weaker), f.bending_stiffness(E=material.E, I=weaker)
             inertia = weaker
     j = f.rotary_inertia(rho=material.density, I=inertia)
-    rest: dict[str, Any] = dict(S_s=shaft.shear, mu=shaft.line_mass, m=shaft.masses, z=shaft.ends, z_B=shaft.positions)
     shared, whole = stiffnesses
-    first = f.natural_frequency(EI=shared, j=j, **rest, model=shaft.model(shared, rotary=j))
-    stiff = first if eta == 1 else f.natural_frequency(EI=whole, j=j, **rest, model=shaft.model(whole, rotary=j))
-    return first, stiff, f.natural_frequency_without_rotary(EI=shared, **rest, model=shaft.model(shared))
+    x = shaft.given
+    S_s, mu, m, z, z_B = x["S_s"], x["mu"], x["m"], x["z"], x["z_B"]
+
+    def frequency(EI: NewtonMetre2) -> RevPerSecond:
+        return f.natural_frequency(EI=EI, S_s=S_s, mu=mu, j=j, m=m, z=z, z_B=z_B, model=shaft.model(EI, rotary=j))
+
+    first = frequency(shared)
+    stiff = first if eta == 1 else frequency(whole)
+    bare = f.natural_frequency_without_rotary(EI=shared, S_s=S_s, mu=mu, m=m, z=z, z_B=z_B, model=shaft.model(shared))
+    return first, stiff, bare
 
 
-def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, Radian], whole: tuple[Number, Radian],
+def _share_at_limit(shaft: _Shaft, E: Pascal, core: Metre4, design: tuple[Number, Radian], whole: tuple[Number, Radian],
     limit: Radian = SLOPE) -> Number | None:  # fmt: skip
     """The share η at which the largest slope of a journal reaches its limit; None where it does not between 0.05 and 1.
 
@@ -213,8 +243,8 @@ def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, R
     added = np.asarray(shaft.outline.inertia) - core
 
     def stiffer(eta: float) -> float:
-        model = shaft.model(E * (core + eta * added), LONG)
-        slopes = np.abs(displaced(model, shaft.omega)[model.pinned + 1])
+        model = shaft.model(each(E * (core + eta * added)), LONG)
+        slopes = np.abs(displaced(model, shaft.given["omega"])[model.pinned + 1])
         return 1 / float(slopes.max()) - 1 / limit if slopes.any() else math.inf
 
     if not shaft.sector.any() or whole[1] > limit or (least := stiffer(LEAST_SHARE)) >= 0:
@@ -226,8 +256,7 @@ def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, R
             break
         a, f_a, b = b, f_b, min(max(b - f_b * (b - a) / (f_b - f_a), LEAST_SHARE), 1.0)
         if abs(b - a) < 1e-5:  # the step after it is far smaller
-            rest = {name: x for name, x in shaft.given(None).items() if name != "EI"}
-            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=each(shaft.outline.inertia), **rest, eta=b)
+            return f.limiting_share(theta_lim=limit, E=E, I_0=core, I=each(shaft.outline.inertia), **shaft.given, eta=b)
         f_b = stiffer(b)
     return None
 
@@ -235,9 +264,9 @@ def _share_at_limit(shaft: _Shaft, E: Pascal, core: Any, design: tuple[Number, R
 def _plane(shaft: _Shaft) -> Radian:
     """The direction of the load's couple about the middle of the journals, or of its force where there is no couple."""
     l, middle = np.diff(shaft.ends), (shaft.ends[1:] + shaft.ends[:-1]) / 2 - (shaft.positions[0] + shaft.positions[-1]) / 2
-    arm = shaft.places - (shaft.positions[0] + shaft.positions[-1]) / 2
-    couple = complex(np.sum(shaft.q * l * middle) + np.sum(shaft.forces * arm))
-    force = complex(np.sum(shaft.q * l) + np.sum(shaft.forces))
-    size = float(np.sum(np.abs(shaft.q) * l * np.abs(middle)) + np.sum(np.abs(shaft.forces * arm)))
+    arm, q, F = shaft.places - (shaft.positions[0] + shaft.positions[-1]) / 2, shaft.given["q"], shaft.given["F"]
+    couple = complex(np.sum(q * l * middle) + np.sum(F * arm))
+    force = complex(np.sum(q * l) + np.sum(F))
+    size = float(np.sum(np.abs(q) * l * np.abs(middle)) + np.sum(np.abs(F * arm)))
     vector = couple if abs(couple) > 1e-6 * size else force
     return math.atan2(vector.imag, vector.real)

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any, cast
 
 from ...catalogue import TABLES
-from ...sheet.arrays import many
+from ...sheet.arrays import each, many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
@@ -25,7 +25,7 @@ RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")
 
 
 @cache
-def _file(name: str) -> dict[str, Any]:
+def _file(name: str) -> dict[str, Any]:  # tomllib's own type
     return tomllib.loads((TABLES / name).read_text(encoding="utf-8"))
 
 
@@ -91,10 +91,9 @@ class DrainResult:
 
 def _pick(drain: OilDrain, at_hand: tuple[Clamp, ...]) -> tuple[Metre, Metre] | None:
     """Nominal diameter and opening of the one clamp that grips and comes closest to the hose; None where each is too large."""
-    sizes: Any = tuple(clamp.nominal for clamp in at_hand)  # rows of numbers, where the formulas are typed for one
-    opens: Any = tuple(clamp.opening for clamp in at_hand)
-    if min(sizes) > drain.hose_min:
+    if min(clamp.nominal for clamp in at_hand) > drain.hose_min:
         return None
+    sizes, opens = each(tuple(clamp.nominal for clamp in at_hand)), each(tuple(clamp.opening for clamp in at_hand))
     D_n = nominal(D_n=sizes, D_min=drain.hose_min)
     return D_n, opening(D_n=D_n, nominals=sizes, openings=opens)
 
@@ -110,8 +109,7 @@ def solve(drain: OilDrain) -> DrainResult:
     with about(Text("oil drain")):
         picked = _pick(drain, at_hand)
         fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
-        bores: Any = tuple(union.bore for union in fits)
-        bore = widest_bore(bores=bores, designation=drain.thread) if fits else None
+        bore = widest_bore(bores=each(tuple(union.bore for union in fits)), designation=drain.thread) if fits else None
         taken = picked if picked is not None and picked[1] >= drain.hose_max else None
         gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
         with about(Text("oil drain, DIN 3021")):

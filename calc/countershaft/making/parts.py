@@ -3,8 +3,9 @@
 
 import math
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING
 
 from ...catalogue import Material
 from ...sheet.arrays import column
@@ -20,14 +21,18 @@ from ..outline import TOUCH, Piece
 from ..result import CountershaftResult
 from ..task import LEFT_OVER, Task
 from . import holes, tolerance
+from .holes import HolesResult
 from .inputs import Support
+from .tolerance import ToleranceResult
+
+if TYPE_CHECKING:
+    from .scatter import ScatterResult
 
 
 class Gathered:
     """What the parts of the step add to its outcome."""
 
     def __init__(self) -> None:
-        self.values: dict[str, Any] = {}
         self.checks: list[Check] = []
         self.notes: list[Text] = []
         self.tables: Many[Table] = ()
@@ -35,51 +40,46 @@ class Gathered:
 
 
 def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
-    materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> None:  # fmt: skip
-    """Everything but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
+    materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> CountershaftResult:  # fmt: skip
+    """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
     rho = materials[shaft.material].density
-    _permitted(shaft, todo, result, to)
-    if shaft.holes is not None:
-        _holes(shaft, todo, masses, result, rho, R, to)
-    if shaft.scatter is not None:
-        _scatter(shaft, todo, masses, result, to)
+    result = replace(result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to))
+    scattered, other, bolted, chosen = _scatter(shaft, todo, masses, result, to), None, None, None
     if shaft.cost is not None or shaft.mode == "size":
         from ..sizing.alternatives import Seat, compared, compared_table
 
         loads = (result.reaction_front, result.reaction_rear)
         seats = [Seat(d, l, load) for (d, l), load in zip((journals[0], journals[-1]), loads)] if journals else []
         seat = max(seats, key=lambda one: one.diameter, default=None)
-        to.values["alternative"] = other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
+        other = compared(shaft, materials, R, shaft.core_radius, result.eccentric_mass, result.mass, seat)
         to.tables += Later(lambda: [compared_table(shaft, other)])
     support = materials[shaft.support.material] if shaft.support is not None else None
     if shaft.bolts is not None:
         from . import bolts
 
-        to.values["bolts"] = bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
+        bolted = bolts.solve(shaft.bolts, result.force_vector, result.couple_vector, shaft.bearing_positions, support)
         to.checks += bolts.checks(bolted)
         to.notes += bolts.notes(shaft.bolts, bolted)
     if shaft.support is not None and support is not None:
         to.checks += _support(shaft.support, support)
-    if shaft.parts:
-        to.values |= {
-            "part_count": f.part_count(n=column(shaft.parts, "count")),
-            "part_kinds": based_on(float(len(shaft.parts)), shaft.parts),
-        }
+    count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
+    kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     if shaft.oil_drain is not None:
         from . import drain
 
-        to.values["drain"] = chosen = drain.solve(shaft.oil_drain)
+        chosen = drain.solve(shaft.oil_drain)
         to.checks += drain.checks(chosen)
         to.notes += drain.notes(chosen)
+    return replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=chosen, part_count=count, part_kinds=kinds)
 
 
-def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> None:
+def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
     """What the balance quality grade permits; it needs the mass of the whole shaft."""
     if result.mass is None or result.centre_of_gravity is None:
-        return
+        return None
     z_f, z_r = shaft.bearing_positions[0], shaft.bearing_positions[-1]
     asked = result.mass, result.omega, result.centre_of_gravity, z_f, z_r, todo.couple
-    to.values["tolerance"] = permitted = tolerance.permitted(shaft.balance_grade, *asked)
+    permitted = tolerance.permitted(shaft.balance_grade, *asked)
     to.tables += Later(lambda: [tolerance.table(shaft.balance_grade, *asked)])
     to.notes += tolerance.notes(result.centre_of_gravity, z_f, z_r)
     if todo.couple:
@@ -87,17 +87,19 @@ def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult
             permitted.permitted_couple_error, "<=", LEFT_OVER * todo.couple, "N·m",
             Text("rule of this program: 5 % of the couple to be balanced"),
             Text("A finer grade (a smaller number), or a lighter shaft.")))  # fmt: skip
+    return permitted
 
 
 def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, rho: KilogramPerMetre3,
-    R: Metre | None, to: Gathered) -> None:  # fmt: skip
+    R: Metre | None, to: Gathered) -> HolesResult | None:  # fmt: skip
     """The calibration holes, and whether the shaft as drawn leaves them something to take."""
-    assert shaft.holes is not None
+    if shaft.holes is None:
+        return None
     if R is None:
         to.notes.append(Text("Calibration holes are not computed: give outer_radius_mm, from which they are drilled."))
-        return
+        return None
     z = column(masses, "z")
-    to.values["holes"] = drilled = holes.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
+    drilled = holes.calibration(shaft.holes, rho, R, z, result.omega, todo.couple)
     if masses and shaft.holes.count % len(masses):
         shared = Text("Calibration holes: {count} holes on {count2} masses are counted as an equal share for each.",
             count=shaft.holes.count, count2=len(masses))  # fmt: skip
@@ -119,6 +121,7 @@ def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
             Text("mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than "
                 "the holes take"),
             Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=Amount(drilled.hole_range / 2, form=".1f"))))  # fmt: skip
+    return drilled
 
 
 def _shortest(sectors: list[Piece]) -> Metre:
@@ -132,12 +135,14 @@ def _shortest(sectors: list[Piece]) -> Metre:
     return min(lengths)
 
 
-def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, to: Gathered) -> None:
-    assert shaft.scatter is not None
-    permitted = to.values.get("tolerance")
+def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult,
+    to: Gathered) -> "ScatterResult | None":  # fmt: skip
+    if shaft.scatter is None:
+        return None
+    permitted = result.tolerance
     if permitted is None:
         to.notes.append(Text("Scatter is not computed: what is permitted needs the mass of the whole shaft."))
-        return
+        return None
     from . import scatter
 
     target = scatter.Target(
@@ -146,11 +151,12 @@ def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
         permitted_front=permitted.residual_unbalance_permitted_front, permitted_rear=permitted.residual_unbalance_permitted_rear,
     )  # fmt: skip
     limit = todo.may_leave
-    to.values["scatter"] = spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, to.values.get("holes"))
+    spread = scatter.scattered(shaft.scatter, masses, shaft.extras, target, result.holes)
     to.checks += scatter.checks(spread, limit)
     to.tables += Later(lambda: scatter.tables(spread))
     to.curves += Later(lambda: scatter.curves(spread, limit))
     to.notes += scatter.notes(shaft.scatter, spread)
+    return spread
 
 
 def _support(support: Support, material: Material) -> Iterator[Check]:

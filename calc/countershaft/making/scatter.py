@@ -10,11 +10,11 @@ plane (over what it is permitted) comes as low as the holes allow.  That may cos
 
 import math
 from collections.abc import Iterator
-from typing import Any, cast
+from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray, column, many, phasors
+from ...sheet.arrays import Array, ComplexArray, column, each, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
@@ -28,6 +28,9 @@ from ...sheet.value import based_on
 from .. import formulas as f
 from ..inputs import EccentricMass, Extra, Scatter
 from .holes import HolesResult
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
 
 BLOCK = 5_000  # shafts at once: what stays in the processor's cache
 SWEEPS = 12  # of the search for the drilled depths with both planes weighed alike, and then with ten other weights
@@ -146,7 +149,7 @@ class Target:
         )
 
 
-def sample(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond, random: Any,
+def sample(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond, random: "Generator",
     count: int) -> tuple[ComplexArray, ComplexArray, ComplexArray, int]:  # fmt: skip
     """Shafts from a generator of random numbers: force and couple before timing, the turn e^{iδ} of their timing; and how many of them have
     a mass below zero.  Extras are exact.
@@ -233,18 +236,18 @@ def scattered(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple
     drilled = based_on(drilled, *of, holes) if drilled is not None else None
     parts |= _percentiles("residual_couple", Text("as made"), residual, tuple(PERCENTILES))
     parts |= dict(zip(SHARES if holes is not None else SHARES[:1], shares))
-    if holes is not None:
+    if drilled is not None:
         parts |= _percentiles("drilled_couple", Text("after drilling"), drilled, ("median", "95"))
     to_drill = based_on(1 - shares[0], shares[0])
     return ScatterResult(**parts, share_to_drill=to_drill, residual=residual, drilled=drilled, impossible=impossible)
 
 
-def _joint(influence: ComplexArray, taken: Array) -> Any:
+def _joint(influence: ComplexArray, taken: Array) -> ComplexArray:
     """What is taken off all masses together.  Not by `@`: for so few masses a BLAS call costs more than it saves."""
-    return np.einsum("...i,is->...s", influence, taken)
+    return cast(ComplexArray, np.einsum("...i,is->...s", influence, taken))
 
 
-def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> dict[str, Any]:
+def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Extra, ...], omega: RadPerSecond) -> dict[str, float]:
     """The error of the couple to first order, in all and by what it comes of."""
     m, e, _, z = (column(masses, name) for name in NAMES)
     whole = {symbol: column((*masses, *extras), name) for symbol, name in zip(("m", "e", "gamma", "z"), NAMES)}
@@ -257,11 +260,11 @@ def _parts(scatter: Scatter, masses: tuple[EccentricMass, ...], extras: tuple[Ex
     return {"couple_error": error} | {f"couple_error_by_{word}": part for word, part in parts.items()}
 
 
-def _percentiles(name: str, when: str, ordered: Any, words: tuple[str, ...]) -> dict[str, Any]:
+def _percentiles(name: str, when: str, ordered: Array, words: tuple[str, ...]) -> dict[str, float]:
     couples = {}
     for word in words:
         with about(Text("shafts {when}, p = {percentiles}", when=when, percentiles=Amount(PERCENTILES[word], form="g"))):
-            couples[f"{name}_{word}"] = percentile(C=ordered, p=PERCENTILES[word])
+            couples[f"{name}_{word}"] = percentile(C=each(ordered), p=PERCENTILES[word])
     return couples
 
 
