@@ -8,6 +8,7 @@ from ..sheet.check import Check
 from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress
 from ..sheet.text import Text
+from ..solve import Results
 from .state import State
 
 
@@ -18,4 +19,4 @@ def repair(state: State, failing: tuple[Check, ...], progress: Progress | None =
     written = changes(settled.row, case.bearings) if settled.row is not None else {}
     if not written:
         raise NoSolution(Text("the search for bearings finds nothing to change: it keeps every rule that it knows"))
-    return state.with_changes(written, settled.results)
+    return state.with_changes(written, settled.results if isinstance(settled.results, Results) else None)

@@ -5,8 +5,6 @@ X points along the load, Y 90° further in the sense in which the film is dragge
 displacement or velocity along j.  g is the diametral clearance, ω the effective hydrodynamic speed.
 """
 
-from typing import cast
-
 import numpy as np
 
 from ...sheet.formula import formula
@@ -38,18 +36,18 @@ MOTION = Text("dynamics, (K + i·Ω·C)·x = F_0 in the load's frame, where F_0 
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
 @formula("(ln So)'", TABLE, shows="d ln So/dε at constant l/d, from the table of Reynolds' solutions")
 def load_slope(eps: Number, b: Number) -> Number:
-    return cast(Number, tabulated.film_slopes(eps, b)[0])
+    return tabulated.film_slopes(eps, b)[0]
 
 
 @formula("φ'", TABLE, shows="dφ/dε at constant l/d, from the table of Reynolds' solutions")
 def attitude_slope(eps: Number, b: Number) -> Number:
-    return cast(Number, tabulated.film_slopes(eps, b)[1])
+    return tabulated.film_slopes(eps, b)[1]
 
 
 @formula("c_rr", TABLE, shows="squeeze solution (12·∂h/∂t, film region of the static state), from the table at ε, l/d")
 def radial_damping(eps: Number, b: Number) -> Number:
     """C_rr·c·ω/F of a journal that moves along its eccentricity."""
-    return cast(Number, tabulated.film_at(eps, b).radial_damping)
+    return tabulated.film_at(eps, b).radial_damping
 
 
 @formula("k_xx", TURNED, names={"q": "(ln So)'"})

@@ -8,7 +8,7 @@ pressure is left out of the film's own.  Against grids four times as fine: 1e-3 
 
 import math
 from functools import lru_cache
-from typing import Any, cast
+from typing import Generic, overload
 
 import numpy as np
 
@@ -20,7 +20,7 @@ from ...sheet.units import Number, Radian
 from .feeds import Feed, Feeds
 from .grooved import sheared, solve_grooved
 from .nodes import FilmRangeError, short_bearing_load
-from .reynolds import ECCENTRICITY_RANGE
+from .reynolds import ECCENTRICITY_RANGE, Value
 
 NODES = 25  # even in atanh ε
 CELLS = (96, 16)
@@ -49,22 +49,22 @@ class GroovedTable:
 
 
 @record
-class GroovedPoint:
-    """Floats, or arrays; as in `grooved.GroovedFilm`."""
+class GroovedPoint(Generic[Value]):
+    """As in `grooved.GroovedFilm`."""
 
-    eccentricity: Any
-    sommerfeld: Any
-    attitude: Any
-    side_flow: Any
-    pressure_ratio: Any
-    sheared: Any  # ∫dθ/h where there is land, over that of the whole circumference
-    k_xx: Any
-    k_xy: Any
-    k_yx: Any
-    k_yy: Any
-    c_xx: Any
-    c_xy: Any
-    c_yy: Any
+    eccentricity: Value
+    sommerfeld: Value
+    attitude: Value
+    side_flow: Value
+    pressure_ratio: Value
+    sheared: Value  # ∫dθ/h where there is land, over that of the whole circumference
+    k_xx: Value
+    k_xy: Value
+    k_yx: Value
+    k_yy: Value
+    c_xx: Value
+    c_xy: Value
+    c_yy: Value
 
 
 @lru_cache(maxsize=32)
@@ -94,7 +94,11 @@ def _bends(values: Array, step: float) -> Array:
     return np.asarray(np.linalg.solve(matrix, right))
 
 
-def eccentricity_from(sommerfeld: Any, length_ratio: float, feeds: Feeds, *, outside: str = "raise") -> Any:
+@overload
+def eccentricity_from(sommerfeld: float, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> float: ...
+@overload
+def eccentricity_from(sommerfeld: Array, length_ratio: float, feeds: Feeds, *, outside: str = ...) -> Array: ...
+def eccentricity_from(sommerfeld: float | Array, length_ratio: float, feeds: Feeds, *, outside: str = "raise") -> float | Array:
     """ε at S; floats or arrays.  Outside ε 0.02 to 0.98: FilmRangeError, or with outside="nan" a nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
     S = np.asarray(sommerfeld, dtype=float)
@@ -108,37 +112,41 @@ def eccentricity_from(sommerfeld: Any, length_ratio: float, feeds: Feeds, *, out
     return eps if S.ndim else float(eps)
 
 
-def film_at(eccentricity: Any, length_ratio: float, feeds: Feeds) -> GroovedPoint:
+@overload
+def film_at(eccentricity: float, length_ratio: float, feeds: Feeds) -> GroovedPoint[float]: ...
+@overload
+def film_at(eccentricity: Array, length_ratio: float, feeds: Feeds) -> GroovedPoint[Array]: ...
+def film_at(eccentricity: float | Array, length_ratio: float, feeds: Feeds) -> GroovedPoint[float] | GroovedPoint[Array]:
     """The film at ε; nan gives nan."""
     table = grooved_table(float(length_ratio), feeds.feeds)
     eps = np.asarray(eccentricity, dtype=float)
     values = np.moveaxis(table.at(np.arctanh(eps)), -1, 0)
     S = np.exp(-values[0]) / (2 * math.pi * length_ratio**2 * short_bearing_load(eps))
     found = [eps, S, *values[1:5], *(values[5:] / (eps * (1 - eps)))]
-    return GroovedPoint(*(found if eps.ndim else [float(x) for x in found]))
+    return GroovedPoint(*found) if eps.ndim else GroovedPoint(*map(float, found))
 
 
 # --- as lines of the calculation --------------------------------------------------------------------------------------------
 @formula("ε", SOURCE, shows="ε from S(ε) of the film with its grooves, inverted")
 def eccentricity(S: Number, b: Number, grooves: Feeds) -> Number:
-    return cast(Number, eccentricity_from(S, b, grooves))
+    return eccentricity_from(S, b, grooves)
 
 
 @formula("φ", SOURCE, shows="φ of the film with its grooves at ε")
 def attitude_angle(eps: Number, b: Number, grooves: Feeds) -> Radian:
-    return cast(Radian, film_at(eps, b, grooves).attitude)
+    return film_at(eps, b, grooves).attitude
 
 
 @formula("Q_s*", SOURCE, shows="Q_s* = Q_s/(r·c·n·l) of the film with its grooves at ε")
 def relative_side_flow(eps: Number, b: Number, grooves: Feeds) -> Number:
-    return cast(Number, film_at(eps, b, grooves).side_flow)
+    return film_at(eps, b, grooves).side_flow
 
 
 @formula("p/p_max", SOURCE, shows="p/p_max of the film with its grooves at ε")
 def pressure_ratio(eps: Number, b: Number, grooves: Feeds) -> Number:
-    return cast(Number, film_at(eps, b, grooves).pressure_ratio)
+    return film_at(eps, b, grooves).pressure_ratio
 
 
 @formula("λ", SOURCE, shows="∫dθ/h over the land between the grooves, over that of the whole circumference, at ε")
 def sheared_share(eps: Number, b: Number, grooves: Feeds) -> Number:
-    return cast(Number, film_at(eps, b, grooves).sheared)
+    return film_at(eps, b, grooves).sheared

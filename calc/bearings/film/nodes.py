@@ -9,7 +9,7 @@ import math
 from bisect import bisect_right
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any, Generic, Literal, TypeAlias
+from typing import Generic, Literal, Protocol, TypeAlias, cast
 
 import numpy as np
 
@@ -58,11 +58,18 @@ class FilmPoint(Generic[Value]):
     radial_damping: Value  # C_rr·c·ω/F of a journal that moves along its eccentricity
 
 
+class _Short(Protocol):
+    """A formula of the short bearing without its line of the calculation: the table's splines are taken over it, at one place or many."""
+
+    def __call__(self, *, eps: Value, b: float = ...) -> Value: ...
+
+
+_load, _damping = cast(_Short, short_bearing.sommerfeld_din.function), cast(_Short, short_bearing.radial_damping.function)
+
+
 def short_bearing_load(eccentricity: Value) -> Value:
     """So/(l/d)² of the infinitely short bearing with half a film: ε·√(π²·(1 − ε²) + 16·ε²)/(2·(1 − ε²)²)  (Ocvirk 1952)."""
-    one_long: Any = short_bearing.sommerfeld_din.function  # no line of the calculation: the table's spline is taken over it
-    load: Value = one_long(eps=eccentricity, b=1.0)
-    return load
+    return _load(eps=eccentricity, b=1.0)
 
 
 def short_bearing_slope(eccentricity: Value) -> Value:
@@ -75,9 +82,7 @@ def short_bearing_slope(eccentricity: Value) -> Value:
 
 def short_bearing_damping(eccentricity: Value) -> Value:
     """C_rr·c·ω/F of the infinitely short bearing with half a film."""
-    of_one: Any = short_bearing.radial_damping.function
-    damping: Value = of_one(eps=eccentricity)
-    return damping
+    return _damping(eps=eccentricity)
 
 
 # The table ------------------------------------------------------------------------------------------------------------------
@@ -158,7 +163,7 @@ def cells(nodes: Array, positions: Array) -> tuple[IndexArray, tuple[Array, Arra
     return cell, hermite((positions - nodes[cell]) / step, step)
 
 
-def clipped(quantity: str, values: Array, low: Any, high: Any, outside: Outside, more: Array | None = None) -> Array:
+def clipped(quantity: str, values: Array, low: float | Array, high: float | Array, outside: Outside, more: Array | None = None) -> Array:
     """The values with those outside low to high made nan, or an error that names the first of them."""
     wrong = ~((values >= low * (1.0 - SLACK)) & (values <= high * (1.0 + SLACK)))
     if outside == "raise" and wrong.any():

@@ -8,10 +8,9 @@ quarter at high ε: a route of comparison, and the shape of the pressure around 
 Sources: F. W. Ocvirk, NACA TN 2808 (1952); G. B. DuBois and F. W. Ocvirk, NACA Report 1157 (1953).
 """
 
-from typing import Any
-
 import numpy as np
 
+from ...sheet.arrays import Array, each
 from ...sheet.formula import formula
 from ...sheet.functions import acos, atan, cos, pi, sin, sqrt
 from ...sheet.text import Text
@@ -36,8 +35,8 @@ def eccentricity(S: Number, b: Number) -> Number:
     With t = ε²/(1 − ε²) the load is (2·So/b²)² = t·(1 + t)²·(π² + 16·t).  Its logarithm over u = ln t is convex and rises with a slope
     between 1 and 4, so that Newton's method from the right of the root falls onto it and cannot miss.
     """
-    y: Any = 2 * np.log(1 / (pi * np.asarray(S, dtype=float) * np.square(b)))
-    u: Any = np.minimum(y - np.log(pi**2), (y - np.log(16.0)) / 4)  # where one term alone carries all: on the right of the root
+    y = 2 * np.log(1 / (pi * np.asarray(S, dtype=float) * np.square(b)))
+    u = np.minimum(y - np.log(pi**2), (y - np.log(16.0)) / 4)  # where one term alone carries all: on the right of the root
     for _ in range(ITERATION_LIMIT):
         t = np.exp(u)
         error = u + 2 * np.log1p(t) + np.log(pi**2 + 16 * t) - y
@@ -46,7 +45,7 @@ def eccentricity(S: Number, b: Number) -> Number:
         if not (np.abs(step) > STEP_LIMIT).any():
             break
     eps = 1 / np.sqrt(1 + np.exp(-u))
-    return eps if eps.ndim else float(eps)
+    return each(eps) if eps.ndim else float(eps)
 
 
 @formula("φ", OCVIRK)
@@ -101,7 +100,7 @@ def middle_pressure(p_max: Pascal, eps: Number, theta: Radian, theta_m: Radian) 
     return p_max * sin(theta) / sin(theta_m) * ((1 + eps * cos(theta_m)) / (1 + eps * cos(theta))) ** 3
 
 
-def blocked_ends(eps: Any, share: Any) -> tuple[Any, Any]:
+def blocked_ends(eps: float | Array, share: float | Array) -> tuple[Array, Array]:
     """Where the pressure of the middle plane passes `share` of its peak, before and after it: θ from the widest film, rad.
 
     Nowhere (both ends at the peak) where the share is 1 or more; the whole half turn where it is 0.  In Sommerfeld's angle γ,
@@ -144,4 +143,4 @@ def blocked_arc(eps: Number, p_s: Pascal, p_max: Pascal) -> Radian:
     """
     first, last = blocked_ends(eps, p_s / p_max)
     arc = last - first
-    return arc if arc.ndim else float(arc)
+    return each(arc) if arc.ndim else float(arc)

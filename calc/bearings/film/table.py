@@ -15,8 +15,8 @@ and J. Boyd, ASLE Transactions 1 (1958) 159-209; the short bearing: F. W. Ocvirk
 
 import math
 from bisect import bisect_right
-from collections.abc import Callable
-from typing import Any, overload
+from collections.abc import Callable, Iterable
+from typing import overload
 
 import numpy as np
 
@@ -54,7 +54,9 @@ def film_at(eccentricity: float, length_ratio: float, *, outside: Outside = ...)
 def film_at(eccentricity: Array, length_ratio: Array | float, *, outside: Outside = ...) -> FilmPoint[Array]: ...
 @overload
 def film_at(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> FilmPoint[Array]: ...
-def film_at(eccentricity: Any, length_ratio: Any, *, outside: Outside = "raise") -> Any:
+def film_at(
+    eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
+) -> FilmPoint[float] | FilmPoint[Array]:  # fmt: skip
     """The film at eccentricity ε and length ratio l/d.  Arrays are broadcast; two scalars give floats.
 
     Outside the table: `FilmRangeError`, or with outside="nan" a nan at the points concerned.
@@ -70,7 +72,9 @@ def film_slopes(eccentricity: float, length_ratio: float, *, outside: Outside = 
 def film_slopes(eccentricity: Array, length_ratio: Array | float, *, outside: Outside = ...) -> tuple[Array, Array]: ...
 @overload
 def film_slopes(eccentricity: float, length_ratio: Array, *, outside: Outside = ...) -> tuple[Array, Array]: ...
-def film_slopes(eccentricity: Any, length_ratio: Any, *, outside: Outside = "raise") -> Any:
+def film_slopes(
+    eccentricity: float | Array, length_ratio: float | Array, *, outside: Outside = "raise"
+) -> tuple[float | Array, float | Array]:  # fmt: skip
     """d ln So/dε and dφ/dε of the table at constant l/d, rad: how load and its direction answer to a displaced journal."""
     load, attitude = _slopes_array(*_many(eccentricity, length_ratio), outside)
     return (float(load), float(attitude)) if load.ndim == 0 else (load, attitude)
@@ -82,7 +86,7 @@ def eccentricity_from(sommerfeld: float, length_ratio: float, *, outside: Outsid
 def eccentricity_from(sommerfeld: Array, length_ratio: Array | float, *, outside: Outside = ...) -> Array: ...
 @overload
 def eccentricity_from(sommerfeld: float, length_ratio: Array, *, outside: Outside = ...) -> Array: ...
-def eccentricity_from(sommerfeld: Any, length_ratio: Any, *, outside: Outside = "raise") -> Any:
+def eccentricity_from(sommerfeld: float | Array, length_ratio: float | Array, *, outside: Outside = "raise") -> float | Array:
     """The eccentricity ε that carries the load: the table's S(ε, l/d), strictly decreasing in ε, turned round.
 
     Newton's method within one cell of the table, never leaving the bracket.  Arrays are broadcast; two scalars give a float.
@@ -97,7 +101,7 @@ def eccentricity_from(sommerfeld: Any, length_ratio: Any, *, outside: Outside = 
 def sommerfeld_range(length_ratio: float) -> tuple[float, float]: ...
 @overload
 def sommerfeld_range(length_ratio: Array) -> tuple[Array, Array]: ...
-def sommerfeld_range(length_ratio: Any) -> Any:
+def sommerfeld_range(length_ratio: float | Array) -> tuple[float | Array, float | Array]:
     """The lowest and highest S of the table at l/d: those of ε = 0.98 and ε = 0.02."""
     low, high = film_nodes().eccentricities[[0, -1]]
     return film_at(high, length_ratio).sommerfeld, film_at(low, length_ratio).sommerfeld
@@ -167,17 +171,21 @@ def _eccentricity_scalar(sommerfeld: float, length_ratio: float, outside: Outsid
 # Many points ----------------------------------------------------------------------------------------------------------------
 
 
-def _scalar(value: Any) -> bool:
+def _scalar(value: float | Array) -> bool:
     return isinstance(value, (float, int)) or np.ndim(value) == 0
 
 
-def _many(first: Any, second: Any) -> tuple[Array, Array]:
+def _many(first: float | Array, second: float | Array) -> tuple[Array, Array]:
     """The first as an array, the second broadcast to it; one l/d for all stays one."""
     one, two = np.asarray(first, dtype=np.float64), np.asarray(second, dtype=np.float64)
     return (one, two) if two.ndim == 0 else tuple(np.broadcast_arrays(one, two))  # type: ignore[return-value]
 
 
-def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[IndexArray, Any], Array]]:
+def _sum(parts: Iterable[Array]) -> Array:
+    return sum(parts)  # type: ignore[return-value]
+
+
+def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[IndexArray, int | slice], Array]]:
     """l/d within the table, and `read(nodes, quantities)`: the table's rows at nodes of x, at the l/d of each point."""
     table = film_nodes()
     length_ratio = clipped(Text("length ratio l/d"), length_ratio, table.length_ratios[0], table.length_ratios[-1], outside)
@@ -186,10 +194,9 @@ def _reader(length_ratio: Array, outside: Outside) -> tuple[Array, Callable[[Ind
         return length_ratio, lambda nodes, quantities: values[nodes, quantities]
     row, along = cells(table.y, np.log(length_ratio))
 
-    def read(nodes: IndexArray, quantities: Any) -> Array:
+    def read(nodes: IndexArray, quantities: int | slice) -> Array:
         parts = (table.rows[2 * row + i, nodes, quantities] for i in range(4))
-        total: Array = sum((weight if part.ndim == weight.ndim else weight[..., None]) * part for weight, part in zip(along, parts))
-        return total
+        return _sum((weight if part.ndim == weight.ndim else weight[..., None]) * part for weight, part in zip(along, parts))
 
     return length_ratio, read
 
@@ -200,7 +207,7 @@ def _film_array(eccentricity: Array, length_ratio: Array, outside: Outside) -> F
     length_ratio, read = _reader(length_ratio, outside)
     eccentricity = np.where(np.isnan(length_ratio), np.nan, eccentricity)
     cell, across = cells(table.x, np.arctanh(eccentricity))
-    values: Array = sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))  # type: ignore[assignment]
+    values = _sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))
     load, attitude, flow, side_flow_ratio, pressure_ratio, damping = (values[..., k] for k in range(6))
     sommerfeld = np.exp(-load) / (2.0 * math.pi * length_ratio**2 * short_bearing_load(eccentricity))
     friction = friction_variable(eccentricity, sommerfeld, np.sin(attitude))
@@ -216,7 +223,7 @@ def _slopes_array(eccentricity: Array, length_ratio: Array, outside: Outside) ->
     cell, _ = cells(table.x, np.arctanh(eccentricity))
     step = table.x[cell + 1] - table.x[cell]
     across = hermite_slope((np.arctanh(eccentricity) - table.x[cell]) / step, step)
-    values: Array = sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))  # type: ignore[assignment]
+    values = _sum(across[j][..., None] * read(2 * cell + j, ALL) for j in range(4))
     per_eccentricity = 1.0 / (1.0 - eccentricity**2)  # dx/dε
     return (values[..., 0] + short_bearing_slope(eccentricity)) * per_eccentricity, values[..., 1] * per_eccentricity
 

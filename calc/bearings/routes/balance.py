@@ -9,13 +9,12 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cache
-from typing import Any
 
 import numpy as np
 
 from ...lubricant import State
 from ...root import root
-from ...sheet.arrays import Array, IndexArray, many
+from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.errors import NoSolution, text_of
 from ...sheet.text import Amount, Text
 from ...sheet.trace import untraced
@@ -137,12 +136,12 @@ def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hotte
     seat, duty = unlinked(seat), unlinked(duty)
     route = own_warm if warm else own_cold
     shape = np.broadcast_shapes(*(np.shape(x) for x in _numbers(seat, duty)))
-    seat, duty = _each(seat, duty, lambda x: np.broadcast_to(x, shape).ravel())
+    seat, duty = _each(seat, duty, lambda x: each(np.broadcast_to(x, shape).ravel()))
     every = np.arange(math.prod(shape))
 
     def film_at(rise: Array, some: IndexArray) -> Film:
-        asked = (seat, duty) if some.size == every.size else _each(seat, duty, lambda x: x[some])
-        return route(*asked, rise)  # type: ignore[arg-type]
+        asked = (seat, duty) if some.size == every.size else _each(seat, duty, lambda x: each(many(x)[some]))
+        return route(*asked, each(rise))
 
     def excess(rise: Array, some: IndexArray) -> Array:
         return np.asarray(many(film_at(rise, some).temperature_rise) - rise)
@@ -151,7 +150,7 @@ def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hotte
     f_high, before = np.full(every.size, np.nan), np.zeros(every.size)
     rise = np.full(every.size, np.nan)
     with untraced(), np.errstate(all="ignore"):
-        film: Any = film_at(low, every)
+        film = film_at(low, every)
         f_low = np.array(film.temperature_rise - low)
         opened = film.clearance > 0  # a journal that is seized before it turns does not come to turn
         thick = every[~np.isfinite(f_low) & opened]
@@ -184,7 +183,7 @@ def settled(seat: BearingCase, duty: OperatingPoint, *, warm: bool = True, hotte
             left = left[~(gone | (np.abs(f_x) <= tolerance * (1 + x)) | (b - a <= tolerance))]
         film = film_at(rise, every)
         there = np.abs(film.temperature_rise - rise) <= ALMOST * (1 + rise)
-    return _over(film, lambda x: np.where(there, x, np.nan).reshape(shape))
+    return _over(film, lambda x: each(np.where(there, x, np.nan).reshape(shape)))
 
 
 def _first(excess: Callable[[Array, IndexArray], Array], thick: IndexArray, hottest: float) -> tuple[Array, Array]:
@@ -214,8 +213,9 @@ def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> lis
     seat, duty = asked[0]
     sizes = [max(np.size(x) for x in _numbers(*question)) for question in asked]
 
-    def joined(of: Callable[[BearingCase, OperatingPoint], Any]) -> Any:
-        return np.concatenate([np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)])
+    def joined(of: Callable[[BearingCase, OperatingPoint], float]) -> float:
+        numbers: Array = np.concatenate([np.broadcast_to(of(*question), (size,)) for question, size in zip(asked, sizes)])
+        return each(numbers)
 
     film = settled(
         replace(seat, clearance=joined(lambda s, _: s.clearance), viscosity_factor=joined(lambda s, _: _factor(s))),
@@ -227,32 +227,31 @@ def settled_together(asked: Sequence[tuple[BearingCase, OperatingPoint]]) -> lis
     )  # fmt: skip
     ends = np.cumsum(sizes)
     parts = [slice(end - size, end) for size, end in zip(sizes, ends.tolist())]
-    return [_over(film, lambda x, part=part: x[part]) for part in parts]  # type: ignore[misc]
+    return [_over(film, lambda x, part=part: each(many(x)[part])) for part in parts]  # type: ignore[misc]
 
 
 def _factor(seat: BearingCase) -> float:
     return 1.0 if seat.viscosity_factor is None else seat.viscosity_factor
 
 
-def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[Any, ...]:
+def _numbers(seat: BearingCase, duty: OperatingPoint) -> tuple[float, ...]:
     b = seat.bearing
     return b.diameter, b.length, seat.clearance, _factor(seat), duty.load, duty.speed, duty.supply_temperature, duty.supply_pressure
 
 
-def _each(seat: BearingCase, duty: OperatingPoint, change: Callable[[Any], Any]) -> tuple[BearingCase, OperatingPoint]:
+def _each(seat: BearingCase, duty: OperatingPoint, change: Callable[[float], float]) -> tuple[BearingCase, OperatingPoint]:
     """Case and operating point with their arrays changed; numbers stay."""
 
-    def changed(x: Any) -> Any:
+    def changed(x: float) -> float:
         return change(x) if np.ndim(x) else x
 
     bearing = replace(seat.bearing, diameter=changed(seat.bearing.diameter), length=changed(seat.bearing.length))
     asked = {name: changed(x) for name, x in vars(duty).items()}
-    return replace(
-        seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=changed(seat.viscosity_factor)
-    ), OperatingPoint(**asked)
+    factor = None if seat.viscosity_factor is None else changed(seat.viscosity_factor)
+    return replace(seat, bearing=bearing, clearance=changed(seat.clearance), viscosity_factor=factor), OperatingPoint(**asked)
 
 
-def _over(film: Film, change: Callable[[Any], Any]) -> Film:
+def _over(film: Film, change: Callable[[float], float]) -> Film:
     """A film with its arrays changed, those of its oil too; what it does not have stays None."""
-    numbers: dict[str, Any] = {name: None if x is None else change(x) for name, x in vars(film).items() if name != "oil"}
+    numbers = {name: change(x) for name, x in vars(film).items() if name != "oil" and x is not None}
     return Film(oil=State(*(change(x) for x in vars(film.oil).values())), **numbers)

@@ -5,7 +5,6 @@ The own solution of Reynolds' equation judges; the others are shown beside it on
 """
 
 from collections.abc import Callable
-from typing import Any
 
 import numpy as np
 
@@ -72,7 +71,7 @@ def _reynolds(seat: BearingCase, duty: OperatingPoint, rise: float, *, warm: boo
         p_rel = pressure_ratio(eps=eps, b=ratio)
     else:
         eps = each(eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), ratio, outside="nan"))
-        state: Any = film_at(eps, ratio, outside="nan")  # its numbers are arrays, where the formulas below are typed for one
+        state = film_at(eps, ratio, outside="nan")
         phi, Q_rel, share, p_rel = state.attitude, state.flow, state.side_flow_ratio, state.pressure_ratio
     f_v = _friction_variable(duty, So, eps, phi)
     Q_1 = flow.side_flow(Q_rel=Q_rel, share=share, d=b.diameter, g=g, n_h=duty.effective_speed, l=l) if lands == 1 else None
@@ -90,15 +89,14 @@ def _with_grooves(
     if isinstance(S, float):
         ratio = based_on(ratio, ratio, inputs.axial_groove_angles, inputs.axial_groove_width, inputs.axial_groove_length)
         eps = grooved.eccentricity(S=S, b=ratio, grooves=grooves)
-        at: dict[str, Any] = dict(eps=eps, b=ratio, grooves=grooves)
-        phi, q_s, p_rel = grooved.attitude_angle(**at), grooved.relative_side_flow(**at), grooved.pressure_ratio(**at)
-        land = grooved.sheared_share(**at)
+        phi, q_s = grooved.attitude_angle(eps=eps, b=ratio, grooves=grooves), grooved.relative_side_flow(eps=eps, b=ratio, grooves=grooves)
+        p_rel, land = grooved.pressure_ratio(eps=eps, b=ratio, grooves=grooves), grooved.sheared_share(eps=eps, b=ratio, grooves=grooves)
     else:
         one = np.unique(np.asarray(ratio))
         if one.size != 1:
             raise NoSolution(Text("axial grooves are not searched over lengths and diameters"), EMPTY, Text("choose sizes with a hole"))
         eps = each(grooved.eccentricity_from(np.where(np.asarray(g) > 0, S, np.nan), one.item(), grooves, outside="nan"))
-        state: Any = grooved.film_at(eps, one.item(), grooves)
+        state = grooved.film_at(eps, one.item(), grooves)
         phi, q_s, p_rel, land = state.attitude, state.side_flow, state.pressure_ratio, state.sheared
     f_v = f.friction_variable_grooved(So=So, eps=eps, phi=phi, k_s=duty.sliding_ratio, land=land)
     Q_1 = flow.side_flow_grooved(Q_rel=q_s, d=b.diameter, g=g, n_h=duty.effective_speed, l=l)

@@ -2,10 +2,9 @@
 """How the oil comes in: through the seat or the shaft, by a hole, a pocket or a groove, at rest beside the load or swept by it."""
 
 from math import pi
-from typing import Any, cast
 
 from ...lubricant import State
-from ...sheet.arrays import Array
+from ...sheet.arrays import Array, each, many
 from ...sheet.errors import NoSolution
 from ...sheet.text import Amount, Text
 from ...sheet.value import based_on
@@ -91,11 +90,12 @@ def _groove_factor(inputs: BearingsInputs, eps: float, d: float, l: float) -> fl
 
 
 def _through_shaft(duty: OperatingPoint, oil: State, d: float) -> float:
-    p: Any = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
+    p = flow.pressure_through_shaft(p_s=duty.supply_pressure, rho=oil.rho, omega=f.angular_speed(n=duty.speed), d=d)
     if isinstance(p, float):
         if p <= 0:
             raise NoSolution(Text("no oil reaches the bearing through the shaft"),
                 Text("centrifugal head {supply_pressure} bar", supply_pressure=Amount((duty.supply_pressure - p) / 100000.0, form=".2f")),
                 Text("raise the supply pressure or feed through the seat"))  # fmt: skip
         return p
-    return cast(float, p * (p > 0) / (p > 0))  # nan where nothing arrives
+    arrives = many(p) > 0
+    return each(p * arrives / arrives)  # nan where nothing arrives

@@ -1,19 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the search is given: the bearings as they are, what stands around them, and how to solve the whole with others."""
 
-from collections.abc import Mapping
-from typing import Any, Protocol
+from collections.abc import Iterable, Mapping
+from typing import Protocol, TypeVar
 
 from ...catalogue import Oil
 from ...countershaft.inputs import CountershaftInputs
+from ...sheet.check import Check
 from ...sheet.record import record
+from ...sheet.step import Outcome
 from ...sheet.units import Metre
 from ..inputs import BearingsInputs
+
+R = TypeVar("R")
+
+
+class Solution(Protocol):
+    """The results of a design, as far as the search looks into them."""
+
+    @property
+    def outcomes(self) -> Mapping[str, Outcome[object]]: ...
+    def checks(self) -> Iterable[Check]: ...
+    def result(self, kind: type[R]) -> R | None: ...
 
 
 @record
 class Case:
-    """`results` are those of the design as it is: its outcomes by step, and `checks()`.  `solve`: the same with other bearings.
+    """`results` are those of the design as it is.  `solve`: the same with other bearings.
 
     `own_oils`: names that the design itself has given; `gear_tip`: tip diameter of the gear on the shaft, None where it is not known.
     """
@@ -23,11 +36,11 @@ class Case:
     oils: Mapping[str, Oil]
     own_oils: tuple[str, ...]
     gear_tip: Metre | None
-    results: Any
+    results: Solution
     solve: "Solve"
 
 
 class Solve(Protocol):
     """The design with other bearings.  `last`: no step after the bearings is solved."""
 
-    def __call__(self, bearings: BearingsInputs, *, last: bool = False) -> Any: ...
+    def __call__(self, bearings: BearingsInputs, *, last: bool = False) -> Solution: ...

@@ -2,15 +2,15 @@
 """A row put into the design and solved as a whole: whether it holds there, and what else then fails."""
 
 from dataclasses import replace
-from typing import Any
 
+from ...countershaft.result import CountershaftResult
 from ...sheet.changes import Changes, applied, digits
 from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Radian
 from ..inputs import BearingsInputs
-from .case import Case
+from .case import Case, Solution
 from .ranking import Fields, Pick, Row, Slopes, best, by_change, by_power
 from .variants import drawn, placed
 from .words import PLACES, against
@@ -31,7 +31,7 @@ class Settled:
     slopes: dict[str, Radian]
     broken: tuple[Check, ...] = ()
     why: Text = EMPTY
-    results: Any = None
+    results: Solution | None = None
 
 
 def confirmed(case: Case, row: Row, slopes: dict[str, Radian]) -> Settled:
@@ -70,12 +70,12 @@ def settle(case: Case, row: Row, fields: Fields, slopes: dict[str, Radian]) -> S
     return settled
 
 
-def slopes_of(case: Case, results: Any = None, before: Slopes | None = None) -> dict[str, Radian]:
+def slopes_of(case: Case, results: Solution | None = None, before: Slopes | None = None) -> dict[str, Radian]:
     """As given, else of the shaft's bending; where its outline is not known any more, as before; zero where it never was."""
     own = case.bearings
     if own.slope is not None:
         return {"front": own.slope[0], "rear": own.slope[-1]}
-    shaft = (results or drawn(case)).outcomes["countershaft"].result
+    shaft = (results or drawn(case)).result(CountershaftResult)
     if shaft is None or shaft.slope_front is None or shaft.slope_rear is None:
         return dict(before or dict.fromkeys(PLACES, 0.0))
     return {"front": shaft.slope_front, "rear": shaft.slope_rear}

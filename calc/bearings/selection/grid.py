@@ -8,11 +8,10 @@ few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-
 import math
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from ...sheet.arrays import Array, BoolArray, each, many
+from ...sheet.arrays import Array, BoolArray, IndexArray, each
 from ...sheet.quantity import keys
 from ...sheet.record import record
 from ...sheet.search import Judged, least, multiples
@@ -101,7 +100,7 @@ class Field:
         """The same for another bearing that is alike."""
         return replace(self, task=twin.with_oil(self.variant.lubricant, self.variant.supply, self.variant.fits))
 
-    def change(self) -> Any:
+    def change(self) -> Array:
         """From the design: the sum of the relative changes of length, clearance and diameter; rule of this program."""
         task = self.task
         moved = np.abs(self.states.length / task.length - 1) + np.abs(self.states.clearance / task.clearance - 1)
@@ -135,8 +134,8 @@ def _bearable(task: Task, l: Array) -> Array:
     if not l.size:
         return l
     inputs, duty = task.seat.inputs, task.duty
-    p = many(f.specific_load(F=duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(inputs, l))))
-    W = many(f.heat_index(F=duty.load, n=duty.speed, l=each(l)))
+    p = f.specific_load(F=duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(inputs, l)))
+    W = f.heat_index(F=duty.load, n=duty.speed, l=each(l))
     carries = least([task.rules["specific_load"].on(p), task.rules["heat_index"].on(W)]) >= 0
     return l[carries] if carries.any() else l[-1:]
 
@@ -182,14 +181,15 @@ def _field(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
     few = solved(at, l[0] * np.exp(x), g[:, None], all_rises=False)
     first, weights = _cubic(x, np.log(l / l[0]))
 
-    def between(numbers: Any) -> Any:
-        return sum(weights[i] * numbers[..., first + i] for i in range(4))
+    def between(numbers: Array) -> Array:
+        parts = [weights[i] * numbers[..., first + i] for i in range(4)]
+        return parts[0] + parts[1] + parts[2] + parts[3]
 
     many = {name: between(getattr(few, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
     return Field(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
 
 
-def _cubic(x: Array, at: Array) -> tuple[Any, list[Array]]:
+def _cubic(x: Array, at: Array) -> tuple[IndexArray, list[Array]]:
     """For other points than the evenly spaced nodes x: the first of the four nodes about each, and the weights of the four."""
     first = np.clip(np.searchsorted(x, at) - 2, 0, x.size - 4)
     near = [x[first + k] for k in range(4)]

@@ -5,17 +5,17 @@ Front and rear bearing do not know of each other while oil and supply are the sa
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any
 
 import numpy as np
 
+from ...sheet.arrays import Array
 from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.search import first, governing, least
 from ...sheet.text import EMPTY, Text
 from ...sheet.units import Kelvin, Metre, Number, Radian, Watt
 from .grid import Field
-from .rules import check_of
+from .rules import Index, check_of
 from .states import States, Task, judge, mckee, solved, usual
 from .variants import Variant
 from .words import PLACES
@@ -26,7 +26,7 @@ STEPS = (0.1e-6, 0.2e-6, 0.25e-6, 0.5e-6, 1e-6, 2e-6, 5e-6, 10e-6)  # of film be
 
 Fields = Mapping[str, Sequence[Field]]  # of one variant: front and rear, a field for each diameter
 Slopes = Mapping[str, Radian]
-Order = Callable[[Field], tuple[Any, Any]]  # what is wanted least of every candidate, and what of equal ones
+Order = Callable[[Field], tuple[Array, Array]]  # what is wanted least of every candidate, and what of equal ones
 
 
 @record
@@ -108,7 +108,7 @@ class Row:
         return front, rear
 
 
-def picks(task: Task, length: Any, clearance: Any, slope: Radian) -> list[Pick]:
+def picks(task: Task, length: Sequence[float], clearance: Sequence[float], slope: Radian) -> list[Pick]:
     """Bearings of one task, solved together; length and clearance are lists of the same length."""
     there = solved(task, length, clearance)
     return [
@@ -129,17 +129,17 @@ def _pick(task: Task, films: States, slope: Radian) -> Pick:
 
 
 # --- orders ----------------------------------------------------------------------------------------------------------------
-def by_power(one: Field) -> tuple[Any, Any]:
+def by_power(one: Field) -> tuple[Array, Array]:
     """The least power, the smaller change where powers are alike."""
     return np.round(one.states.power / ALIKE), one.change()
 
 
-def by_change(one: Field) -> tuple[Any, Any]:
+def by_change(one: Field) -> tuple[Array, Array]:
     """The smallest change from the design, the least power where changes are the same."""
     return np.round(one.change(), 9), one.states.power
 
 
-def by_excess(one: Field) -> tuple[Any, Any]:
+def by_excess(one: Field) -> tuple[Array, Array]:
     """The least length beyond the room, the least power where that is the same."""
     room = one.task.room.longest
     return (0 * one.states.length if room is None else np.maximum(one.states.length - room, 0.0)), one.states.power
@@ -167,7 +167,7 @@ def best_diameters(fields: Fields, slopes: Slopes) -> dict[str, Metre] | None:
     return both if len(both) == len(PLACES) else None
 
 
-def _best(fields: Sequence[Field], slope: Radian, order: Order) -> tuple[tuple[int, bool, float, float], Field, Any] | None:
+def _best(fields: Sequence[Field], slope: Radian, order: Order) -> tuple[tuple[int, bool, float, float], Field, Index] | None:
     """Rank, field and place of the first by an order, a usual clearance before others."""
     every = []
     for field in fields:
@@ -190,7 +190,7 @@ def closest(fields: Fields, slopes: Slopes) -> tuple[Pick, Pick] | None:
     return both[0], both[1]
 
 
-def _at(field: Field, index: Any, slope: Radian) -> Pick:
+def _at(field: Field, index: Index, slope: Radian) -> Pick:
     """A candidate of a field, solved where it stands."""
     return picks(field.task, [field.states.length[index]], [field.states.clearance[index]], slope)[0]
 
@@ -211,10 +211,10 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Row]
     rows: list[Row] = []
     for film in np.arange(np.floor(low / step), np.floor(high / step) + 1) * step:
         pairs = [(variant, [_least_with(fields[place], slopes[place], film) for place in PLACES]) for variant, fields, *_ in able]
-        variant, both = min(pairs, key=lambda pair: sum(one[0] for one in pair[1]))
-        if not all(np.isfinite(power) for power, *_ in both):
+        variant, both = min(pairs, key=lambda pair: sum(one[0] if one is not None else np.inf for one in pair[1]))
+        if None in both:
             continue
-        row = Row("more film", variant, *(_at(field, index, slopes[place]) for place, (_, field, index) in zip(PLACES, both)))
+        row = Row("more film", variant, *(_at(one[1], one[2], slopes[place]) for place, one in zip(PLACES, both) if one is not None))
         while rows and row.film >= rows[-1].film and row.power <= rows[-1].power:
             rows.pop()
         if not rows or row.film > rows[-1].film:
@@ -222,11 +222,11 @@ def pareto(every: Iterable[tuple[Variant, Fields]], slopes: Slopes) -> list[Row]
     return rows
 
 
-def _least_with(fields: Sequence[Field], slope: Radian, film: Metre) -> tuple[Watt, Any, Any]:
-    """The least power with at least this film, and whose it is; ∞ where there is none."""
-    best: tuple[Watt, Any, Any] = (float("inf"), None, None)
+def _least_with(fields: Sequence[Field], slope: Radian, film: Metre) -> tuple[Watt, Field, Index] | None:
+    """The least power with at least this film, and whose it is; None: there is none."""
+    best: tuple[Watt, Field, Index] | None = None
     for field in fields:
         kept = field.passing(slope) & (field.judged(slope)["film_edge"].value * 1e-6 >= film)
-        if (index := first(kept, field.states.power)) is not None and field.states.power[index] < best[0]:
+        if (index := first(kept, field.states.power)) is not None and (best is None or field.states.power[index] < best[0]):
             best = float(field.states.power[index]), field, index
     return best

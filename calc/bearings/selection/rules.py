@@ -8,7 +8,6 @@ The relative clearance that is usual for the application is kept wherever film, 
 
 from collections.abc import Iterable
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -26,6 +25,8 @@ READ = ("film_edge", "film_double_load", "temperature", "specific_load", "heat_i
         "clearance_cold_corner")  # fmt: skip
 USUAL = "clearance_usual"  # advice, and known of most applications only
 
+Index = int | tuple[np.intp, ...]  # of one of many candidates
+
 
 @record
 class Rule:
@@ -34,7 +35,7 @@ class Rule:
     key: str
     check: Check
 
-    def on(self, value: Any, limit: Any = None, where: Any = -1) -> Judged:
+    def on(self, value: float, limit: float | None = None, where: object = -1) -> Judged:
         """Candidates by this rule, from values in SI; `limit`, in SI as well, where it is that of each candidate.  `where`: the index of
         the task's state that governs, or its name; −1: it has none."""
         units = UNITS[self.check.unit]
@@ -42,7 +43,7 @@ class Rule:
         return judged(self, np.asarray(units.all_shown(value)), bound, self.check.sense, where)
 
 
-def check_of(one: Judged, index: Any) -> Check:
+def check_of(one: Judged, index: Index) -> Check:
     """The check of one candidate."""
     limit = one.limit if isinstance(one.limit, tuple) else float(np.broadcast_to(one.limit, one.margin.shape)[index])
     judged_one: Check = replace(one.rule.check, value=float(np.broadcast_to(one.value, one.margin.shape)[index]), limit=limit)

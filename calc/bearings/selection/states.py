@@ -6,14 +6,13 @@ the narrowest with the thicker oil for the heat; and the film again at twice the
 Where tolerances are only assumed, a candidate may also be judged as it is given, as the limits of the step do.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
 from ...lubricant import Lubricant
-from ...sheet.arrays import Array, column, each, many
+from ...sheet.arrays import Array, IndexArray, column, each, many
 from ...sheet.record import record
 from ...sheet.search import Judged
 from ...sheet.text import Text
@@ -25,6 +24,8 @@ from ..routes.balance import HOTTEST, settled
 from ..routes.states import BearingCase, OperatingPoint
 from .room import Room
 from .rules import USUAL, Rule
+
+Lengths = float | Sequence[float] | Array
 
 
 @record
@@ -111,16 +112,16 @@ class States:
     """Films of candidates, in SI: arrays whose first axis is that of the task's states, the others those of length and clearance; `power`
     and `flow` of the first state alone."""
 
-    length: Any
-    clearance: Any
-    film: Any
-    rise: Any
-    viscosity: Any
-    power: Any
-    flow: Any
+    length: Array
+    clearance: Array
+    film: Array
+    rise: Array
+    viscosity: Array
+    power: Array
+    flow: Array
 
 
-def solved(task: Task, length: Any, clearance: Any, *, all_rises: bool = True) -> States:
+def solved(task: Task, length: Lengths, clearance: Lengths, *, all_rises: bool = True) -> States:
     """Candidates in every state; `length` and `clearance` are broadcast against each other.  nan where there is no film.
 
     `all_rises` False: sooner, with nan as well where the rise is far beyond what may be chosen.
@@ -136,27 +137,27 @@ def solved(task: Task, length: Any, clearance: Any, *, all_rises: bool = True) -
     with np.errstate(all="ignore"):
         film = settled(at, replace(duty, load=each(duty.load * times)), hottest=HOTTEST if all_rises else HOT, tolerance=BALANCED)
     viscosity = np.broadcast_to(film.oil.mu, np.shape(film.film))
-    return States(l, g, film.film, film.temperature_rise, viscosity, many(film.friction_power)[0], many(film.oil_flow)[0])
+    rise, power, flow = many(film.temperature_rise), many(film.friction_power)[0], many(film.oil_flow)[0]
+    return States(l, g, many(film.film), rise, viscosity, power, flow)
 
 
 def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
     """Every rule on candidates that are solved.  `slope`: of the journal in its seat."""
     seat, duty, rule = task.seat, task.duty, task.rules
     inputs, d = seat.inputs, seat.bearing.diameter
-    l, g = states.length, states.clearance
-    bare = each(supply.bare_length(inputs, l))
+    l, g = each(states.length), each(states.clearance)
+    bare = each(supply.bare_length(inputs, states.length))
     once = sum(state.times == 1 for state in task.states)
     with np.errstate(all="ignore"):
         films, doubled, rise = states.film[:once], states.film[once:], states.rise[:once]
-        thinnest: Any = films.min(axis=0)
-        edge = f.film_at_edge(h_0=thinnest, theta=slope, l=l)
+        edge = f.film_at_edge(h_0=films.min(axis=0), theta=slope, l=l)
         p = f.specific_load(F=duty.load, d=d, l=bare)
-        n_T: Any = f.transition_speed(p=p, mu=states.viscosity[:once], d=d)
-        least: Any = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
+        n_T = many(f.transition_speed(p=p, mu=each(states.viscosity[:once]), d=d))
+        least = f.least_speed(k=task.speed_factor, n_T=n_T.max(axis=0))
         cold = replace(seat, clearance=g - sum(widths(inputs, d)) / 2).clearance_at(inputs.lowest_temperature)
         left = cold if task.corners else replace(seat, clearance=g).clearance_at(inputs.lowest_temperature)
         ratio = f.length_ratio(l=bare / 2 if supply.lands(inputs) == 2 else bare, d=d)
-        hottest: Any = rise.max(axis=0)
+        hottest = rise.max(axis=0)
         judged = [
             rule["film_edge"].on(edge, where=_where(films, "min")), rule["film_edge_trumpler"].on(edge, where=_where(films, "min")),
             rule["film_double_load"].on(doubled.min(axis=0), where=_where(doubled, "min") + once),
@@ -164,7 +165,7 @@ def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
             rule["temperature"].on(f.outlet_temperature(T_in=duty.supply_temperature, Delta_T=hottest), where=_where(rise, "max")),
             rule["specific_load"].on(p), rule["heat_index"].on(f.heat_index(F=duty.load, n=duty.speed, l=l)),
             rule["length_ratio"].on(ratio), rule["length_ratio_usual"].on(ratio),
-            rule["transition"].on(np.full(least.shape, duty.effective_speed), least, _where(n_T, "max")),
+            rule["transition"].on(each(np.full(np.shape(least), duty.effective_speed)), least, _where(n_T, "max")),
             rule["clearance_cold"].on(left, where=TIGHT if task.corners else -1),
         ]  # fmt: skip
         return judged if task.corners else [*judged, rule["clearance_cold_corner"].on(cold, where=TIGHT)]
@@ -173,7 +174,7 @@ def judge(task: Task, states: States, slope: Radian) -> list[Judged]:
 def usual(task: Task, clearance: Array) -> Judged | None:
     """The relative clearance against that of the application; None: it has none."""
     rule, d = task.rules.get(USUAL), task.seat.bearing.diameter
-    return None if rule is None else rule.on(f.relative_clearance(g=clearance, d=d))  # type: ignore[arg-type]
+    return None if rule is None else rule.on(f.relative_clearance(g=each(clearance), d=d))
 
 
 def without_rise(task: Task) -> Judged:
@@ -181,13 +182,14 @@ def without_rise(task: Task) -> Judged:
     return task.rules["temperature"].on(f.outlet_temperature(T_in=task.duty.supply_temperature, Delta_T=0.0))
 
 
-def _where(numbers: Any, way: str) -> Any:
+def _where(numbers: Array, way: str) -> IndexArray:
     """The index of the governing state; one without film is the worst."""
     filled = np.where(np.isnan(numbers), -np.inf if way == "min" else np.inf, numbers)
-    return filled.argmin(axis=0) if way == "min" else filled.argmax(axis=0)
+    governing: IndexArray = filled.argmin(axis=0) if way == "min" else filled.argmax(axis=0)
+    return governing
 
 
-def mckee(task: Task, states: States) -> Any:
+def mckee(task: Task, states: States) -> Array:
     """ZN/P as given, in cP·rpm/psi: a mark, it binds nothing."""
     p = f.specific_load(F=task.duty.load, d=task.seat.bearing.diameter, l=each(supply.bare_length(task.seat.inputs, states.length)))
-    return f.mckee_number(mu=states.viscosity[0], n_h=task.duty.effective_speed, p=p)
+    return many(f.mckee_number(mu=each(states.viscosity[0]), n_h=task.duty.effective_speed, p=p))

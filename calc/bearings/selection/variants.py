@@ -2,21 +2,22 @@
 """What is searched over: the bearings as the design has them, the oils, the supplies, and diameters where nothing ties them."""
 
 import re
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import lru_cache
-from typing import Any, cast
+from functools import lru_cache, partial
 
 from ... import fits
+from ...countershaft.result import CountershaftResult
 from ...lubricant import Lubricant
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
 from ...sheet.quantity import keys
 from ...sheet.record import record
-from ...sheet.step import Outcome
 from ...sheet.text import EMPTY, Text
 from ..inputs import BearingInputs, BearingsInputs
+from ..result import BearingResult, BearingsResult
 from ..solve import clearance_of
-from .case import Case
+from .case import Case, Solution
 from .room import room
 from .rules import rules
 from .states import Task
@@ -85,7 +86,8 @@ def tied(case: Case, place: str) -> Text:
         return EMPTY
     if shaft.sections:
         return Text("the sections of the shaft have it")
-    outline = drawn(case).outcomes["countershaft"].result.outline
+    drawing = drawn(case).result(CountershaftResult)
+    outline = drawing.outline if drawing is not None else None
     radii = [p.outer_radius for p in outline.pieces if p.what == "sector"] if outline is not None else []
     R = max(radii, default=shaft.outer_radius)
     if R is None:
@@ -98,34 +100,40 @@ def tied(case: Case, place: str) -> Text:
     return EMPTY
 
 
-def _solved(case: Case, own: BearingsInputs) -> Any:
+def _solved(case: Case, own: BearingsInputs) -> Solution:
     """Results in which the bearings have an answer: those of the design, else of one with other lengths and clearances.
 
     Only loads, speeds and limits are taken from them, which do not depend on either.
     """
     results = case.results if own is case.bearings else case.solve(own, last=True)
-    outcome: Outcome[Any] = results.outcomes["bearings"]
+    outcome = results.outcomes["bearings"]
     if outcome.state == "solved":
         return results
     if outcome.state == "blocked":
         raise NoSolution(Text("the bearings are not solved yet"), outcome.reason, Text("solve the steps before"))
     for ratio, psi in PROBES:
-        both: dict[str, Any] = {}
-        for place in PLACES:
-            b = getattr(own, place)
-            both[place] = replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
-        probed = case.solve(replace(own, **both), last=True)
+        probed = case.solve(_with_both(own, partial(_probe, ratio, psi)), last=True)
         if probed.outcomes["bearings"].state == "solved":
             return probed
     raise NoSolution(Text("no bearing can be chosen: the step has no answer"), outcome.reason, Text("look at load, speed and supply first"))
 
 
-def _task(case: Case, own: BearingsInputs, solved: Any, place: str, at_own: Task | None = None) -> Task:
+def _with_both(own: BearingsInputs, change: Callable[[BearingInputs], BearingInputs], places: Sequence[str] = PLACES) -> BearingsInputs:
+    front, rear = (change(b) if place in places else b for place, b in zip(PLACES, (own.front, own.rear)))
+    return replace(own, front=front, rear=rear)
+
+
+def _probe(ratio: float, psi: float, b: BearingInputs) -> BearingInputs:
+    return replace(b, length=ratio * b.diameter, clearance=psi * b.diameter, clearance_factor=None)
+
+
+def _task(case: Case, own: BearingsInputs, solved: Solution, place: str, at_own: Task | None = None) -> Task:
     """`at_own`: the same bearing at the design's diameter, whose length and clearance are those that a change counts from."""
-    there = solved.outcomes["bearings"]
-    one = there.result.bearings[place]
-    bearing = getattr(own, place)
-    space = room(case.shaft, drawn(case).outcomes["countershaft"].result, place, bearing.diameter)
+    there = solved.result(BearingsResult)
+    assert there is not None  # what `_solved` gave
+    one = there.bearings[place]
+    bearing: BearingInputs = getattr(own, place)
+    space = room(case.shaft, drawn(case).result(CountershaftResult), place, bearing.diameter)
     widths = placed(own)  # a clearance that is searched for is not that of the fits: they are taken as widths about it
     about = replace(own, journal_fit=widths[0], seat_fit=widths[1]) if widths else own
     seat = replace(one.seat, bearing=bearing, inputs=about)
@@ -134,35 +142,33 @@ def _task(case: Case, own: BearingsInputs, solved: Any, place: str, at_own: Task
     else:
         l, g, d = bearing.length, _clearance(own, bearing, one), bearing.diameter
     factor = one.least_speed / one.transition_speed
-    return Task(place, seat, one.duty, rules(place, there.checks), space, factor, l, g, d)
+    return Task(place, seat, one.duty, rules(place, solved.outcomes["bearings"].checks), space, factor, l, g, d)
 
 
-def _clearance(inputs: BearingsInputs, bearing: Any, one: Any) -> float:
+def _clearance(inputs: BearingsInputs, bearing: BearingInputs, one: BearingResult) -> float:
     """The design's own, whatever clearance the bearing was solved with."""
     if bearing.clearance is not None:
-        return cast(float, bearing.clearance)
+        return bearing.clearance
     if one.seat.bearing.clearance is None:
-        return cast(float, one.seat.clearance)
+        return one.seat.clearance
     return clearance_of(inputs, bearing, one.duty.speed)  # the design itself has no film
 
 
-def drawn(case: Case) -> Any:
+def drawn(case: Case) -> Solution:
     """Results with an outline of the shaft: those of the design, else with journals so short that they cross nothing, where that helps."""
     results = case.results
-    if case.shaft is None or results.outcomes["countershaft"].result is None or not crossings(results):
+    if case.shaft is None or results.result(CountershaftResult) is None or not crossings(results):
         return results
     return _with_short_journals(case)
 
 
 @lru_cache(maxsize=1)
-def _with_short_journals(case: Case) -> Any:
-    own = case.bearings
-    short = {place: replace(b, length=SHORT * b.diameter) for place in PLACES for b in (getattr(own, place),)}
-    shortened = case.solve(replace(own, **short), last=True)
+def _with_short_journals(case: Case) -> Solution:
+    shortened = case.solve(_with_both(case.bearings, lambda b: replace(b, length=SHORT * b.diameter)), last=True)
     return case.results if crossings(shortened) else shortened
 
 
-def crossings(results: Any) -> list[Check]:
+def crossings(results: Solution) -> list[Check]:
     """Pieces of the shaft that overlap."""
     return [c for c in results.outcomes["countershaft"].checks if c.id == "countershaft.crossing" and c.verdict == "fail"]
 
@@ -190,13 +196,8 @@ def closer_fits(own: BearingsInputs) -> list[tuple[str, str]]:
 
 def _with_diameters(own: BearingsInputs, share: float, places: list[str]) -> BearingsInputs:
     """Diameters changed by a share, on the step of their input."""
-    changed: dict[str, Any] = {}
-    for place in places:
-        b = getattr(own, place)
-        step = DIAMETER.units.inside(DIAMETER.step or 0.5)
-        d = max(round(b.diameter * (1 + share) / step), 1) * step
-        changed[place] = replace(b, diameter=round(d, 9))
-    return replace(own, **changed)
+    step = DIAMETER.units.inside(DIAMETER.step or 0.5)
+    return _with_both(own, lambda b: replace(b, diameter=round(max(round(b.diameter * (1 + share) / step), 1) * step, 9)), places)
 
 
 def variants(case: Case) -> list[Variant]:
