@@ -91,7 +91,7 @@ def gathered(numbers: Iterable[object]) -> "Array":
     """An array of single numbers that keeps the link of each."""
     numbers = tuple(numbers)
     if not recording.get():
-        return np.array(numbers, dtype=dtype)
+        return np.array(numbers, dtype=float)
     parts = tuple(map(link_of, numbers))
     return linked_array(np.array(numbers, dtype=float), joined_links(parts), parts)
 
