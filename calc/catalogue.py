@@ -124,7 +124,7 @@ class Oil:
             elif self.nu100 >= self.nu40:
                 yield "nu100_mm2_s", Text("must be below the viscosity at 40 °C")
             elif self.nu100 < self.nu40:  # neither is a placeholder
-                from .lubricant import line_problem  # brings numpy with it
+                from .oil_formulas import line_problem  # brings numpy with it
 
                 if (wrong := line_problem(self.nu40, self.nu100)) is not None:
                     yield "nu100_mm2_s", wrong

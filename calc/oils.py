@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from .catalogue import BaseStock, Claim, Oil, PrintedViscosity, ViscosityRow, base_stocks, grades, shipped_oils
-from .lubricant import LOWEST, Lubricant, implied_viscosity, line_problem
+from .lubricant import Lubricant
+from .oil_formulas import LOWEST, implied_viscosity, line_problem
 from .sheet.quantity import Quantity, keys
 from .sheet.record import record
 from .sheet.step import Erratum, Table

@@ -2,7 +2,6 @@
 """What every part of a report is made from."""
 
 from dataclasses import dataclass, field
-from typing import Any
 
 from calc.design import STEPS, Design
 from calc.design_file import Document
@@ -10,11 +9,10 @@ from calc.explain import Chains
 from calc.id_words import belongs
 from calc.languages import Language, language
 from calc.sheet.check import URGENT, Check, severity
-from calc.sheet.formula import Formula
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
-from calc.sheet.trace import Line
+from calc.sheet.trace import Equation, Line
 from calc.solve import Results
 
 from .words import WORDS
@@ -23,7 +21,7 @@ DEPTHS = ("summary", "engineer", "audit")
 CURVES = 2  # of a step, in the design calculation
 
 
-Deciding = dict[tuple[str, Formula[..., Any]], set[str]]  # step and formula → variants
+Deciding = dict[tuple[str, Equation], set[str]]  # step and formula → variants
 
 
 @dataclass(slots=True)

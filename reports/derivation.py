@@ -13,10 +13,9 @@ from typing import TYPE_CHECKING
 
 from calc.languages import Language
 from calc.sheet.expression import Shown, plain, respelled, result, show, text
-from calc.sheet.formula import Formula
 from calc.sheet.step import Step
 from calc.sheet.text import Name, with_unit
-from calc.sheet.trace import Line
+from calc.sheet.trace import Equation, Line
 
 from .boxes import Box, row, space
 from .boxes import text as text_box
@@ -101,7 +100,7 @@ Labelled = tuple[Label, Line]
 class _Entry:
     """One formula with its lines, each with the part it was computed for."""
 
-    formula: Formula[..., Any]
+    formula: Equation
     lines: list[Labelled]
 
 

@@ -8,11 +8,11 @@ import math
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, column, each, many
+from ..sheet.arrays import Array, ComplexArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import cis, resultant
-from ..sheet.linked_array import gathered, where
+from ..sheet.linked_array import column, gathered, where
 from ..sheet.record import record
 from ..sheet.text import Amount, Text
 from ..sheet.trace import about

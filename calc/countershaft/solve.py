@@ -10,10 +10,9 @@ from ..bearings.formulas import heat_index, specific_load
 from ..catalogue import Material
 from ..imbalance.remedies import roll_torque
 from ..imbalance.solve import ImbalanceResult
-from ..sheet.arrays import column
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
-from ..sheet.linked_array import elements, item
+from ..sheet.linked_array import column, elements, item
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome
 from ..sheet.text import Amount, Name, Text

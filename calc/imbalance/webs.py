@@ -13,10 +13,10 @@ import numpy as np
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
-from ..sheet.arrays import column, distinct
+from ..sheet.arrays import distinct
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant
-from ..sheet.linked_array import elements
+from ..sheet.linked_array import column, elements
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
 from ..sheet.text import Text

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of arrays, for the type checker only: importing numpy.typing costs a start-up 30 ms."""
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any, TypeVar, cast, overload
+from typing import TYPE_CHECKING, TypeVar, cast, overload
 
 if TYPE_CHECKING:
     import numpy as np
@@ -34,13 +33,6 @@ def many(x: float) -> Array:
 def phasors(x: complex) -> ComplexArray:
     """As `many`, of phasors."""
     return cast(ComplexArray, x)
-
-
-def column(parts: Iterable[object], name: str) -> Any:  # a door: an array, and what formulas take
-    """One number of every part, as an array that knows where each came from."""
-    from .linked_array import gathered
-
-    return gathered(getattr(part, name) for part in parts)
 
 
 def distinct(x: "NDArray[S]") -> "tuple[NDArray[S], IndexArray, IndexArray]":

@@ -8,14 +8,14 @@ where a power multiplies a rounding, where the value lies near the middle betwee
 import math
 from collections.abc import Mapping
 
-from .formula import Formula
 from .number import DIGITS, LISTED, all_rounded, rounded
+from .trace import Equation
 
 MOST = 12  # digits of an argument
 NOUGHT = 5e-4  # in the shown unit: what is found again in place of 0
 
 
-def digits_that_close(formula: Formula[..., object], arguments: Mapping[str, object], value: object, factor: float) -> dict[str, int]:
+def digits_that_close(formula: Equation, arguments: Mapping[str, object], value: object, factor: float) -> dict[str, int]:
     """Digits by argument.  `value`: what the arguments gave, in SI; `factor`: its shown unit in SI.
 
     Four for all where that is enough; else the least number with which all of them give the value, then as few as each one needs.

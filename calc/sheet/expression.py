@@ -11,11 +11,11 @@ from collections.abc import Callable, Mapping
 from functools import cache
 
 from .closing import digits_that_close
-from .formula import Formula, definition, units
+from .formula import definition, units
 from .number import DIGITS, SUBSCRIPTS, SUPERSCRIPTS, scalar, several, short
 from .record import record
 from .text import COMMA, EMPTY, Name, Text, with_unit
-from .trace import Line
+from .trace import Equation, Line
 from .units import UNITS
 
 GREEK = dict(
@@ -53,7 +53,7 @@ def symbol(identifier: str) -> str:
 
 
 @cache
-def expression(formula: Formula[..., object]) -> Expr | None:
+def expression(formula: Equation) -> Expr | None:
     """The tree of the return expression; None where the source text is not at hand or the formula stands for an algorithm."""
     if formula.shows:
         return None
@@ -77,7 +77,7 @@ def _without_ones(tree: Expr) -> Expr:
     return Expr(tree.head, args, tree.name)
 
 
-def _build(node: ast.expr, formula: Formula[..., object]) -> Expr:
+def _build(node: ast.expr, formula: Equation) -> Expr:
     def sub(n: ast.expr) -> Expr:
         return _build(n, formula)
 
@@ -173,7 +173,7 @@ def _argument(x: object, unit: str, digits: int = DIGITS) -> str:
 
 
 @cache
-def _result_unit(formula: Formula[..., object]) -> tuple[str, float]:
+def _result_unit(formula: Equation) -> tuple[str, float]:
     inside = units(formula).get("return", "")
     if formula.unit:
         return formula.unit, UNITS[formula.unit].factor
@@ -185,7 +185,7 @@ def result(line: Line) -> tuple[str, str]:
     return _result(line.formula, _element(line.value, _governing(line), getattr(line.value, "shape", ())))
 
 
-def _result(formula: Formula[..., object], value: object) -> tuple[str, str]:
+def _result(formula: Equation, value: object) -> tuple[str, str]:
     unit, factor = _result_unit(formula)
     assert isinstance(value, (int, float, complex)), formula.__name__
     return scalar(value / factor), unit
@@ -272,7 +272,7 @@ def line_text(line: Line, say: Callable[[str], str] = str, number: Callable[[str
 
 
 @cache
-def _written(formula: Formula[..., object]) -> str:
+def _written(formula: Equation) -> str:
     """Its expression as text."""
     tree = expression(formula)
     return text(tree) if tree is not None else ""

@@ -20,7 +20,7 @@ from functools import cache
 from typing import Generic, ParamSpec, TypeVar, get_type_hints
 
 from .text import Text
-from .trace import Line, recorder, subject
+from .trace import Equation, Line, recorder, subject
 from .value import LinkedFloat, linked
 
 P = ParamSpec("P")
@@ -84,13 +84,13 @@ class Formula(Generic[P, R]):
 
 
 @cache
-def units(formula: Formula[..., object]) -> dict[str, str]:
+def units(formula: Equation) -> dict[str, str]:
     """The unit of each argument, and of the result under "return", from the annotations."""
     hints = get_type_hints(formula.function, include_extras=True)
     return {name: hint.__metadata__[0] if hasattr(hint, "__metadata__") else "" for name, hint in hints.items()}
 
 
-def described(formula: Formula[..., object]) -> str:
+def described(formula: Equation) -> str:
     """What `help` shows: call and result with their units in SI ("-": none), the expression or the algorithm, the source, the docstring."""
     known = {name: unit or "-" for name, unit in units(formula).items()}
     arguments = ", ".join(f"{name}: {known.get(name, '-')}" for name in formula.parameters)

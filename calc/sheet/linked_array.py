@@ -96,6 +96,11 @@ def gathered(numbers: Iterable[object]) -> "Array":
     return linked_array(np.array(numbers, dtype=float), joined_links(parts), parts)
 
 
+def column(parts: Iterable[object], name: str) -> Any:  # a door: an array, and what formulas take
+    """One number of every part, as an array that knows where each came from."""
+    return gathered(getattr(part, name) for part in parts)
+
+
 @overload
 def where(there: "BoolArray", one: "float | Array", other: "Array") -> "Array": ...
 @overload

@@ -1,16 +1,32 @@
 # SPDX-License-Identifier: Apache-2.0
 """The record of a calculation: which formula was called, with what, and what came out."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextvars import ContextVar
-from typing import TYPE_CHECKING, Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 from .text import EMPTY, Text
 
-if TYPE_CHECKING:
-    from .formula import Formula
-
 T = TypeVar("T")
+
+
+class Equation(Protocol):
+    """What a line is an evaluation of: a formula (`formula.py`, which says what these are)."""
+
+    __name__: str
+    symbol: str
+    unit: str
+    governs: str
+    names: dict[str, str]
+    parameters: tuple[str, ...]
+
+    @property
+    def function(self) -> Callable[..., object]: ...
+    @property
+    def source(self) -> Text: ...
+    @property
+    def shows(self) -> Text: ...
+    def __hash__(self) -> int: ...
 
 
 class Line:
@@ -21,7 +37,7 @@ class Line:
 
     __slots__ = ("about", "arguments", "formula", "value")
 
-    def __init__(self, formula: "Formula[..., object]", arguments: Mapping[str, object], value: object, about: Text = EMPTY) -> None:
+    def __init__(self, formula: Equation, arguments: Mapping[str, object], value: object, about: Text = EMPTY) -> None:
         self.formula, self.arguments, self.value, self.about = formula, arguments, value, about
 
 

@@ -12,12 +12,9 @@ equal to it, shown, hashed and pickled like it; arithmetic outside of a formula 
 """
 
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any, TypeVar, Union, cast
+from typing import Any, TypeVar, Union, cast
 
-from .trace import Line, recorder, recording, subject
-
-if TYPE_CHECKING:
-    from .formula import Formula
+from .trace import Equation, Line, recorder, recording, subject
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -137,7 +134,7 @@ def based_on(x: T, *sources: object) -> T:
     return number
 
 
-def converged(formula: "Formula[..., object]", x: T, last: Callable[[T], R], closes: Callable[[R], object]) -> R:
+def converged(formula: Equation, x: T, last: Callable[[T], R], closes: Callable[[R], object]) -> R:
     """The last pass of an iteration on x, recorded: x has a line of its own, made of all that enters the pass from outside.
 
     `formula` says in words how x was found; `last` makes the pass; `closes` takes out of its result what had to agree with x.

@@ -10,7 +10,8 @@ import pytest
 from calc.catalogue import Oil, ViscosityRow, oils
 from calc.design_file import design, parse, read
 from calc.explain import Chains
-from calc.lubricant import ZERO_CELSIUS, Lubricant
+from calc.lubricant import Lubricant
+from calc.oil_formulas import ZERO_CELSIUS
 from calc.oils import rising_rows
 from calc.sheet.errors import BadInput
 from calc.solve import solve

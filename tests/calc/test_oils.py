@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 from calc.catalogue import TABLES, Claim, Oil, PrintedViscosity, base_stocks, grades, oils, shipped_oils
 from calc.design_file import design, parse
-from calc.lubricant import FLATTEST, STEEPEST, Lubricant, line_problem, viscosity_slope
+from calc.lubricant import Lubricant
+from calc.oil_formulas import FLATTEST, STEEPEST, line_problem, viscosity_slope
 from calc.oils import CONFIDENCES, errata, grade, judged_values, least_sure, printed_at, printed_table, printed_viscosities, values_table
 from calc.sheet.errors import BadInput
 from calc.sheet.trace import trace

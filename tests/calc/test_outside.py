@@ -16,7 +16,8 @@ from calc.countershaft.bending.beam import beam, bend, natural_frequency
 from calc.countershaft.making.tolerance import lever_front, lever_rear, permitted_unbalance, plane_unbalance
 from calc.gears import formulas as g
 from calc.gears.measures import formulas as m
-from calc.lubricant import Lubricant, density
+from calc.lubricant import Lubricant
+from calc.oil_formulas import density
 from calc.viscosity_index import viscosity_index
 
 CASES = tomllib.loads((Path(__file__).parents[1] / "reference" / "outside.toml").read_text(encoding="utf-8"))["case"]

@@ -12,7 +12,8 @@ from dataclasses import replace
 import numpy as np
 
 from ...lubricant import Lubricant
-from ...sheet.arrays import Array, IndexArray, column, each, many
+from ...sheet.arrays import Array, IndexArray, each, many
+from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.search import Judged
 from ...sheet.text import Text

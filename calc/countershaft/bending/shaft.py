@@ -15,9 +15,9 @@ import numpy as np
 from ... import fatigue
 from ...catalogue import Material
 from ...journal_rules import SLOPE
-from ...sheet.arrays import Array, BoolArray, ComplexArray, column, each, many
+from ...sheet.arrays import Array, BoolArray, ComplexArray, each, many
 from ...sheet.errors import NoSolution
-from ...sheet.linked_array import gathered
+from ...sheet.linked_array import column, gathered
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text

@@ -10,8 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from ... import notch
-from ...sheet.arrays import Array, column, each, many
-from ...sheet.linked_array import gathered, item, where
+from ...sheet.arrays import Array, each, many
+from ...sheet.linked_array import column, gathered, item, where
 from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced
 from ...sheet.units import Metre, NewtonMetre

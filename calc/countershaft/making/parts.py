@@ -8,9 +8,9 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from ...catalogue import Material
-from ...sheet.arrays import column
 from ...sheet.check import Check, check
 from ...sheet.later import Later, Many
+from ...sheet.linked_array import column
 from ...sheet.step import Curve, Table
 from ...sheet.text import Amount, Text
 from ...sheet.units import KilogramPerMetre3, Metre

@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, cast
 
 import numpy as np
 
-from ...sheet.arrays import Array, ComplexArray, column, each, many, phasors
+from ...sheet.arrays import Array, ComplexArray, each, many, phasors
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.functions import modulus, rss, sqrt
+from ...sheet.linked_array import column
 from ...sheet.quantity import result, value
 from ...sheet.record import record
 from ...sheet.step import Curve, Series, Table

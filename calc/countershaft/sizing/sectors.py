@@ -12,8 +12,9 @@ import math
 import numpy as np
 
 from ...root import root
-from ...sheet.arrays import Array, column, each
+from ...sheet.arrays import Array, each
 from ...sheet.errors import NoSolution
+from ...sheet.linked_array import column
 from ...sheet.quantity import group, result, value
 from ...sheet.text import Amount, Text
 from ...sheet.trace import about, untraced

@@ -11,9 +11,9 @@ from math import sqrt
 
 import numpy as np
 
-from ...sheet.arrays import Array, column, each
+from ...sheet.arrays import Array, each
 from ...sheet.errors import NoSolution
-from ...sheet.linked_array import gathered
+from ...sheet.linked_array import column, gathered
 from ...sheet.record import record
 from ...sheet.text import Text
 from ...sheet.trace import about
