@@ -80,6 +80,7 @@ WAYS = {
     "gears": (
         (("*.contact_ratio", "*.contact_ratio_least", "*.interference", "*.interference_least", "*.tip_clearance_least", "*.undercut",
           "*.tip_thickness"), "teeth.repair"),
+        (("*.clearance", "*.position"), "teeth.idler"),
         (("*.backlash", "*.backlash_cold", "*.backlash_warm", "*.backlash_runout"), "backlash.repair"),
         (("*.safety_contact", "*.safety_bending"), "strength.repair"),
     ),

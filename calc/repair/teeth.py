@@ -13,6 +13,7 @@ import numpy as np
 
 from ..gears.inputs import GearsInputs
 from ..gears.selection.free_shifts import freedoms, settled
+from ..gears.selection.idler import idlers, passed
 from ..gears.selection.optimum import Case, along
 from ..gears.selection.rules import USUAL, Bar, eased, judge
 from ..gears.selection.search import Row, search
@@ -25,6 +26,7 @@ from ..sheet.errors import NoSolution
 from ..sheet.progress import Progress, part, tell
 from ..sheet.search import first, least
 from ..sheet.text import Text
+from ..step_inputs import shaft_axis
 from .state import State, first_repaired
 
 TRIED = 6  # designs, solved whole
@@ -46,6 +48,18 @@ def repair(state: State, failing: tuple[Check, ...], progress: Progress | None =
         rows = search(gears, part(progress, 0.4, 0.8)).all
     rows = tuple(sorted((row for row in rows if row.passes), key=lambda row: _change(row, gears)))
     return first_repaired(state, "gears", ids, map(changes, rows), part(progress, 0.8, 1.0), most=TRIED)
+
+
+def idler(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
+    """Other teeth of an idler that touches what stands beside it, or does not reach: the nearest number that passes."""
+    gears = state.design.gears
+    assert gears is not None
+    rows = [row for found in idlers(gears, shaft_axis(state.design), part(progress, 0.0, 0.6)) for row in passed(found)]
+    if not rows:
+        raise NoSolution(Text("no other number of teeth of an idler is clear of what stands around the train"))
+    now = {wheel.name: wheel.teeth for wheel in gears.wheels}
+    rows.sort(key=lambda row: (abs(row.teeth - now[row.wheel]), row.largest))
+    return first_repaired(state, "gears", [c.id for c in failing], [row.changes for row in rows], part(progress, 0.6, 1.0), most=TRIED)
 
 
 def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:

@@ -119,6 +119,16 @@ def test_what_can_not_be_mended_is_said() -> None:
     assert "gears.train.speed_ratio" in fails(found.results)
 
 
+def test_an_idler_that_touches_the_cover_gets_the_nearest_teeth_that_do_not() -> None:
+    found = remedy(damaged("r753ie4_sized", "gears.walls.cover-below.to_mm=[80,165]"), "gears", tries=0)
+    assert found.mends == ("gears.idler.clearance",) and not found.left and found.changes[0] == "gears.wheels.idler.teeth=37"
+
+
+def test_where_no_teeth_of_the_idler_help_it_is_said() -> None:
+    found = remedy(damaged("r753ie4_sized", "gears.walls.cover-below.to_mm=[140,140]"), "gears", tries=0)
+    assert not found.changes and "gears.idler.clearance" in {one.id for one in found.left}
+
+
 def test_a_part_that_is_mended_is_kept_where_another_is_not() -> None:
     document = damaged("r753ie4_gamma", "gears.wheels.shaft.teeth=24")
     found = remedy(document, "gears", tries=0)

@@ -62,6 +62,8 @@ def clearance_checks(wheel: str, free: dict[str, Clearance], order: list[str], c
     move = Text("give {wheel} another place", wheel=wheel) if chosen else Text("move {wheel} or {what} apart", wheel=wheel, what=what)
     missing = Text(" by {g} mm", g=mm(-tight.g)) if tight.g < 0 else ""
     advice = Text("The tip circle needs more room: {move}{missing}, or give it fewer teeth or a smaller shift.", move=move, missing=missing)
+    if chosen and tight.kind != "wheel":
+        advice += Text(" `choose FILE gears` tries its teeth.")
     usual, rule = Text("{name}, usual", name=name), Text("rule of this program: 1 mm")
     return [
         check(id, name, tight.g, ">=", 0.0, "mm", SWEPT, advice),
