@@ -37,7 +37,7 @@ def outcome(d: Drive, result: FrictionResult, lines: list[Line]) -> Outcome[Fric
     friction = d.friction
     return Outcome(
         "friction", result=result, lines=tuple(lines), checks=(*checks(friction, result), *_oil_rows(d.oil)),
-        curves=Later(partial(curves.curves, result)), errata=errata(friction, result, d.oil),
+        curves=Later(partial(curves.curves, result, d)), errata=errata(friction, result, d.oil),
         notes=Later(partial(notes.notes, friction, result, d.oil)), tables=Later(partial(curves.tables, result, d)),
     )  # fmt: skip
 

@@ -1,15 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Tables and curves of solved friction: where the power goes, the models side by side, the oil, and what happens along the path."""
+"""Tables and curves of solved friction: where the power goes, the models side by side, the oil, what happens along the path, and over λ."""
 
+import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 
 from .. import oils
 from ..bearings.inputs import IN_WORDS
+from ..sheet.arrays import each
+from ..sheet.errors import NoSolution
+from ..sheet.functions import pi
 from ..sheet.step import Curve, Series, Table, axis_label
 from ..sheet.text import EMPTY, Amount, Text
 from .balance.closure import Drive
+from .mesh.loss import solve_mesh
+from .mesh.mixed import MIXED
+from .mesh.motion import motion
+from .mesh.traction import eyring_stress, roelands_index, slope_under_pressure
 from .models import compared
 from .result import FrictionResult, MeshResult, by_regime
 
@@ -57,7 +66,7 @@ def _parts(r: FrictionResult) -> list[tuple[Text, float]]:
 
 
 # --- curves ----------------------------------------------------------------------------------------------------------------
-def curves(result: FrictionResult) -> tuple[Curve, ...]:
+def curves(result: FrictionResult, d: Drive) -> tuple[Curve, ...]:
     names, powers = zip(*_parts(result))
     labels = Text(", ").join(f"{i} {name}" for i, name in enumerate(names, 1))
     places = np.arange(1.0, len(names) + 1)
@@ -70,7 +79,7 @@ def curves(result: FrictionResult) -> tuple[Curve, ...]:
         bars=True,
         names=names,
     )
-    return (bars, *(c for name, mesh in result.meshes.items() for c in _curves(name, mesh)))
+    return (bars, *(c for name, mesh in result.meshes.items() for c in (*_curves(name, mesh), *_stribeck(name, mesh))), _shear(d))
 
 
 def way(mesh: MeshResult) -> Text:
@@ -113,4 +122,43 @@ def _curves(name: str, mesh: MeshResult) -> Iterator[Curve]:
         x_label,
         axis_label("T_f", "°C"),
         lines("T_f"),
+    )
+    yield Curve(
+        f"{name}.deborah", Text("{title}: Deborah number along the line of action", title=title), x_label, Text("lg De"),
+        tuple(replace(line, y=np.log10(line.y)) for line in lines("De")), ((Text("Eyring's law holds below"), 0.0),),
+    )  # fmt: skip
+
+
+PACES = np.geomspace(1 / 64, 4.0, 33)  # of the speed of the design
+
+
+def _stribeck(name: str, mesh: MeshResult) -> Iterator[Curve]:
+    """Mean friction over λ at the torque of the design, slower and faster; none where a film gets too hot."""
+    c, m = mesh.case, mesh.judged
+    try:
+        at = replace(c, motion=motion(c.mesh, c.path, each(PACES * c.motion.omega_1 / (2 * pi))))
+        found = solve_mesh(at, each(PACES * m.load), mesh.by_regime is None)
+    except NoSolution:
+        return
+    line = Series(Text("torque of the design, other speeds"), np.log10(found.lambda_min), np.asarray(found.friction_mean))
+    own = Series(Text("as designed"), np.log10([m.lambda_min]), np.array([m.friction_mean]))
+    boundary, full = (Amount(math.log10(lam), form=".2f") for lam in MIXED)
+    over = Text("lg of the smallest λ (boundary below {boundary}, full film above {full})", boundary=boundary, full=full)
+    title = Text("Mesh {title}: mean friction over λ (Stribeck)", title=c.mesh.title)
+    yield Curve(f"{name}.stribeck", title, over, Text("μ_m"), (line, own))
+
+
+def _shear(d: Drive) -> Curve:
+    """What shear the oil bears: its limit, and the stress from which it thins, at some temperatures."""
+    s, oil, p = next(iter(d.cases.values())).rubbing(d.friction.film == "judged"), d.oil, np.linspace(0.1e9, 2.0e9, 39)
+    lines = [Series(Text("limit Λ·p"), p * 1e-9, oil.Lambda * p * 1e-6)]
+    for T in (oil.T_m - 40, oil.T_m, oil.T_m + 40):
+        eta = oil.lubricant.at(T).mu
+        alpha = oil.alpha_at(eta)
+        if s.roelands and s.relieved:
+            alpha = slope_under_pressure(alpha_f=alpha, Z=roelands_index(alpha_f=alpha, eta_f=eta), p_m=each(p))
+        tau = eyring_stress(Lambda=oil.Lambda, alpha_f=alpha)
+        lines.append(Series(Text("Eyring stress at {T}", T=Amount(T, "°C")), p * 1e-9, np.broadcast_to(tau, p.shape) * 1e-6))
+    return Curve(
+        "shear", Text("Shear stress that the oil bears over pressure"), axis_label("p", "GPa"), axis_label("τ", "MPa"), tuple(lines)
     )

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What solved friction rests on: what is taken, what is not counted, where the model leaves its range."""
 
+import numpy as np
+
 from .. import oils
 from ..sheet.text import COMMA, Amount, Name, Text
 from .inputs import Carried, FrictionInputs, carrier
@@ -8,7 +10,7 @@ from .losses.wheels import has_bearings
 from .mesh.film import Oil
 from .mesh.geometry import WheelGeometry
 from .mesh.loss import LOADED
-from .mesh.mixed import FULL
+from .mesh.mixed import FULL, regimes
 from .result import FrictionResult, by_regime
 
 JUMP = 1e-6  # of the power
@@ -29,10 +31,14 @@ def notes(friction: FrictionInputs, result: FrictionResult, oil: Oil) -> tuple[T
                 rolling_loss=Amount(m.rolling_loss),
                 sliding_loss=Amount(m.sliding_loss),
             )
+        thickest = float(np.max(np.asarray(m.local.lam)))
         found.append(
             Text(
-                "Mesh {title}: {rigid}.",
+                "Mesh {title}: λ from {lambda_min} to {thickest}, {regimes} lubrication; {rigid}.",
                 title=mesh.case.mesh.title,
+                lambda_min=Amount(m.lambda_min),
+                thickest=Amount(thickest),
+                regimes=regimes(m.lambda_min, thickest),
                 rigid=rigid if share else Text("no rigid isoviscous film, the EHL formula holds"),
             )
         )

@@ -193,6 +193,7 @@ class Local:
     w: NewtonPerMetre
     V_s: MetrePerSecond
     b_H: Metre
+    De: Number
 
     def drawn(self, name: str) -> Array:
         """One of them to draw: film and friction only where a place is loaded, nan elsewhere."""
@@ -354,7 +355,7 @@ def _solved(c: Case, P: Watt, by_regime: bool, exponent: Number) -> MeshLoss:
         estimate = rolling_estimate(s=s, q_E=q_E, r=f.rigid)
     P_VZ = mesh_loss(P_s=P_s, P_R=P_R)
     H_VL = loss_factor(s=s, w=w, V_s=m.V_s, P=P)
-    along_path = c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H
+    along_path = c.path.x, p_H, f.h, t.lam, t.xi, t.mu, t.q, t.T_f, w, m.V_s, lost.b_H, t.De
     p_C = pressure_at_pitch_point(p_H=c.path.at_pitch_point(p_H)) if c.mesh.spur else None
     return MeshLoss(
         loss=P_VZ, sliding_loss=P_s, rolling_loss=P_R, rolling_estimate=estimate, efficiency=efficiency(P_VZ=P_VZ, P=P), loss_factor=H_VL,

@@ -43,6 +43,7 @@ SHARING = Text("Johnson, Greenwood and Poon 1972, load-sharing concept")
 BOUNDARY: Number = 0.08  # friction of lubricated peaks
 PUBLISHED = (0.065, 0.10)  # its published values
 DRY: Number = 0.135  # the gear friction thesis', after Masjedi and Khonsari's rollers
+MIXED = (0.3, 3.5)  # λ below which lubrication is called boundary, above which full film: the widest that authors take, thesis 4.1
 FULL: Number = 2.3  # λ above which the law of Zhu and Hu would fall again: the film carries all from 2.02 on
 
 
@@ -57,6 +58,13 @@ def combined_roughness(Ra_1: Metre, Ra_2: Metre) -> Metre:
 @formula("λ", Text("{thesis}, eq. 30: film over roughness", thesis=THESIS), governs="min")
 def film_ratio(h: Metre, sigma: Metre) -> Number:
     return h / sigma
+
+
+def regimes(lowest: Number, highest: Number) -> Text:
+    """The kinds of lubrication from one λ to another."""
+    kinds = Text("boundary"), Text("mixed"), Text("full-film")
+    first, last = (sum(lam > limit for limit in MIXED) for lam in (lowest, highest))
+    return kinds[first] if first == last else Text("{first} to {last}", first=kinds[first], last=kinds[last])
 
 
 # --- how the load is shared ------------------------------------------------------------------------------------------------

@@ -46,11 +46,9 @@ def test_the_loss_does_not_jump_with_the_power(name, T, n, powers):
     """Between two powers one per cent apart no step of several per cent, and the default path is as good as a fine one."""
     o = oil("10W-40 Q8 T905", T)
     coarse = case(friction(), PAIRS[name], o, n)
-    fine = case(friction(), PAIRS[name], o, n, points=300) if name == "spur" else case(friction(), PAIRS[name], o, n, points=12, strips=31)
-    shares = []
-    for P in np.geomspace(*powers, 9):
-        a, b, c = solve_mesh(coarse, P, True), solve_mesh(coarse, P * 1.0001, True), solve_mesh(fine, P, True)
-        shares.append(a.rigid_share)
-        assert b.loss == pytest.approx(a.loss, rel=5e-3)
-        assert a.loss == pytest.approx(c.loss, rel=2e-3)
-    assert min(shares) < max(shares)  # the regime does change
+    fine = case(friction(), PAIRS[name], o, n, points=100) if name == "spur" else case(friction(), PAIRS[name], o, n, points=12, strips=31)
+    P = np.geomspace(*powers, 9)
+    a, b, c = solve_mesh(coarse, P, True), solve_mesh(coarse, P * 1.0001, True), solve_mesh(fine, P, True)
+    assert b.loss == pytest.approx(a.loss, rel=5e-3)
+    assert a.loss == pytest.approx(c.loss, rel=2e-3)
+    assert np.ptp(a.rigid_share) > 0  # the regime does change
