@@ -1,21 +1,24 @@
 # SPDX-License-Identifier: Apache-2.0
 """The figures of this step, without and with the counter-shaft: loci with their turning vectors, bars over the orders, a whole turn."""
 
-from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ..sheet.arrays import Array, ComplexArray
 from ..sheet.number import SUBSCRIPTS
 from ..sheet.step import Curve, Series, Table, Turning, axis_label
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
 from .orders import DUST
+from .remedies import BalanceShaft, Vectors
 
 if TYPE_CHECKING:
     from .solve import ImbalanceResult
 
 DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 WITHOUT = Text("without the counter-shaft")
+Both = Sequence[tuple[Text, Mapping[int, Vectors]]]  # without and with the shaft, by order
 Shaft = tuple[complex, complex]  # its force and couple, cylinder 1 at TDC; they turn backward
 KINDS = (("couple", "C", "N·m", 2), ("force", "F", "N", 0))
 LOCUS = {"couple": Text("Locus of the couple"), "force": Text("Locus of the force")}
@@ -38,7 +41,7 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
         one = result.one_couple if kind == "couple" else result.one_force
         if max(abs(v) for pair in (vectors, after) for order in pair.values() for v in order[at : at + 2]) <= DRAWN * one:
             continue
-        both = ((WITHOUT, vectors), (with_, after)) if any(abs(v) > DUST * one for v in vectors[1][at : at + 2]) else (("", vectors),)
+        both = ((WITHOUT, vectors), (with_, after)) if any(abs(v) > DUST * one for v in vectors[1][at : at + 2]) else ((EMPTY, vectors),)
         variants = tuple(name for name, _ in both) if len(both) > 1 else ()
         made += [
             _locus(kind, symbol, unit, at, both, variants, supplied[at // 2], one),
@@ -52,7 +55,7 @@ def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Cur
     return tuple(made)
 
 
-def _locus(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[Text, ...], supplied: complex, one: float) -> Curve:
+def _locus(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...], supplied: complex, one: float) -> Curve:
     """The path of the lowest order that there is and of all orders together, and the vectors that draw the first of these."""
     before = both[0][1]
     shown = next((n for n in sorted(before) if max(abs(v) for v in before[n][at : at + 2]) > DUST * one), 1)
@@ -80,15 +83,15 @@ def _locus(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tupl
     )  # fmt: skip
 
 
-def _path(vectors: Any, orders: Iterable[int], at: int, theta: Any) -> Any:
+def _path(vectors: Mapping[int, Vectors], orders: Iterable[int], at: int, theta: Array) -> ComplexArray:
     """The sum of the turning vectors of some orders at crank angles."""
-    path: Any = np.zeros(theta.size, complex)
+    path: ComplexArray = np.zeros(theta.size, complex)
     for n in orders:
         path += vectors[n][at] * np.exp(1j * n * theta) + vectors[n][at + 1] * np.exp(-1j * n * theta)
     return path
 
 
-def _bars(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[Text, ...]) -> Curve:
+def _bars(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...]) -> Curve:
     series = []
     for variant, vectors in both:
         orders = np.array(sorted(vectors), float)
@@ -105,7 +108,7 @@ def _bars(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tuple
     )
 
 
-def _turn(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tuple[Text, ...]) -> Curve:
+def _turn(kind: str, symbol: str, unit: str, at: int, both: Both, variants: tuple[Text, ...]) -> Curve:
     degrees = np.arange(0, 361, 3.0)
     theta = np.radians(degrees)
     series = []
@@ -117,13 +120,8 @@ def _turn(kind: str, symbol: str, unit: str, at: int, both: Any, variants: tuple
         ]
     turn = Text("crank angle from TDC of cylinder 1, °")
     return Curve(
-        f"{kind}s",
-        TURN[kind],
-        turn,
-        Text("{symbol}, {unit}", symbol=symbol, unit=unit),
-        tuple(series),
-        variants=variants,
-    )
+        f"{kind}s", TURN[kind], turn, Text("{symbol}, {unit}", symbol=symbol, unit=unit), tuple(series), variants=variants,
+    )  # fmt: skip
 
 
 def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
@@ -143,7 +141,7 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
     first, second = result.orders["order_1"], result.orders["order_2"]
     F_2, C_2 = second.force_peak, second.couple_peak
 
-    def row(words: str, vectors: Any, shaft: Shaft = (0j, 0j)) -> tuple[Any, ...]:
+    def row(words: Text, vectors: Vectors, shaft: Shaft = (0j, 0j)) -> tuple[str | float | None, ...]:
         F = abs(vectors[0]) + abs(vectors[1] + shaft[0])
         C = abs(vectors[2]) + abs(vectors[3] + shaft[1])
         return words, "", F, C, F_2, C_2, None
@@ -175,14 +173,14 @@ def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = 
     )  # fmt: skip
 
 
-def _needs(part: Any) -> Text:
+def _needs(part: BalanceShaft) -> Text:
     """One shaft in words: what it carries, and where it points."""
     words = []
     for symbol, amount, scale, unit, phase in (
         ("U", part.unbalance, 1e3, "kg·mm", part.unbalance_phase),
         ("U·Δz", part.unbalance_product, 1e6, "kg·mm²", part.unbalance_product_phase),
     ):
-        if amount is not None:
+        if amount is not None and phase is not None:
             words.append(
                 Text(
                     "{symbol} {amount} at {phase}",

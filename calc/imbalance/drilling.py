@@ -8,11 +8,10 @@ the best corner of a small linear programme.
 
 import math
 from itertools import combinations
-from typing import Any, cast
 
 import numpy as np
 
-from ..sheet.arrays import each
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, modulus, total
 from ..sheet.linked_array import gathered
@@ -38,8 +37,8 @@ SOURCE = Text(
 @formula("U_k", SOURCE, shows="least Σ|U_k|/r_d with ΣU_k = S, ΣU_k·z_k = C, U_k on the web's side away from its pin", unit="kg·mm")
 def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radian) -> PhasorKilogramMetre:
     """The unbalance to take away at every web; ψ are the directions opposite to the pins.  No numbers where it can not be done."""
-    ends: Any = np.concatenate([np.exp(1j * (psi - WITHIN)), np.exp(1j * (psi + WITHIN))])
-    places: Any = np.tile(np.asarray(z), 2)
+    ends = np.concatenate([np.exp(1j * (psi - WITHIN)), np.exp(1j * (psi + WITHIN))])
+    places = np.tile(np.asarray(many(z)), 2)
     arm = float(np.max(np.abs(places))) or 1.0
     rows = np.array([ends.real, ends.imag, ends.real * places / arm, ends.imag * places / arm])
     wanted = np.array([S.real, S.imag, C.real / arm, C.imag / arm])
@@ -48,13 +47,13 @@ def removed(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, z: Metre, psi: Radi
     sound = np.abs(np.linalg.det(systems)) > 1e-9
     shares = np.linalg.solve(systems[sound], np.broadcast_to(wanted, (int(sound.sum()), 4))[..., None])[..., 0]
     possible = np.flatnonzero(np.all(shares >= -1e-12, axis=1))
-    found: Any = np.full(places.size // 2, np.nan, complex)
+    found: ComplexArray = np.full(places.size // 2, np.nan, complex)
     if possible.size:
         best = possible[np.argmin(np.sum(shares[possible], axis=1))]
         share = np.zeros(ends.size)
         share[chosen[sound][best]] = np.maximum(shares[best], 0.0)
         found = np.sum((share * ends).reshape(2, -1), axis=0)
-    return cast(PhasorKilogramMetre, found)
+    return each(found)
 
 
 @formula("m_k", "Finotti 2013, 2.6: mass to drill out of a web", unit="g")
@@ -80,7 +79,9 @@ class WebDrilling:
     angle: Radian = value("Direction of the hole, the named throw up", "°")
 
 
-def drilling(imbalance: ImbalanceInputs, S: complex, C: complex, p: Any, z: Any) -> dict[str, Any]:
+def drilling(
+    imbalance: ImbalanceInputs, S: complex, C: complex, p: ComplexArray, z: Array
+) -> tuple[dict[str, WebDrilling] | None, Kilogram | None]:
     """The webs to drill, by name and together, for a crank with the unbalance S and the couple product C; none where it can not be done.
 
     `p`, `z`: centres of gravity of the bodies.
@@ -89,16 +90,16 @@ def drilling(imbalance: ImbalanceInputs, S: complex, C: complex, p: Any, z: Any)
     webs = [k for k, body in enumerate(bodies) if body.pin is None]
     pins = [k for k, body in enumerate(bodies) if body.pin is not None]
     if radius is None or not 2 <= len(webs) <= MOST:
-        return {}
+        return None, None
     nearest = [min(pins, key=lambda pin: abs(bodies[pin].z - bodies[k].z)) for k in webs]
     away = based_on(np.angle(-np.asarray(p)[nearest]), p)
     with about(Text("webs to drill")):
-        U: Any = removed(S=S, C=C, z=each(based_on(np.asarray(z)[webs], z)), psi=away)
+        U = phasors(removed(S=S, C=C, z=each(based_on(np.asarray(z)[webs], z)), psi=each(away)))
         if not np.all(np.isfinite(U)):
-            return {}
+            return None, None
         found = {
             bodies[k].name: WebDrilling(mass=drilled(U=u, r_d=radius), angle=direction(U=u))
             for k, u in zip(webs, (based_on(complex(u), U) for u in U))
             if abs(u) > DUST * float(np.sum(np.abs(U)))
         }
-        return {"drill": found, "drilled_mass": in_all(m_k=each(gathered(web.mass for web in found.values())))}
+        return found, in_all(m_k=each(gathered(web.mass for web in found.values())))

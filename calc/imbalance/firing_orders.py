@@ -5,14 +5,13 @@ import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import permutations, product
-from typing import Any
 
 import numpy as np
 
 from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
-from ..sheet.arrays import Array, distinct
+from ..sheet.arrays import Array, IndexArray, distinct, each, many
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.step import Table
@@ -56,7 +55,7 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     Raises NoSolution for more.
     """
     n = engine.cylinders
-    orders: Any = np.array(list(_orders(engine)), dtype=np.int8)
+    orders = np.array(list(_orders(engine)), dtype=np.intp)
     place = np.argsort(orders, axis=1)  # of each cylinder in the order
     throws = n // 2 if engine.strokes == 4 and n % 2 == 0 else n  # places so far apart share a crank angle: they are a turn apart
     keys = np.zeros(len(orders), dtype=np.int64)
@@ -69,9 +68,8 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
         if imbalance.crank_balance_fraction == 0.5
         else _left(replace(imbalance, crank_balance_fraction=0.5), engine, e, place[first].astype(float))[0]
     )
-    left: Any = sum((o.force_peak + o.couple_peak / engine.cylinder_pitch for o in best.values()), np.zeros(len(first)))
-    one: Any = found[1]
-    two: Any = found[2]
+    left: Array = sum((many(o.force_peak + o.couple_peak / engine.cylinder_pitch) for o in best.values()), np.zeros(len(first)))
+    one, two = found[1], found[2]
     beside, half = _in_turn(engine, orders)
     mild = [(int(b), int(h)) for b, h in zip(beside, half)]
     mildest = dict(sorted(zip(which.tolist(), mild), reverse=True))  # of the orders of each crank
@@ -80,21 +78,21 @@ def firing_orders(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineRes
     )
     return [
         FiringOrder(
-            order=tuple(orders[i].tolist()), crank_angles=angles[j], force_1=float(one.force_peak[j]),
-            couple_1_forward=float(one.couple_forward[j]), couple_1_backward=float(one.couple_backward[j]),
-            force_2=float(two.force_peak[j]), couple_2=float(two.couple_peak[j]), left=float(left[j]),
+            order=tuple(orders[i].tolist()), crank_angles=angles[j], force_1=float(many(one.force_peak)[j]),
+            couple_1_forward=float(many(one.couple_forward)[j]), couple_1_backward=float(many(one.couple_backward)[j]),
+            force_2=float(many(two.force_peak)[j]), couple_2=float(many(two.couple_peak)[j]), left=float(left[j]),
             neighbours=int(beside[i]), same_half=int(half[i]),
         )
         for i, j in ((i, which[i]) for i in ranked)
     ]  # fmt: skip
 
 
-def _in_turn(engine: EngineInputs, orders: Array) -> tuple[Array, Array]:
+def _in_turn(engine: EngineInputs, orders: IndexArray) -> tuple[IndexArray, IndexArray]:
     """Of each order, how often neighbours, and cylinders of one half or bank, fire one after the other (Finotti 2013, 2.3.4)."""
-    fired: Any = orders - 1
+    fired = orders - 1
     if engine.cylinders < 2:
         return np.zeros(len(fired), int), np.zeros(len(fired), int)
-    place: Any = places(engine)[fired]
+    place = places(engine)[fired]
     after = np.roll(place, -1, axis=1)
     if engine.layout == "inline":
         side, side_after = (np.sign(2 * x - np.max(place)) for x in (place, after))  # the middle one of an odd number is of neither
@@ -173,12 +171,10 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
     """All harmonic orders of many cranks at once, and their crank angles."""
     layout = crank(replace(engine, crank_angles=None, firing_order=tuple(range(1, engine.cylinders + 1))), e.tdc_angle)
     with untraced():
-        psi: Any = layout.psi
-        i: Any = place
-        angles: Any = throw_angles(psi=psi, i=i, strokes=engine.strokes, N=engine.cylinders)
-        many = replace(e, crank=replace(layout, phi=angles))
+        angles = many(throw_angles(psi=each(layout.psi), i=each(place), strokes=engine.strokes, N=engine.cylinders))
+        every = replace(e, crank=replace(layout, phi=angles))
         judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
-        return {n: order(n, c_n, imbalance, engine, many) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
+        return {n: order(n, c_n, imbalance, engine, every) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
 
 
 COLUMNS = (
@@ -214,7 +210,7 @@ def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResul
         found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
     one, two = found[1], found[2]
     fires = firing(engine, e.crank).order
-    beside, half = _in_turn(engine, np.array([fires]))
+    beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))
     return FiringOrder(
         order=fires, crank_angles=e.crank.phi, force_1=one.force_peak, couple_1_forward=one.couple_forward,
         couple_1_backward=one.couple_backward, force_2=two.force_peak, couple_2=two.couple_peak, left=float("nan"),
@@ -231,5 +227,5 @@ def _row(one: FiringOrder, engine: EngineInputs) -> tuple[str | float, ...]:
 
 def crank_words(angles: Array) -> str:
     """Crank angles in degrees, as a row of words."""
-    degrees: Any = np.round(np.degrees(angles), 3) % 360
+    degrees = np.round(np.degrees(angles), 3) % 360
     return " ".join(f"{a:g}" for a in degrees)

@@ -19,6 +19,7 @@ from ..sheet.units import (
     Number,
     PhasorNewton,
     PhasorNewtonMetre,
+    PhasorNumber,
     Radian,
     RadPerSecond,
 )  # fmt: skip
@@ -28,28 +29,28 @@ FORWARD = Text("Finotti 2013, 2.2.3 and 2.3.3: reciprocating force as two turnin
 
 @formula("F_n⁺", FORWARD)
 def force_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("F_n⁻", FORWARD)
 def force_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("C_n⁺", FORWARD)
 def couple_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("C_n⁻", FORWARD)
 def couple_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 

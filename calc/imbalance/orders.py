@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Forces and couples of one order, of one engine or of many: their vectors, the ellipses these draw, and their peaks."""
 
-from typing import Any
+from collections.abc import Callable
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
+from ..sheet.arrays import each
 from ..sheet.quantity import group, result, value
 from ..sheet.units import Newton, NewtonMetre, Radian
 from ..sheet.value import based_on
@@ -48,25 +49,25 @@ class Order:
     two_term: "Order | None" = group(default=None)
 
 
-def order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
+def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
     """Order n of engines whose crank carries a share of the reciprocating and rotating masses; `c_n`: the harmonic of a/(ω² r)."""
-    crank: Any = e.crank  # arrays enter the formulas here
-    sums: Any = f if e.unlike is None else u
-    place: dict[str, Any] = dict(omega=e.angular_speed, r=engine.crank_radius, theta_0=crank.theta_0, phi=crank.phi)
-    common = place | {"m": e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating}
-    F_f = F_f0 = sums.force_forward(c_n=c_n, n=float(n), psi=crank.psi, **common)
-    F_b = sums.force_backward(c_n=c_n, n=float(n), psi=crank.psi, **common)
-    C_f = C_f0 = sums.couple_forward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
-    C_b = sums.couple_backward(c_n=c_n, n=float(n), z=crank.z, psi=crank.psi, **common)
+    alike, (m, M_rot) = e.unlike is None, u.masses(e)
+    omega, r, theta_0 = e.angular_speed, engine.crank_radius, e.crank.theta_0
+    phi, z, psi = each(e.crank.phi), each(e.crank.z), each(e.crank.psi)  # arrays enter the formulas here
+    F_f = F_f0 = (f.force_forward if alike else u.force_forward)(omega, m, r, c_n, float(n), theta_0, psi, phi)
+    F_b = (f.force_backward if alike else u.force_backward)(omega, m, r, c_n, float(n), theta_0, psi, phi)
+    C_f = C_f0 = (f.couple_forward if alike else u.couple_forward)(omega, m, r, c_n, float(n), theta_0, z, psi, phi)
+    C_b = (f.couple_backward if alike else u.couple_backward)(omega, m, r, c_n, float(n), theta_0, z, psi, phi)
     if n == 1:
         kappa, rho = imbalance.crank_balance_fraction, imbalance.rotating_balance_fraction
-        M_rot = e.rotating_mass if e.unlike is None else e.unlike.rotating
         if np.any(rho != 1):
-            F_f0 = f.with_rotating_force(F_1=F_f, F_rot=sums.rotating_force(rho=rho, M_rot=M_rot, **place))
-            C_f0 = f.with_rotating_couple(C_1=C_f, C_rot=sums.rotating_couple(rho=rho, M_rot=M_rot, z=crank.z, **place))
+            F_rot = (f.rotating_force if alike else u.rotating_force)(rho, omega, M_rot, r, theta_0, phi)
+            F_f0 = f.with_rotating_force(F_1=F_f, F_rot=F_rot)
+            C_rot = (f.rotating_couple if alike else u.rotating_couple)(rho, omega, M_rot, r, theta_0, z, phi)
+            C_f0 = f.with_rotating_couple(C_1=C_f, C_rot=C_rot)
         F_f0, C_f0 = based_on(F_f0, F_f0, rho), based_on(C_f0, C_f0, rho)
-        F_f = f.remaining_force(F_f0, sums.counterweight_force(kappa=kappa, **common))
-        C_f = f.remaining_couple(C_f0, sums.counterweight_couple(kappa=kappa, z=crank.z, **common))
+        F_f = f.remaining_force(F_f0, (f.counterweight_force if alike else u.counterweight_force)(kappa, omega, m, r, theta_0, phi))
+        C_f = f.remaining_couple(C_f0, (f.counterweight_couple if alike else u.counterweight_couple)(kappa, omega, m, r, theta_0, z, phi))
     return Order(
         force_forward=f.force_length(F=F_f),
         force_forward_phase=f.force_direction(F=F_f),
@@ -91,10 +92,10 @@ def order(n: int, c_n: Any, imbalance: ImbalanceInputs, engine: EngineInputs, e:
     )
 
 
-def _axis(formula: Any, forward: Any, backward: Any) -> Any:
+def _axis(formula: Callable[[complex, complex], Radian], forward: complex, backward: complex) -> Radian | None:
     """The direction of an ellipse's long axis; None for a circle, NaN for one among many."""
-    there: Any = (np.abs(forward) > 0) & (np.abs(backward) > 0)
+    there = (np.abs(forward) > 0) & (np.abs(backward) > 0)
     if not np.any(there):
         return None
     axis = formula(forward, backward)
-    return np.where(there, axis, np.nan) if isinstance(axis, np.ndarray) else axis
+    return each(np.where(there, axis, np.nan)) if isinstance(axis, np.ndarray) else axis

@@ -6,7 +6,7 @@ vector that turns like it; its unbalance takes the force, unbalance times arm th
 plane, at the same distance (Lanchester), raise no roll torque; a single one that carries a force does.
 """
 
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 
@@ -109,10 +109,9 @@ def equivalent_mass_of_shares(rho: Number, M_rot: Kilogram, kappa: Number, M_alt
     return rho * M_rot + kappa * M_alt
 
 
-def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Any:
+def crank_masses(imbalance: ImbalanceInputs, e: EngineResult) -> Kilogram:
     """What the crank's counterweights carry of each cylinder: one mass for all, or one for each where they differ, (…, cylinders)."""
-    M_rot: Any = e.rotating_mass if e.unlike is None else e.unlike.rotating
-    M_alt: Any = e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating
+    M_alt, M_rot = u.masses(e)
     rho, kappa = imbalance.rotating_balance_fraction, imbalance.crank_balance_fraction
     if np.any(rho != 1):
         return equivalent_mass_of_shares(rho=rho, M_rot=M_rot, kappa=kappa, M_alt=M_alt)
@@ -179,12 +178,12 @@ class Counterweight:
     angle: Radian = value("Direction, cylinder 1 at TDC", "°")
 
 
-Vectors = tuple[Any, Any, Any, Any]
+Vectors = tuple[complex, complex, complex, complex]
 NONE: Vectors = (0j, 0j, 0j, 0j)
 
 
 def remedies(
-    omega: RadPerSecond, kappa: Number, first: Vectors, second: Vectors, whole: tuple[Any, Any],
+    omega: RadPerSecond, kappa: Number, first: Vectors, second: Vectors, whole: tuple[complex, complex],
     one_force: Newton, one_couple: NewtonMetre, axis: complex | None,
 ) -> dict[str, Remedy]:  # fmt: skip
     """Every remedy that has something to take.
@@ -194,21 +193,20 @@ def remedies(
     where a single shaft stands [m], real up, imaginary to the side, None where not known.
     """
 
-    def shaft(i: int, F: Any, C: Any) -> tuple[BalanceShaft | None, Any, Any]:
+    def shaft(i: int, F: PhasorNewton, C: PhasorNewtonMetre) -> tuple[BalanceShaft | None, PhasorNewton, PhasorNewtonMetre]:
         """The shaft at i times crank speed that takes F and C, and what it supplies."""
-        parts: dict[str, Any] = {}
-        F_S: Any = 0j
-        C_S: Any = 0j
+        found = BalanceShaft(speed_ratio=float(i))
+        F_S = C_S = 0j
         with about(Text("shaft at {i} times crank speed", i=Amount(i, form="+d"))):
             if np.any(np.abs(F) > SIGNIFICANT * one_force):
                 U, gamma = shaft_unbalance(F_n=F, i=float(i), omega=omega), unbalance_direction(F_n=F)
                 F_S = supplied_force(i=float(i), omega=omega, U=U, gamma=gamma)
-                parts |= {"unbalance": U, "unbalance_phase": gamma}
+                found = replace(found, unbalance=U, unbalance_phase=gamma)
             if np.any(np.abs(C) > SIGNIFICANT * one_couple):
                 P, gamma = shaft_product(C_n=C, i=float(i), omega=omega), product_direction(C_n=C)
                 C_S = supplied_couple(i=float(i), omega=omega, P=P, gamma=gamma)
-                parts |= {"unbalance_product": P, "unbalance_product_phase": gamma}
-        return (BalanceShaft(speed_ratio=float(i), **parts) if parts else None), F_S, C_S
+                found = replace(found, unbalance_product=P, unbalance_product_phase=gamma)
+        return (found if found.unbalance is not None or found.unbalance_product is not None else None), F_S, C_S
 
     F_f, F_b, C_f, C_b = first
     backward, backward_F, backward_C = shaft(-1, F_b, C_b)
@@ -253,20 +251,14 @@ def remedies(
             )  # fmt: skip
         if forward and backward:
             found["four_shafts"] = remedy(
-                Text("two shafts at ±1, {how}", how=how),
-                0.0,
-                at_one,
-                at_two,
-                forward=forward,
-                backward=backward,
-                forward_2=plus,
-                backward_2=minus,
-            )
+                Text("two shafts at ±1, {how}", how=how), 0.0, at_one, at_two,
+                forward=forward, backward=backward, forward_2=plus, backward_2=minus,
+            )  # fmt: skip
     return found
 
 
 def counterweights(
-    M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Any, z: Any, span: Metre, radius: Metre, unlike: bool = False
+    M_eq: Kilogram, r: Metre, theta_0: Radian, phi: Radian, z: Metre, span: Metre, radius: Metre, unlike: bool = False
 ) -> dict[str, Counterweight]:
     """The two counterweights, a span apart about mid-engine, that carry the equivalent masses of all crankpins.
 

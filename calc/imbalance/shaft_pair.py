@@ -7,7 +7,6 @@ make a moment; placed well it stands against the torque reaction of order n (the
 
 import math
 from collections.abc import Iterator
-from typing import Any
 
 from ..engine.solve import EngineResult
 from ..sheet.check import Check, check
@@ -20,7 +19,7 @@ from ..sheet.trace import about
 from ..sheet.units import Metre, Newton, NewtonMetre, PhasorMetre, PhasorNewton, PhasorNewtonMetre, Radian, RadPerSecond
 from ..sheet.value import based_on
 from .inputs import ImbalanceInputs
-from .remedies import Remedy, supplied_force
+from .remedies import BalanceShaft, Remedy, supplied_force
 
 PAIRS = {1: ("first_order_pair", "forward", "backward"), 2: ("second_order_shafts", "forward_2", "backward_2")}
 
@@ -112,13 +111,13 @@ def shaft_pair(imbalance: ImbalanceInputs, e: EngineResult, remedy: dict[str, Re
         return _pair(p_f, F_f, p_b, F_b, Dh, based_on(e.torque.reaction_harmonics[n - 1], e.torque.reaction_harmonics[n - 1], n))
 
 
-def _force(shaft: Any, omega: RadPerSecond) -> Any:
-    if shaft is None or shaft.unbalance is None:
+def _force(shaft: BalanceShaft | None, omega: RadPerSecond) -> PhasorNewton:
+    if shaft is None or shaft.unbalance is None or shaft.unbalance_phase is None:
         return 0j
     return supplied_force(i=shaft.speed_ratio, omega=omega, U=shaft.unbalance, gamma=shaft.unbalance_phase)
 
 
-def _pair(p_f: Any, F_f: Any, p_b: Any, F_b: Any, Dh: Metre, t_n: Any) -> ShaftPair:
+def _pair(p_f: PhasorMetre, F_f: PhasorNewton, p_b: PhasorMetre, F_b: PhasorNewton, Dh: Metre, t_n: PhasorNewtonMetre) -> ShaftPair:
     T_S = pair_moment(p_f=p_f, F_f=F_f, p_b=p_b, F_b=F_b)
     T = roll_together(T_S=T_S, t_n=t_n)
     sways = abs(F_f + F_b.conjugate()) > 1e-9 * abs(F_f)  # else a height difference raises no moment

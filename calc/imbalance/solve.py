@@ -4,12 +4,13 @@
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
-from typing import Any
+from typing import TypedDict
 
 import numpy as np
 
 from ..engine.inputs import EngineInputs
 from ..engine.solve import ORDERS, EngineResult
+from ..sheet.arrays import each
 from ..sheet.later import Later
 from ..sheet.quantity import group, result, value
 from ..sheet.step import Erratum, Outcome, Table
@@ -18,7 +19,7 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike_masses
+from . import unlike_masses as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
 from .drilling import UNDRILLED
@@ -88,27 +89,21 @@ def values(
         product = f.unbalance_product(C_S=length, omega=e.angular_speed)
         mistiming = f.couple_per_degree(C_S=length)
         by_tooth = f.couple_per_tooth(C_S=length, z=based_on(float(shaft_teeth), shaft_teeth)) if shaft_teeth else None
-        forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else {}
-    crank: Any = e.crank
-    sums: Any = f if e.unlike is None else unlike_masses
+        forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else _Force()
+    crank = e.crank
     one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
     one_couple = one_force * engine.cylinder_pitch
     one_force = based_on(one_force, e.reciprocating_mass, engine.crank_radius, e.angular_speed)
     one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
     with untraced():
-        common: dict[str, Any] = dict(
-            kappa=1.0,
-            omega=e.angular_speed,
-            m=e.reciprocating_mass if e.unlike is None else e.unlike.reciprocating,
-            r=engine.crank_radius,
-            theta_0=crank.theta_0,
-            phi=crank.phi,
-        )
-        whole = sums.counterweight_force(**common), sums.counterweight_couple(z=crank.z, **common)
-    whole = based_on(whole[0], *common.values()), based_on(whole[1], crank.z, *common.values())
+        of = 1.0, e.angular_speed, u.masses(e)[0], engine.crank_radius, crank.theta_0
+        phi, z = each(crank.phi), each(crank.z)
+        whole_force = (f.counterweight_force if e.unlike is None else u.counterweight_force)(*of, phi)
+        whole_couple = (f.counterweight_couple if e.unlike is None else u.counterweight_couple)(*of, z, phi)
+    whole = based_on(whole_force, *of, phi), based_on(whole_couple, z, *of, phi)
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
-        pins = crank_masses(imbalance, e), engine.crank_radius, crank.theta_0, crank.phi, crank.z
+        pins = crank_masses(imbalance, e), engine.crank_radius, crank.theta_0, phi, z
         weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
     with about(Text("throws by themselves")):
         bare = throws(kappa, engine, e)
@@ -133,7 +128,15 @@ def values(
     )
 
 
-def _force_shaft(backward: Any, omega: RadPerSecond, teeth: int | None) -> dict[str, Any]:
+class _Force(TypedDict, total=False):
+    required_force: Newton
+    required_force_phase: Radian
+    required_unbalance: KilogramMetre
+    mistiming_force_per_degree: Newton
+    mistiming_force_per_tooth: Newton | None
+
+
+def _force_shaft(backward: complex, omega: RadPerSecond, teeth: int | None) -> _Force:
     """What a shaft must supply of force, where the engine has a first-order force that turns backward."""
     wanted = f.required_force(backward)
     length = f.force_length(F=wanted)

@@ -6,13 +6,13 @@ lies in the plane of its throw; turned by 90° it is the vector of the moment th
 """
 
 from collections.abc import Mapping
-from typing import Any
 
 import numpy as np
 
-from ..engine.crank import column
+from ..engine.crank import Crank, column
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
+from ..sheet.arrays import ComplexArray, each
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant
 from ..sheet.quantity import result, value
@@ -21,6 +21,7 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
 from .orders import DUST, Order
 from .remedies import equivalent_mass
+from .unlike_masses import masses
 
 SMALL = 0.05  # of one throw's force, and of its couple over one pitch
 POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")
@@ -70,35 +71,33 @@ class Throws:
 
 def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     """Forces and couples of the throws.  Numbers of the engine may be arrays, an engine each."""
-    crank: Any = e.crank
+    phi, z = each(e.crank.phi), each(e.crank.z)
     r, omega, M_rot, M_alt = engine.crank_radius, e.angular_speed, e.rotating_mass, e.reciprocating_mass
     M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
     one, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
-    each, rest = column(one), column(more)
+    every, rest = column(one), column(more)
     if e.unlike is not None:  # `one` and `more` are then those of the mean masses
-        M_r: Any = e.unlike.rotating
-        M_a: Any = e.unlike.reciprocating
-        each = centrifugal(m=M_r, omega=omega, r=r)
+        M_a, M_r = masses(e)
+        every = centrifugal(m=M_r, omega=omega, r=r)
         rest = centrifugal(m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r), omega=omega, r=r)
     return Throws(
-        force=one, force_together=together(F_c=each, phi=crank.phi), couple_together=couple_together(F_c=each, z=crank.z, phi=crank.phi),
+        force=one, force_together=together(F_c=every, phi=phi), couple_together=couple_together(F_c=every, z=z, phi=phi),
         rotating_not_balanced=beyond, reciprocating_not_balanced=reciprocating_not_balanced(M_alt=M_alt, M_rot=M_rot, M_eq=M_eq),
-        force_not_balanced=more, couple_not_balanced=couple_together(F_c=rest, z=crank.z, phi=crank.phi),
+        force_not_balanced=more, couple_not_balanced=couple_together(F_c=rest, z=z, phi=phi),
     )  # fmt: skip
 
 
 def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curve, ...]:
     """The vectors of the cylinders tip to tail: a closed polygon is balanced.  Inline also those of second order, at double angles."""
-    crank: Any = e.crank
+    crank = e.crank
     if engine.cylinders < 2 or not found.force:
         return ()
-    psi: Any = crank.psi
-    rotating: Any = found.force if e.unlike is None else found.force * np.asarray(e.unlike.rotating) / e.rotating_mass
-    reciprocating: Any = e.reciprocating_mass if e.unlike is None else np.asarray(e.unlike.reciprocating)
+    rotating = found.force if e.unlike is None else found.force * np.asarray(e.unlike.rotating) / e.rotating_mass
+    reciprocating = e.reciprocating_mass if e.unlike is None else np.asarray(e.unlike.reciprocating)
     first = rotating * np.exp(1j * (crank.theta_0 + crank.phi))
     kinds = [(Text("throws: rotating masses, and order 1"), first)]
-    if not np.ptp(psi) and e.harmonics[1]:
+    if not np.ptp(crank.psi) and e.harmonics[1]:
         second = reciprocating * engine.crank_radius * e.angular_speed**2 * e.harmonics[1]
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
@@ -107,7 +106,7 @@ def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curv
     return tuple(curve for curve in drawn if curve.series)
 
 
-def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, Any]]) -> Curve:
+def _polygon(id: str, title: Text, unit: str, kinds: list[tuple[Text, ComplexArray]]) -> Curve:
     """Each cylinder's vector from the end of the one before; the resultant from the start to the end of the last."""
     series = []
     for variant, vectors in kinds:
@@ -153,7 +152,7 @@ def systems_table(
     found: Throws, orders: Mapping[str, Order], one_force: Newton, one_couple: NewtonMetre, engine: EngineInputs, e: EngineResult
 ) -> Table:
     """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and why."""
-    crank: Any = e.crank
+    crank = e.crank
     first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
     closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
     inline = not np.ptp(crank.psi)
@@ -195,7 +194,7 @@ def systems_table(
     )  # fmt: skip
 
 
-def _mirrored(crank: Any) -> bool:
+def _mirrored(crank: Crank) -> bool:
     """Whether every throw has one at the same angle on the other side of mid-engine."""
     vectors = np.exp(1j * crank.phi)
     return all(np.any((np.abs(crank.z + z) < 1e-9) & (np.abs(vectors - v) < 1e-9)) for z, v in zip(crank.z, vectors))

@@ -5,6 +5,8 @@ Names and parameters are theirs; m, M_rot and M_eq have an entry for every cylin
 Khurmi and Gupta, Theory of Machines, Balancing of Reciprocating Masses.
 """
 
+from ..engine.solve import EngineResult
+from ..sheet.arrays import each
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant
 from ..sheet.text import Text
@@ -16,6 +18,7 @@ from ..sheet.units import (
     PhasorKilogramMetre2,
     PhasorNewton,
     PhasorNewtonMetre,
+    PhasorNumber,
     Radian,
     RadPerSecond,
 )  # fmt: skip
@@ -26,30 +29,35 @@ PINS = Text("Finotti 2013, 2.4: sum over the crankpins, here each with its own m
 BOBS = Text("Finotti 2013, 2.6: what the bobs lack of the equivalent masses, here each with its own")
 
 
+def masses(e: EngineResult) -> tuple[Kilogram, Kilogram]:
+    """What reciprocates and what rotates: the masses that all cylinders have, or those of each."""
+    return (e.reciprocating_mass, e.rotating_mass) if e.unlike is None else (each(e.unlike.reciprocating), each(e.unlike.rotating))
+
+
 @formula("F_n⁺", FORWARD)
 def force_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * r * c_n * cis(n * theta_0) * resultant(m * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("F_n⁻", FORWARD)
 def force_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * r * conj(c_n) * cis(-n * theta_0) * resultant(m * cis(psi) * cis(-n * (phi - psi)))
 
 
 @formula("C_n⁺", FORWARD)
 def couple_forward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * r * c_n * cis(n * theta_0) * resultant(m * z * cis(psi) * cis(n * (phi - psi)))
 
 
 @formula("C_n⁻", FORWARD)
 def couple_backward(
-    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: Number, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
+    omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * r * conj(c_n) * cis(-n * theta_0) * resultant(m * z * cis(psi) * cis(-n * (phi - psi)))
 

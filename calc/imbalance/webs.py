@@ -6,14 +6,15 @@ p = x + i·y: static unbalance S = Σ m·p, couple product C = Σ m·p·z.
 """
 
 import math
-from typing import Any, cast
+from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.solve import EngineResult
-from ..sheet.arrays import distinct
+from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant
 from ..sheet.linked_array import column, elements
@@ -69,25 +70,25 @@ def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
 )
 def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each pin."""
-    rows: Any = np.array([np.real(G), np.imag(G)])
-    left: Any = C + m_b * np.sum(G)
-    change: Any = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
-    return cast(Kilogram, m_b + change)
+    rows = np.array([np.real(G), np.imag(G)])
+    left = C + m_b * np.sum(G)
+    change: Array = np.linalg.lstsq(rows, -np.array([left.real, left.imag]), rcond=1e-9)[0]
+    return each(m_b + change)
 
 
 @formula("m_j", "mathematics: least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
 def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre) -> Kilogram:
     """One bob per pin; `p` and `G` = p·z of each pin."""
-    rows: Any = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
-    target: Any = np.array([S.real, S.imag, C.real / a, C.imag / a])
-    found: Any = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
-    return cast(Kilogram, found)
+    rows = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
+    target = np.array([S.real, S.imag, C.real / a, C.imag / a])
+    found: Array = np.linalg.lstsq(rows, -target, rcond=1e-9)[0]
+    return each(found)
 
 
 @formula("Δφ", "mathematics: largest angle between a pin as listed and its throw", shows="the largest of |arg(p·e^(−i·φ))|")
 def pin_deviation(p: PhasorMetre, phi: Radian) -> Radian:
     """`phi` of every pin from the throw that stands up; a pin without radius has no direction and is left out."""
-    listed: Any = p
+    listed = phasors(p)
     return float(np.max(np.abs(np.angle(listed * np.exp(-1j * phi)))[np.abs(listed) > 0], initial=0.0))
 
 
@@ -197,15 +198,14 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
     if not imbalance.crank_bodies and imbalance.bob_mass is None and not imbalance.unbalances:
         return None
     omega = e.angular_speed
-    found: dict[str, Any] = {}
-    bob: Any = imbalance.bob_mass
+    found, bob = WebsResult(), imbalance.bob_mass
     if imbalance.crank_bodies:
         with about(Text("crank on the balancing machine")):
-            found = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
-        bob = found.pop("masses") if bob is None else bob
-    wanted: Any = None
+            found, masses = _bodies(_Machine(imbalance, engine), imbalance, engine, e)
+        bob = masses if bob is None else bob
+    wanted: complex | None = None
     if bob is not None:
-        crank: Any = e.crank
+        crank = e.crank
         pin = pin_of_cylinder(engine, crank)
         first = distinct(pin)[1]
         with about(Text("pulley and flywheel")):
@@ -213,30 +213,27 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
             product_of, unbalance_of = (
                 (lacking_product, lacking_unbalance) if e.unlike is None else (u.lacking_product, u.lacking_unbalance)
             )
-            place: dict[str, Any] = dict(r=engine.crank_radius, theta_0=crank.theta_0, M_eq=M_eq, phi=crank.phi, m_b=bob)
-            P = product_of(z=crank.z, z_p=crank.z[first], phi_p=crank.phi[..., first], **place)
-            U = unbalance_of(phi_p=crank.phi[..., first], **place)
+            of = engine.crank_radius, crank.theta_0, M_eq
+            phi, phi_p = each(crank.phi), each(crank.phi[..., first])
+            P = product_of(*of, each(crank.z), phi, bob, each(crank.z[first]), phi_p)
+            U = unbalance_of(*of, phi, bob, phi_p)
             wanted = wanted_couple(P=P, omega=omega)
-            found |= {
-                "equivalent_mass": M_eq if e.unlike is None else None,
-                "missing_forward_couple": f.couple_length(C=wanted),
-                "missing_forward_couple_phase": f.couple_direction(C=wanted),
-                "missing_forward_force": f.force_length(F=wanted_force(U=U, omega=omega)),
-            }
+            found = replace(
+                found, equivalent_mass=M_eq if e.unlike is None else None, missing_forward_couple=f.couple_length(C=wanted),
+                missing_forward_couple_phase=f.couple_direction(C=wanted),
+                missing_forward_force=f.force_length(F=wanted_force(U=U, omega=omega)),
+            )  # fmt: skip
     if imbalance.unbalances:
         U_u, gamma, z = (column(imbalance.unbalances, name) for name in ("unbalance", "angle", "z"))
         with about(Text("unbalances on the crank")):
             C_U = couple_of_unbalances(omega=omega, U=U_u, z=z, gamma=gamma)
             F_U = force_of_unbalances(omega=omega, U=U_u, gamma=gamma)
-            found |= {
-                "unbalances_couple": f.couple_length(C=C_U),
-                "unbalances_couple_phase": f.couple_direction(C=C_U),
-                "unbalances_force": f.force_length(F=F_U),
-            }
-            if wanted is not None:
-                found["unbalances_couple_left"] = couple_not_supplied(C_pf=wanted, C_U=C_U)
-    found.pop("masses", None)
-    return WebsResult(**found)
+            found = replace(
+                found, unbalances_couple=f.couple_length(C=C_U), unbalances_couple_phase=f.couple_direction(C=C_U),
+                unbalances_force=f.force_length(F=F_U),
+                unbalances_couple_left=None if wanted is None else couple_not_supplied(C_pf=wanted, C_U=C_U),
+            )  # fmt: skip
+    return found
 
 
 class _Machine:
@@ -244,33 +241,33 @@ class _Machine:
 
     def __init__(self, imbalance: ImbalanceInputs, engine: EngineInputs) -> None:
         self.m, x, y, self.z = (column(imbalance.crank_bodies, name) for name in ("mass", "x", "y", "z"))
-        self.p = based_on(x + 1j * y, x, y)
+        self.p: ComplexArray = based_on(x + 1j * y, x, y)
         number = np.array([body.pin or 0 for body in imbalance.crank_bodies])
         self.pins = np.argsort(np.where(number > 0, number, 99), kind="stable")[: int(number.max())]
-        p_pin: Any = self.p[self.pins]
-        G: Any = based_on(p_pin * self.z[self.pins], p_pin, self.z[self.pins])
+        p_pin = self.p[self.pins]
+        G = based_on(p_pin * self.z[self.pins], p_pin, self.z[self.pins])
         with about(Text("bare crank")):
-            S_0, C_0 = unbalance(m=self.m, p=self.p), product(m=self.m, p=self.p, z=self.z)
+            S_0, C_0 = unbalance(m=self.m, p=each(self.p)), product(m=self.m, p=each(self.p), z=self.z)
         self.bare = S_0, C_0
         together = based_on(complex(np.sum(G)), G)
-        self.modes: dict[str, Any] = {}
+        self.modes: dict[str, Array] = {}
         if abs(together.imag) > 1e-6 * float(np.sum(np.abs(G))) > 0:
             common = equal_bob(C=C_0, G=together)
             self.modes["equal"] = based_on(np.full(self.pins.size, common), common)
-            self.modes["per_pin"] = bobs_per_pin(m_b=common, C=C_0, G=G)
-        self.modes["least_squares"] = bobs_by_least_squares(S=S_0, C=C_0, p=p_pin, G=G, a=engine.cylinder_pitch)
+            self.modes["per_pin"] = many(bobs_per_pin(m_b=common, C=C_0, G=each(G)))
+        self.modes["least_squares"] = many(bobs_by_least_squares(S=S_0, C=C_0, p=each(p_pin), G=each(G), a=engine.cylinder_pitch))
         self.mode = imbalance.bob_mode if imbalance.bob_mode in self.modes else "least_squares"
 
-    def with_bobs(self, bobs: Any) -> tuple[complex, complex]:
+    def with_bobs(self, bobs: Array) -> tuple[complex, complex]:
         """Static unbalance and couple product of the crank with a bob on every pin."""
-        m: Any = based_on(np.concatenate([self.m, bobs]), self.m, bobs)
-        p: Any = based_on(np.concatenate([self.p, self.p[self.pins]]), self.p)
-        z: Any = based_on(np.concatenate([self.z, self.z[self.pins]]), self.z)
-        return unbalance(m=m, p=p), product(m=m, p=p, z=z)
+        m = based_on(np.concatenate([self.m, bobs]), self.m, bobs)
+        p = based_on(np.concatenate([self.p, self.p[self.pins]]), self.p)
+        z = based_on(np.concatenate([self.z, self.z[self.pins]]), self.z)
+        return unbalance(each(m), each(p)), product(each(m), each(p), each(z))
 
 
-def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> dict[str, Any]:
-    """The crank bare, with the bobs as stated, and with those found."""
+def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> tuple[WebsResult, Kilogram]:
+    """The crank bare, with the bobs as stated, and with those found; and the masses of these."""
     masses = machine.modes[machine.mode]
     states = {"bare": _state(*machine.bare, imbalance, e)}
     if imbalance.bob_mass is not None:
@@ -282,20 +279,20 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
         states["balanced"] = _state(*balanced, imbalance, e)
     if imbalance.bob_mass is None:
         turned_with = balanced
-    crank: Any = e.crank
+    crank = e.crank
     throw = based_on(crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc)
     first = distinct(pin_of_cylinder(engine, crank))[1]
-    deviation = pin_deviation(p=machine.p[machine.pins], phi=throw[first])
+    deviation = pin_deviation(p=each(machine.p[machine.pins]), phi=each(throw[first]))
     bobs = {
         str(j + 1): Stated(Described(Text("Bob mass on pin {j}", j=j + 1), "g", f"m_{j + 1}"), bob)
         for j, bob in enumerate(elements(masses))
     }
-    found = {"crank": states, "bob_mass": bobs, "masses": masses, "pin_deviation": deviation}
-    return found | drilling(imbalance, *turned_with, machine.p, machine.z)
+    drill, drilled = drilling(imbalance, *turned_with, machine.p, machine.z)
+    return WebsResult(crank=states, bob_mass=bobs, pin_deviation=deviation, drill=drill, drilled_mass=drilled), each(masses)
 
 
-def _state(S: Any, C: Any, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
-    crank: Any = e.crank
+def _state(S: complex, C: complex, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:
+    crank = e.crank
     at_tdc = imbalance.crank_bodies_throw_at_tdc
     turned = based_on(crank.phi[at_tdc - 1] + crank.theta_0, crank.phi, at_tdc, crank.theta_0)
     return CrankState(
@@ -319,7 +316,7 @@ def bob_table(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult)
     with untraced():
         machine = _Machine(imbalance, engine)
         count = machine.pins.size
-        rows: list[tuple[str, Any, tuple[complex, complex]]] = [(Text("bare"), [None] * count, machine.bare)]
+        rows: list[tuple[Text, Iterable[float | None], tuple[complex, complex]]] = [(Text("bare"), [None] * count, machine.bare)]
         if imbalance.bob_mass is not None:
             rows.append((Text("as stated"), [imbalance.bob_mass] * count, machine.with_bobs(np.full(count, imbalance.bob_mass))))
         for mode, bobs in machine.modes.items():
