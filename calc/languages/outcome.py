@@ -6,7 +6,7 @@ The lines of the calculation stay the same objects, since the links of its numbe
 
 from dataclasses import fields, replace
 from functools import cache
-from typing import Any, TypeVar, cast
+from typing import TypeVar, cast
 
 from ..sheet.check import Check
 from ..sheet.later import Later
@@ -34,19 +34,21 @@ def in_language(thing: T, say: Language) -> T:
     return cast(T, _said(thing, say))
 
 
-def _said(thing: Any, say: Language) -> Any:
-    kind: Any = type(thing)
+def _said(thing: object, say: Language) -> object:
+    kind: type = type(thing)
     if isinstance(thing, Text):
         return Name(say(thing))
-    if kind is tuple or kind is Later:
+    if type(thing) is tuple or type(thing) is Later:
         return tuple([_said(part, say) for part in thing])
-    if kind is Check:
-        return replace(thing, **{name: _said(getattr(thing, name), say) for name in ("name", "source", "advice")})
+    if type(thing) is Check:
+        return replace(
+            thing, name=in_language(thing.name, say), source=in_language(thing.source, say), advice=in_language(thing.advice, say)
+        )
     if kind in SPOKEN:
         return kind(**{name: _said(getattr(thing, name), say) for name in _names(kind)})
     return thing
 
 
 @cache
-def _names(kind: Any) -> tuple[str, ...]:
+def _names(kind: type) -> tuple[str, ...]:
     return tuple(f.name for f in fields(kind))

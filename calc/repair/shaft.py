@@ -8,6 +8,8 @@ from collections.abc import Iterator
 from ..countershaft.inputs import CountershaftInputs, EccentricMass
 from ..countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ..countershaft.sizing.sectors import TooSmall, remainder
+from ..engine.solve import EngineResult
+from ..imbalance.solve import ImbalanceResult
 from ..sheet.changes import Changes
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
@@ -35,7 +37,7 @@ def balance(state: State, failing: tuple[Check, ...], progress: Progress | None 
 
 
 def _balanced(state: State, shaft: CountershaftInputs) -> Iterator[Changes]:
-    imbalance, engine = state.outcome("imbalance").result, state.outcome("engine").result
+    imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
     with untraced():
@@ -113,7 +115,7 @@ def shorter_journals(state: State, failing: tuple[Check, ...], progress: Progres
 def resize(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
     """A shaft of the sizing search, the nearest in radius and of the same material first.  Raises NoSolution."""
     shaft, design = state.design.countershaft, state.design
-    imbalance, engine = state.outcome("imbalance").result, state.outcome("engine").result
+    imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if shaft is None or imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)
     try:

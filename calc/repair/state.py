@@ -3,7 +3,6 @@
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any
 
 from ..addresses import value_at
 from ..design import STEPS, Design
@@ -33,7 +32,7 @@ class State:
     def design(self) -> Design:
         return self.results.design
 
-    def outcome(self, step: str) -> Outcome[Any]:  # whose result depends on the step
+    def outcome(self, step: str) -> Outcome[object]:
         return self.results.outcomes[step]
 
     def failing(self, step: str) -> tuple[Check, ...]:

@@ -7,7 +7,6 @@ at alone, and the nearest to the design that keeps the rules is taken.  Where th
 
 from collections.abc import Iterator
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
@@ -20,6 +19,7 @@ from ..gears.selection.search import Row, search
 from ..gears.selection.states import States, states
 from ..gears.selection.tables import changes, freed
 from ..gears.train import tooth_system
+from ..sheet.arrays import Array
 from ..sheet.changes import Changes
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
@@ -87,7 +87,7 @@ def _nearest(gears: GearsInputs) -> Iterator[tuple[int, float, Changes]]:
                 yield n, change, {f"gears.wheels.{wheel.name}.tip_shortening_mm": round(k * 1e3, 6)}
 
 
-def _first(case: Case, made: States, bar: Bar, numbers: Any, start: float) -> float | None:
+def _first(case: Case, made: States, bar: Bar, numbers: Array, start: float) -> float | None:
     kept = np.broadcast_to(least(judge(made, case.system, bar)) >= MARGIN, numbers.shape)
     index = first(kept, np.abs(numbers - start))
     return None if index is None else float(numbers[index])

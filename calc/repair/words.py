@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes of keys in the labels and units of their fields: `front length 27.5 → 34 mm, oil 10W-40 → SAE 50`."""
 
-from typing import Any
-
 from ..addresses import quantity_of, value_at
 from ..design_file import Document
 from ..sheet.changes import Changes
@@ -27,7 +25,7 @@ def words(document: Document, results: Results, changes: Changes) -> Text:
     return COMMA.join(filter(None, (_change(document, results, key, changes[key]) for key in kept)))
 
 
-def _change(document: Document, results: Results, key: str, new: Any) -> Text | None:
+def _change(document: Document, results: Results, key: str, new: object) -> Text | None:
     """None where it only writes down what the program had chosen."""
     about, old = quantity_of(document.data, key), value_at(document.data, key)
     if old is None and (there := _value(results, key)) is not None and there.unit == about.unit:
@@ -60,7 +58,7 @@ def _place(key: str) -> str:
     return " ".join(inner)
 
 
-def _written(value: Any, unit: str = "") -> Text | Amount:
+def _written(value: object, unit: str = "") -> Text | Amount:
     if value is None:
         return Text("left out")
     if isinstance(value, list):
