@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a plain journal may carry and what is usual: one place for guide texts, checks, screenings and the search."""
 
+from typing import NamedTuple
+
 from .sheet.text import Amount, Text
-from .sheet.units import Celsius, NewtonPerMetreSecond, Number, Pascal, Radian
+from .sheet.units import Celsius, Kelvin, NewtonPerMetreSecond, Number, Pascal, Radian
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
 TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
@@ -10,8 +12,7 @@ DESIGN_FACTOR = Text("Trumpler, after Shigley, 12-7 (not in Finotti 2013, 5.5.1)
 
 SPECIFIC_LOAD: Pascal = 5e6  # the most that is accepted
 USUAL_SPECIFIC_LOAD: Pascal = 2e6
-HEAT_INDEX: NewtonPerMetreSecond = 500_000 * 1000 / 60  # 500 000 N·rpm/mm, with forced oil and cooling
-USUAL_HEAT_INDEX: NewtonPerMetreSecond = 240_000 * 1000 / 60
+RISE: tuple[Kelvin, Kelvin] = (15.0, 20.0)  # of the oil, for conditions that stay; Finotti 2013, 5.5.2
 LENGTH_RATIO: tuple[Number, Number] = (0.2, 1.0)
 USUAL_LENGTH_RATIO: tuple[Number, Number] = (0.25, 0.75)  # Finotti 2013, 5.5.2
 RELATIVE_CLEARANCE: Number = 1e-3  # as made; Chirone & Vullo 1979, after Finotti 2013, Fig. 5.16: in all rows that have a figure
@@ -21,6 +22,31 @@ TRUMPLER_START_LOAD: Pascal = 2e6  # as Finotti 2013, 5.5.1, prints it; Trumpler
 FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.4.1
 SLOPE: Radian = 0.25e-3  # Finotti 2013, 4.6 (in chapter 6): target of the engine's maker
 STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
+
+
+class Lubrication(NamedTuple):
+    """A row of Finotti 2013, Table 3.1 (its text's lines 1375 to 1383): the heat index that a kind of lubrication bears, in N·rpm/mm."""
+
+    title: Text
+    usual: tuple[int, int]
+    most: int | None = None  # where the source lets it go beyond, by how much is cooled
+
+    @property
+    def limit(self) -> NewtonPerMetreSecond:
+        return N_RPM_MM * (self.usual[1] if self.most is None else self.most)
+
+
+N_RPM_MM: NewtonPerMetreSecond = 1000 / 60
+COOLED = "forced_cooled"  # what a design has that says nothing
+LUBRICATIONS = {
+    "grease": Lubrication(Text("coarse work, grease by a nipple or wick, still air"), (15_000, 20_000)),
+    "ring": Lubrication(Text("fine work, plenty of oil by a ring or the like, still air"), (30_000, 40_000)),
+    "ring_moving_air": Lubrication(Text("fine work, plenty of oil by a ring or the like, moving air"), (60_000, 70_000)),
+    "ring_fast_air": Lubrication(Text("plenty of oil by a ring or the like, in a fast stream of air"), (100_000, 200_000)),
+    "forced": Lubrication(Text("fine work, plenty of forced oil, still air"), (60_000, 70_000)),
+    COOLED: Lubrication(Text("fine work, forced oil and cooling"), (150_000, 240_000), 500_000),
+}
+HEAT_INDEX = LUBRICATIONS[COOLED].limit
 
 # The same rules in words, for guide texts.
 USUAL_LENGTH = Text("usual l/d {low} to {high}", low=Amount(USUAL_LENGTH_RATIO[0]), high=Amount(USUAL_LENGTH_RATIO[1]))

@@ -11,14 +11,15 @@ from ..journal_rules import (
     DESIGN_FACTOR,
     FINOTTI,
     FULL_FILM_FRICTION,
-    HEAT_INDEX,
     LENGTH_RATIO,
+    LUBRICATIONS,
+    N_RPM_MM,
+    RISE,
     SPECIFIC_LOAD,
     STABLE_FILM,
     SUPPLY_WIDTH,
     TRUMPLER,
     TRUMPLER_TEMPERATURE,
-    USUAL_HEAT_INDEX,
     USUAL_LENGTH_RATIO,
     USUAL_SPECIFIC_LOAD,
 )  # fmt: skip
@@ -58,7 +59,7 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     """`slope`: of the journal in its seat, rad."""
     bearing, inputs = r.seat.bearing, r.seat.inputs
     on, longer = partial(_on, place), partial(_longer, place, bearing)
-    kreisle, table_3_1 = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"), Text("Finotti 2013, Table 3.1")
+    kreisle, oiled = Text("Kreisle, after Finotti 2013, 5.5.3: Rt of both surfaces, Rt = k·Ra"), LUBRICATIONS[inputs.lubrication]
     yield on("film_edge", Text("Film at the edge"), r.film_edge, ">=", r.kreisle_film, "µm", kreisle,
         Text("Lengthen the bearing, lower the clearance or the roughness, stiffen the shaft (slope), or take a thicker oil."))  # fmt: skip
     yield on("film_double_load", Text("Film at twice the load"), r.film_double_load, ">=", r.trumpler_film, "µm",
@@ -77,16 +78,20 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     yield on("temperature_trumpler", Text("Outlet temperature by Trumpler"), r.outlet_temperature, "<=", TRUMPLER_TEMPERATURE, "°C",
         TRUMPLER + Text(", who rounds his 250 °F (121 °C)"),
         Text("Acceptance rests on the engine maker's own limit; cooler supply oil would keep Trumpler's 120 °C."))  # fmt: skip
+    yield on("temperature_rise_usual", Text("Temperature rise, usual"), r.temperature_rise, "<=", RISE[1], "K",
+        Text("Finotti 2013, 5.5.2: 15 to 20 °C for conditions that stay"), Text("More oil, or a thinner one."))  # fmt: skip
     for key, title, p_limit in (
         ("specific_load", Text("Specific load"), SPECIFIC_LOAD), ("specific_load_usual", Text("Specific load, usual"), USUAL_SPECIFIC_LOAD),
     ):  # fmt: skip
         yield on(key, title, r.specific_load, "<=", p_limit, "MPa", FINOTTI, Text("A larger journal helps as well."),
             remedies=longer(r.specific_load / p_limit))  # fmt: skip
-    for key, title, W_limit in (
-        ("heat_index", Text("Heat index"), HEAT_INDEX),
-        ("heat_index_usual", Text("Heat index, forced oil and cooling"), USUAL_HEAT_INDEX),
-    ):
-        yield on(key, title, r.heat_index, "<=", W_limit, "N·rpm/mm", table_3_1, Text("A longer bearing carries off more heat."),
+    low, high = Amount(oiled.usual[0]), Amount(oiled.usual[1], "N·rpm/mm")
+    row = Text("Finotti 2013, Table 3.1: {kind}, {low} to {high}", kind=oiled.title, low=low, high=high)
+    heat = [("heat_index", Text("Heat index"), oiled.limit)]
+    if oiled.most is not None:
+        heat.append(("heat_index_usual", Text("Heat index, usual"), oiled.usual[1] * N_RPM_MM))
+    for key, title, W_limit in heat:
+        yield on(key, title, r.heat_index, "<=", W_limit, "N·rpm/mm", row, Text("A longer bearing carries off more heat."),
             remedies=longer(r.heat_index / W_limit))  # fmt: skip
     yield on("clearance_cold", _when_cold(inputs), r.clearance_cold, ">", 0.0, "µm",
         Text("physics: seizure of a journal that shrinks less than its seat"),

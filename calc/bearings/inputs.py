@@ -7,7 +7,7 @@ from math import pi
 
 from .. import fits
 from ..catalogue import Oil
-from ..journal_rules import SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
+from ..journal_rules import COOLED, LUBRICATIONS, SLOPE, SUPPLY_WIDTH, TRUMPLER_TEMPERATURE, USUAL_CLEARANCE, USUAL_LENGTH
 from ..sheet.quantity import THUMB, choice, inputs, quantity, series, table, text
 from ..sheet.text import Amount, Text
 from .materials.data import DEFAULT_APPLICATION
@@ -97,6 +97,8 @@ class BearingsInputs:
         help="Around the seat; the film ends at its edges.")  # fmt: skip
     axial_groove_length: float | None = quantity("Axial groove length", "mm", default=None, low=0.1, high=1000, symbol="l_A",
         help="Along the shaft; shorter than the bearing, or the oil leaves at its ends.")  # fmt: skip
+    lubrication: str = choice("Lubrication", *LUBRICATIONS, default=COOLED, source="Finotti 2013, Table 3.1",
+        help="The row of the source's table that the heat index is held against: how the oil comes, and what cools.")  # fmt: skip
     expansion_restraint: float = quantity("Expansion held back", default=0.0, low=0, high=1, symbol="chi", step=0.05,
         help="Share of the housing's thermal expansion that the block holds back.")  # fmt: skip
     bush_material: str | None = text(

@@ -4,10 +4,11 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+from ...journal_rules import RISE
 from ...sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, listed, plural
 from .grid import SAME, USUAL_FACTORS, widest_usual
 from .ranking import Row, picks
-from .rules import LARGEST_RISE, LEAST_COLD
+from .rules import LEAST_COLD
 from .search import Found
 from .states import ROUGHNESSES
 from .tables import changed
@@ -80,7 +81,7 @@ def _kept(found: Found) -> Iterator[Text]:
         "{rows}, at the worst corner of the tolerances: the film at the edge by Kreisle and by Trumpler, Trumpler's film at twice the "
         "load, outlet temperature, a rise of {rise}, specific load, heat index, l/d within its limits and the usual ones, the speed above "
         "mixed friction, and {cold} of clearance at the lowest temperature.",
-        rows=rows, rise=Amount(LARGEST_RISE, "K"), cold=Amount(LEAST_COLD * 1e6, "µm"))  # fmt: skip
+        rows=rows, rise=Amount(RISE[0], "K"), cold=Amount(LEAST_COLD * 1e6, "µm"))  # fmt: skip
     if found.kind == "given":
         rows = Text("Rows 1 to {n} and {a} to {b}", n=n, a=last + 1, b=end) if found.pareto else Text("Rows 1 to {n}", n=n)
         yield Text(

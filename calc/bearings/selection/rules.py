@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a bearing that is offered has to keep, at the worst corner of its tolerances.
 
-The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.  Three are this
-program's own rules for choosing: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
+The limits are those of the step's own checks, read off the checks of the design itself and written nowhere again.  Three are kept for
+choosing alone: the rise of temperature, the cold clearance that must be left, and Trumpler's film at the edge too.
 The relative clearance that is usual for the application is kept wherever film, heat and cold clearance leave something with it.
 """
 
@@ -11,16 +11,17 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...journal_rules import RISE
 from ...sheet.check import Check
 from ...sheet.record import record
 from ...sheet.search import Judged, judged
 from ...sheet.text import Text
-from ...sheet.units import UNITS, Kelvin, Metre
+from ...sheet.units import UNITS, Metre
 from .words import PLACE
 
-LARGEST_RISE: Kelvin = 15.0
 LEAST_COLD: Metre = 20e-6
 OWN = Text("rule of this program for choosing")
+RISES = Text("Finotti 2013, 5.5.2: 15 to 20 °C; for choosing the lower")
 READ = ("film_edge", "film_double_load", "temperature", "specific_load", "heat_index", "length_ratio", "length_ratio_usual", "transition",
         "clearance_cold_corner")  # fmt: skip
 USUAL = "clearance_usual"  # advice, and known of most applications only
@@ -58,7 +59,7 @@ def rules(place: str, checks: Iterable[Check]) -> dict[str, Rule]:
     rise = Text("Temperature rise, {place}", place=PLACE[place])
     own = {
         "film_edge_trumpler": replace(doubled, id=f"{at}.film_edge_trumpler", name=trumpler, advice=edge.advice),
-        "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=LARGEST_RISE, unit="K", source=OWN),
+        "temperature_rise": replace(hot, id=f"{at}.temperature_rise", name=rise, limit=RISE[0], unit="K", source=RISES),
         "clearance_cold": replace(cold, sense=">=", limit=UNITS["µm"].shown(LEAST_COLD), source=OWN),
     }
     if (usual := known.get(f"{at}.{USUAL}")) is not None:
