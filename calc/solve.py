@@ -21,7 +21,7 @@ from .countershaft.result import CountershaftResult
 from .countershaft.stationary_load import with_standing
 from .design import STEPS, Design
 from .engine import solve as engine
-from .engine.solve import EngineResult
+from .engine.result import EngineResult
 from .friction import solve as friction
 from .friction.result import FrictionResult
 from .gears import solve as gears

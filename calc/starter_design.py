@@ -17,7 +17,7 @@ from .countershaft.result import CountershaftResult
 from .countershaft.sizing import formulas as sizes
 from .countershaft.sizing.sectors import Sized, size
 from .design import Design
-from .engine.solve import EngineResult
+from .engine.result import EngineResult
 from .gears import formulas as g
 from .imbalance.solve import ImbalanceResult
 from .sheet.errors import NoSolution

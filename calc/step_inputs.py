@@ -8,7 +8,7 @@ from .countershaft.result import CountershaftResult
 from .countershaft.stationary_load import Drive, Gear
 from .design import STEPS, Design
 from .engine.inputs import EngineInputs
-from .engine.solve import EngineResult
+from .engine.result import EngineResult
 from .friction.journals import OnShaft
 from .friction.result import FrictionResult
 from .friction.solve import MeshOil

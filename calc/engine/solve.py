@@ -1,73 +1,37 @@
 # SPDX-License-Identifier: Apache-2.0
 """The engine: masses, kinematics and the harmonics of the piston's acceleration, firing, and the torque about its crank."""
 
-import math
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..catalogue import Material
 from ..sheet.arrays import Array, ComplexArray, each, many, phasors
-from ..sheet.check import Check, check
+from ..sheet.check import Check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi
 from ..sheet.later import Later
 from ..sheet.linked_array import elements
-from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome, Table
-from ..sheet.text import Amount, Text
+from ..sheet.text import Text
 from ..sheet.trace import about, trace
-from ..sheet.units import CubicMetre, Kilogram, Metre, MetrePerSecond, MetrePerSecond2, Number, Pascal, PhasorNumber, Radian, RadPerSecond
+from ..sheet.units import Number, PhasorNumber, Radian
 from ..sheet.value import based_on
 from . import curves as train
 from . import formulas as f
 from . import torque, torque_diagram
-from .crank import Crank, column, crank, firing, pin_of_cylinder
-from .cycle import WIDE, widest_gap
-from .firing import DUST, TURN, Firing
-from .inputs import CRANK_RATIO, EngineInputs
-from .masses import UnlikeMasses, masses
-
-if TYPE_CHECKING:
-    from .throw import ThrowResult
+from .checks import checks
+from .crank import column, crank, firing, pin_of_cylinder
+from .firing import Firing
+from .inputs import EngineInputs
+from .masses import masses
+from .notes import notes
+from .result import EngineResult, ThrowResult, TorqueResult
 
 ORDERS = range(1, 9)
-IRREGULAR = 0.05
 TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the whole is given
-EVEN = math.radians(1.0)  # a firing interval may be so far from the even one
-
-
-@result
-class EngineResult:
-    """Masses, kinematics and harmonics of an engine."""
-
-    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
-    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
-    lambda_: Number = value("Crank ratio", "", "λ")
-    delta: Number = value("Offset ratio", "", "δ")
-    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω")
-    tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")
-    stroke: Metre = value("Stroke", "mm", "s")
-    displacement: CubicMetre = value("Displacement", "cm³", "V_h")
-    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
-    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None)
-    piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
-    piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
-    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
-    acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
-    acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
-    firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
-    firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
-    firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
-    harmonic: dict[str, Stated] | None = group(default=None)
-    torque: "torque.TorqueResult | None" = group(spread=True, default=None)
-    throw: "ThrowResult | None" = group(default=None)
-    crank: Crank
-    unlike: UnlikeMasses | None  # where the masses differ from cylinder to cylinder
-    harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
-    two_term: tuple[complex, ...]
 
 
 @formula("c_n", "Fourier analysis of the exact acceleration over one turn (Finotti 2013, 2.1, exact form)", shows="c_1 … c_8 of a/(ω²·r)")
@@ -187,12 +151,12 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         gaps, phi = each(fires.intervals), each(e.crank.phi)
         shortest, longest = shortest_interval(gaps=gaps, phi=phi), longest_interval(gaps=gaps, phi=phi)
         with about(Text("torque")):
-            turning, curves, notes = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
+            turning, curves, assumed = torque.solve(engine, e, fires.angles, engine.gas, engine.flywheel_inertia)
             if engine.torque:
-                turning, curves, notes = _given_torque(engine, e, turning, curves[0], notes[0])
+                turning, curves, assumed = _given_torque(engine, e, turning, curves[0], assumed[0])
         with about(Text("harmonics of the piston's acceleration")):
             named = _harmonics(e)
-        stressed, checks, more, tables = _throw(engine, e, fires, turning, materials or {})
+        stressed, strength, more, tables = _throw(engine, e, fires, turning, materials or {})
     e = replace(
         e, firing_interval=interval, firing_interval_shortest=shortest, firing_interval_longest=longest, torque=turning, throw=stressed,
         harmonic=named,
@@ -202,16 +166,16 @@ def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None)
         return train.curves(engine.crank_radius, e.angular_speed, e.lambda_, e.delta, e.reciprocating_mass, e.harmonics)
 
     return Outcome(
-        "engine", result=e, checks=(*_checks(engine, e, turning), *checks), lines=tuple(lines),
+        "engine", result=e, checks=(*checks(engine, e, turning), *strength), lines=tuple(lines),
         curves=Later(lambda: (*drawn(), *curves)),
         tables=Later(lambda: (_crank_table(engine, e, fires), *tables)),
-        notes=(*_notes(engine, e, fires), *notes, *more),
+        notes=(*notes(engine, e, fires), *assumed, *more),
     )  # fmt: skip
 
 
 def _given_torque(
-    engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult, turned: Curve, note: Text
-) -> tuple[torque.TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
+    engine: EngineInputs, e: EngineResult, turning: TorqueResult, turned: Curve, note: Text
+) -> tuple[TorqueResult, tuple[Curve, ...], tuple[Text, ...]]:
     """What a torque diagram gives, beside the torque of the inertia forces and its figure."""
     cycle = based_on(engine.strokes * np.pi, engine.strokes)
     period = engine.torque_period if engine.torque_period is not None else cycle
@@ -220,8 +184,8 @@ def _given_torque(
 
 
 def _throw(
-    engine: EngineInputs, e: EngineResult, fires: Firing, turning: torque.TorqueResult, materials: Mapping[str, Material]
-) -> "tuple[ThrowResult | None, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]":
+    engine: EngineInputs, e: EngineResult, fires: Firing, turning: TorqueResult, materials: Mapping[str, Material]
+) -> tuple[ThrowResult | None, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:
     """Stresses of a crank throw, where one is described."""
     if engine.throw is None:
         return None, (), (), ()
@@ -257,84 +221,3 @@ def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
         rows,
         Text("Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel."),
     )  # fmt: skip
-
-
-def _checks(engine: EngineInputs, e: EngineResult, turning: torque.TorqueResult) -> tuple[Check, ...]:
-    assert e.firing_interval is not None and e.firing_interval_shortest is not None and e.firing_interval_longest is not None
-    uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
-    uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
-    usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3")
-    longer = (
-        Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
-        if e.lambda_ < CRANK_RATIO[0]
-        else Text(
-            "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: the R753IE4 of "
-            "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
-        )
-    )
-    rule = Text("rule of this program: even firing within 1° (Finotti 2013, 2.4: interval 180°·strokes/N)")
-    advice = Text("This crank fires unevenly: the torque pulsates at lower orders. Crank angles that follow from a firing order are even.")
-    gas: list[Check] = []
-    if turning.indicated_work is not None:
-        gas.append(
-            check(
-                "engine.gas.work", Text("Indicated work of a cycle"), turning.indicated_work, ">", 0.0, "J",
-                Text("energy: an engine gives work"),
-                Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
-            )
-        )  # fmt: skip
-    if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
-        _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
-        gap = based_on(gap, turning.cycle.corners)
-        gas.append(
-            check(
-                "engine.gas.gap", Text("Largest gap in the table of indicated pressure"), gap, "<=", WIDE, "°",
-                Text("rule of this program: a straight line is taken across a gap"),
-                Text("Give points at least every 60° of the whole cycle."),
-            )
-        )  # fmt: skip
-    if turning.speed_irregularity is not None:
-        gas.append(
-            check(
-                "engine.speed_irregularity", Text("Speed irregularity"), turning.speed_irregularity, "<=", IRREGULAR, "",
-                Text(
-                    "rule of this program after machine handbooks, from memory: ΔE = J·ω²·δ_s holds for small δ_s; running drives are kept "
-                    "well below 1/20"
-                ),
-                Text("A larger inertia of the flywheel lowers it in proportion."),
-            )
-        )  # fmt: skip
-    return (
-        *gas,
-        check("engine.crank.lambda_usual", Text("Crank ratio λ"), e.lambda_, "in", CRANK_RATIO, "", usual, longer),
-        check(
-            "engine.firing.even",
-            Text("Deviation of a firing interval from the even one"),
-            uneven,
-            "<=",
-            EVEN,
-            "°",
-            rule,
-            advice,
-        ),
-    )
-
-
-def _notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, ...]:
-    notes = list(e.crank.chosen)
-    if engine.cylinders > 1:
-        degrees = [round(math.degrees(gap), 3) for gap in fires.intervals]
-        even = max(degrees) - min(degrees) < 1e-3
-        notes += [fires.chosen] if fires.chosen else []
-        notes.append(
-            Text("Fires {map}, ", map="-".join(map(str, fires.order)))
-            + (
-                Text("every {degrees}°.", degrees=Amount(degrees[0], form="g"))
-                if even
-                else Text("after {what}°: unevenly.", what="-".join(f"{d:g}" for d in degrees))
-            )
-        )
-    notes.append(Text("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected."))
-    if engine.rod_cg_to_big_end is None and engine.rod_mass is not None:
-        notes.append(Text("The rod's centre of gravity is not given: one third of it is taken as reciprocating."))
-    return tuple(notes)

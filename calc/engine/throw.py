@@ -8,7 +8,6 @@ towards the crank axis.
 
 import math
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -16,24 +15,22 @@ from ..catalogue import Material
 from ..sheet.arrays import Array, BoolArray, each, many
 from ..sheet.check import Check, check
 from ..sheet.linked_array import item
-from ..sheet.quantity import group, result, value
 from ..sheet.step import Table
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.trace import about, untraced
-from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Number, Pascal, Radian
+from ..sheet.units import UNITS, Metre, Newton, NewtonMetre, Radian
 from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f
 from . import throw_formulas as t
+from .charge import prepare
 from .crank import sharing
 from .cycle import TURN, Cycle
 from .gas import GasInputs
-from .throw_fatigue import Forces, Notch, ThrowFatigue, check_of, judged
+from .inputs import EngineInputs
+from .result import EngineResult, Position, Rod, Section, ThrowResult
+from .throw_fatigue import Forces, Notch, check_of, judged
 from .throw_inputs import ThrowInputs
-
-if TYPE_CHECKING:
-    from .inputs import EngineInputs
-    from .solve import EngineResult
 
 POSITIONS = {"largest_tangential": Text("largest tangential force"), "top_dead_centre": Text("top dead centre")}
 PLACES = {"pin": Text("pin"), "journal": Text("journal")}
@@ -42,62 +39,10 @@ FIT = (0.01, 0.3)  # of the notch factors, ρ/d
 SAME_STRESS = 1e-9
 
 
-@result
-class Section:
-    """Moments and stresses of one section of the throw."""
-
-    bending_moment: NewtonMetre = value("Bending moment", "N·m", "M")
-    torsion: NewtonMetre = value("Torsion", "N·m", "T")
-    bending_stress: Pascal = value("Bending stress, nominal", "MPa", "σ")
-    torsion_stress: Pascal = value("Torsion stress, nominal", "MPa", "τ")
-    von_mises: Pascal = value("Von Mises stress, nominal", "MPa", "σ_v")
-    notch_stress: Pascal | None = value("Von Mises stress at the fillet", "MPa", "σ_vk", default=None)
-
-
-@result
-class Rod:
-    """The forces of one cylinder at one crank angle."""
-
-    crank_angle: Radian = value("Crank angle after the firing of this cylinder", "°", "ε_k")
-    gas_force: Newton | None = value("Gas force on the piston", "N", "F_G", default=None)
-    inertia_force: Newton = value("Inertia force of the reciprocating mass", "N", "F_I")
-    piston_force: Newton = value("Force on the piston", "N", "F")
-    rod_force: Newton = value("Force in the rod", "N", "S")
-    side_thrust: Newton = value("Side thrust on the liner", "N", "N")
-    tangential_force: Newton = value("Tangential force at the pin", "N", "F_t")
-    radial_force: Newton = value("Radial force at the pin, towards the crank axis", "N", "F_r")
-
-
-@result
-class Position(Rod):
-    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
-
-    reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
-    reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
-    torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
-    pin: Section = group()
-    journal: Section = group()
-
-
-@result
-class ThrowResult:
-    """The governing throw in its two positions."""
-
-    cylinder: Number = value("Cylinder whose throw governs")
-    span: Metre = value("Distance of the middles of the main journals", "mm", "L")
-    notch_bending_pin: Number | None = value("Notch factor of the pin, bending", "", "K_b", default=None)
-    notch_torsion_pin: Number | None = value("Notch factor of the pin, torsion", "", "K_t", default=None)
-    notch_bending_journal: Number | None = value("Notch factor of the journal, bending", "", "K_b", default=None)
-    notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
-    largest_tangential: Position = group()
-    top_dead_centre: Position = group()
-    fatigue: ThrowFatigue | None = group(spread=True, default=None)
-
-
 class _Throw:
     """One engine's throws: what the scan and the traced call have in common.  Works on floats as on arrays."""
 
-    def __init__(self, engine: "EngineInputs", e: "EngineResult", fires: Array, cycle: Cycle | None, throw: ThrowInputs) -> None:
+    def __init__(self, engine: EngineInputs, e: EngineResult, fires: Array, cycle: Cycle | None, throw: ThrowInputs) -> None:
         self.engine, self.e, self.fires, self.cycle, self.throw = engine, e, fires, cycle, throw
         self.length = cycle.length if cycle else TURN
         self.load = (
@@ -162,7 +107,7 @@ class _Throw:
         return Section(bending_moment=M, torsion=T, bending_stress=sigma, torsion_stress=tau, von_mises=nominal, notch_stress=notch)
 
 
-def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArray]:
+def pins(engine: EngineInputs, e: EngineResult) -> tuple[BoolArray, BoolArray]:
     """Which cylinders (second axis) run on the pin of each (first axis), itself too; and which stand on throws in front of it.
 
     Of two throws at one place along the crank, those of a split pin, the one with the lower cylinder number is taken to lie in front.
@@ -176,7 +121,7 @@ def pins(engine: "EngineInputs", e: "EngineResult") -> tuple[BoolArray, BoolArra
 
 
 def solve(
-    engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, throw: ThrowInputs, materials: Mapping[str, Material],
+    engine: EngineInputs, e: EngineResult, firing: Array, gas: GasInputs | None, throw: ThrowInputs, materials: Mapping[str, Material],
     cycle: Cycle | None = None,
 ) -> tuple[ThrowResult, tuple[Check, ...], tuple[Text, ...], tuple[Table, ...]]:  # fmt: skip
     """The governing throw of one engine at rated speed.
@@ -185,7 +130,7 @@ def solve(
     """
     if cycle is None and gas is not None:
         with about(Text("gas cycle")):
-            cycle = c.prepare(engine, e, gas)
+            cycle = prepare(engine, e, gas)
     crank = _Throw(engine, e, firing, cycle, throw)
     shared, in_front = pins(engine, e)
     with untraced():

@@ -8,7 +8,7 @@ Cylinder k then stands ε − f_k after its own firing, which is the same as α_
 
 import math
 from dataclasses import replace
-from typing import TYPE_CHECKING, overload
+from typing import overload
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, pi, resultant
 from ..sheet.later import Later, Many
 from ..sheet.linked_array import elements, item
-from ..sheet.quantity import Described, Stated, group, result, value
+from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.trace import about, untraced
@@ -32,50 +32,22 @@ from ..sheet.units import (
     Pascal,
     PhasorNewtonMetre,
     Radian,
-    Watt,
 )
 from ..sheet.value import based_on
 from . import cycle as c
 from . import formulas as f
+from .charge import prepare
 from .cycle import TURN, Cycle
 from .gas import GasInputs
+from .inputs import EngineInputs
+from .result import EngineResult, TorqueResult
 from .torque_formulas import amount, highest, indicated_power, lowest, speed_irregularity
-
-if TYPE_CHECKING:
-    from .inputs import EngineInputs
-    from .solve import EngineResult
 
 ORDERS = 8
 POINTS = 720  # over a turn, for the inertia torque
 SMALL = 1e-9  # of the largest: an order so small is dust
 DRAWN = math.radians(1.0)
 WORK = Text("energy, indicated work of the cycle: virtual work of the gas force")
-
-
-@result
-class TorqueResult:
-    """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
-
-    inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
-    inertia_torque: dict[str, Stated] = group()
-    reaction_inertia_peak: NewtonMetre = value("Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI")
-    reaction_inertia: dict[str, Stated] = group()
-    reaction_peak: NewtonMetre | None = value("Largest torque reaction on the block, by amount", "N·m", "T_R", default=None)
-    gas_torque_peak: NewtonMetre | None = value("Largest gas torque, by amount", "N·m", "T_G", default=None)
-    torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
-    torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)
-    compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
-    indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle", "J", "W_i", default=None)
-    indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
-    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
-    indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
-    torque_highest: NewtonMetre | None = value("Highest torque over the cycle", "N·m", "T_hi", default=None)
-    torque_lowest: NewtonMetre | None = value("Lowest torque over the cycle", "N·m", "T_lo", default=None)
-    energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
-    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
-    harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
-    reaction_harmonics: tuple[complex, ...]  # the same of its reaction on the block
-    cycle: Cycle | None  # the gas of a cylinder, for the crank throw
 
 
 # --- formulas ---------------------------------------------------------------------------------------------------------------
@@ -170,13 +142,11 @@ def energy_fluctuation(epsilon: Radian, T: NewtonMetre, T_m: NewtonMetre) -> New
 
 # --- torque at any crank angles ---------------------------------------------------------------------------------------------
 @overload
-def at(engine: "EngineInputs", e: "EngineResult", gas: None, fires: Radian, epsilon: Radian) -> tuple[None, NewtonMetre, Newton]: ...
+def at(engine: EngineInputs, e: EngineResult, gas: None, fires: Radian, epsilon: Radian) -> tuple[None, NewtonMetre, Newton]: ...
 @overload
+def at(engine: EngineInputs, e: EngineResult, gas: Cycle, fires: Radian, epsilon: Radian) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
 def at(
-    engine: "EngineInputs", e: "EngineResult", gas: Cycle, fires: Radian, epsilon: Radian
-) -> tuple[NewtonMetre, NewtonMetre, Newton]: ...
-def at(
-    engine: "EngineInputs", e: "EngineResult", gas: Cycle | None, fires: Radian, epsilon: Radian
+    engine: EngineInputs, e: EngineResult, gas: Cycle | None, fires: Radian, epsilon: Radian
 ) -> tuple[NewtonMetre | None, NewtonMetre, Newton]:
     """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles ε."""
     length = gas.length if gas else TURN
@@ -197,7 +167,7 @@ def at(
 
 
 def solve(
-    engine: "EngineInputs", e: "EngineResult", firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
+    engine: EngineInputs, e: EngineResult, firing: Array, gas: GasInputs | None, flywheel_inertia: KilogramMetre2 | None
 ) -> tuple[TorqueResult, Many[Curve], tuple[Text, ...]]:
     """The torque of one engine.  `firing`: the crank angles, after cylinder 1's, at which the cylinders fire [rad], over the cycle."""
     inertia, curve = _inertia(engine, e, firing)
@@ -210,7 +180,7 @@ def solve(
         notes.append(Text("No gas is given: the torque is that of the inertia forces alone."))
         return inertia, (curve,), tuple(notes)
     with about(Text("gas cycle")):
-        cycle = c.prepare(engine, e, gas)
+        cycle = prepare(engine, e, gas)
     notes += cycle.notes
     notes.append(Text("The torque is the indicated one: friction, valve gear and auxiliaries are not taken off."))
     if flywheel_inertia is not None:
@@ -221,7 +191,7 @@ def solve(
     return result, Later(lambda: _curves(engine, e, firing, cycle, result)), tuple(notes)
 
 
-def _inertia(engine: "EngineInputs", e: "EngineResult", firing: Array) -> tuple[TorqueResult, Curve]:
+def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[TorqueResult, Curve]:
     """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
     d, fires = engine.cylinder_offset, each(firing)
@@ -259,7 +229,7 @@ def _inertia(engine: "EngineInputs", e: "EngineResult", firing: Array) -> tuple[
     ), curve  # fmt: skip
 
 
-def _relative(e: "EngineResult") -> Number:
+def _relative(e: EngineResult) -> Number:
     """The mass of each cylinder over the mean; one number where they are alike."""
     return 1.0 if e.unlike is None else relative_masses(M_k=each(e.unlike.reciprocating), M_alt=e.reciprocating_mass)
 
@@ -277,7 +247,7 @@ def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:
 
 
 def _gas(
-    engine: "EngineInputs", e: "EngineResult", firing: Array, cycle: Cycle, flywheel_inertia: float | None, inertia: TorqueResult
+    engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, flywheel_inertia: float | None, inertia: TorqueResult
 ) -> TorqueResult:
     """What the gas gives beside the inertia forces: work, peaks, mean and fluctuation."""
     fires, points = each(firing), c.points(cycle, firing)
@@ -320,7 +290,7 @@ def _gas(
 
 
 def _angle_of_peak(
-    engine: "EngineInputs", e: "EngineResult", cycle: Cycle, fires: Radian, epsilon: Array, torque: Array, *, inertia: bool
+    engine: EngineInputs, e: EngineResult, cycle: Cycle, fires: Radian, epsilon: Array, torque: Array, *, inertia: bool
 ) -> float:
     """Where the amount of the gas torque, or of the whole, is largest: between the points, or at a corner that is one of them."""
     size = c.amounts(torque)
@@ -332,7 +302,7 @@ def _angle_of_peak(
 
 
 # --- curves -----------------------------------------------------------------------------------------------------------------
-def _curves(engine: "EngineInputs", e: "EngineResult", firing: Array, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
+def _curves(engine: EngineInputs, e: EngineResult, firing: Array, cycle: Cycle, result: TorqueResult) -> tuple[Curve, ...]:
     epsilon = np.arange(round(cycle.length / DRAWN) + 1, dtype=float) * DRAWN
     degrees = np.degrees(epsilon)
     with untraced():

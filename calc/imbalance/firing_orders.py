@@ -10,7 +10,7 @@ import numpy as np
 
 from ..engine.crank import crank, firing, pin_of_cylinder, places, throw_angles
 from ..engine.inputs import EngineInputs
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.arrays import Array, IndexArray, distinct, each, many
 from ..sheet.errors import NoSolution
 from ..sheet.record import record

@@ -6,7 +6,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ..engine.inputs import EngineInputs
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.arrays import each
 from ..sheet.quantity import group, result, value
 from ..sheet.units import Newton, NewtonMetre, Radian

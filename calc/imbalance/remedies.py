@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, joined, modulus, resultant
 from ..sheet.quantity import group, result, value

@@ -8,7 +8,7 @@ make a moment; placed well it stands against the torque reaction of order n (the
 import math
 from collections.abc import Iterator
 
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.check import Check, check
 from ..sheet.formula import formula
 from ..sheet.functions import argument, conj, imag, joined, modulus

@@ -9,7 +9,8 @@ from typing import TypedDict
 import numpy as np
 
 from ..engine.inputs import EngineInputs
-from ..engine.solve import ORDERS, EngineResult
+from ..engine.result import EngineResult
+from ..engine.solve import ORDERS
 from ..sheet.arrays import each
 from ..sheet.later import Later
 from ..sheet.quantity import group, result, value

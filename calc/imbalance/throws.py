@@ -11,7 +11,7 @@ import numpy as np
 
 from ..engine.crank import Crank, column
 from ..engine.inputs import EngineInputs
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.arrays import ComplexArray, each
 from ..sheet.formula import formula
 from ..sheet.functions import cis, modulus, resultant

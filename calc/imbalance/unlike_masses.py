@@ -5,7 +5,7 @@ Names and parameters are theirs; m, M_rot and M_eq have an entry for every cylin
 Khurmi and Gupta, Theory of Machines, Balancing of Reciprocating Masses.
 """
 
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.arrays import each
 from ..sheet.formula import formula
 from ..sheet.functions import cis, conj, resultant

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
 from ..sheet.formula import formula
 from ..sheet.functions import argument, cis, imag, modulus, resultant

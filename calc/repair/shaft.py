@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from ..countershaft.inputs import CountershaftInputs, EccentricMass
 from ..countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ..countershaft.sizing.sectors import TooSmall, remainder
-from ..engine.solve import EngineResult
+from ..engine.result import EngineResult
 from ..imbalance.solve import ImbalanceResult
 from ..sheet.changes import Changes
 from ..sheet.check import Check

@@ -9,6 +9,7 @@ import pytest
 from calc.design_file import Document, _Reader
 from calc.engine import cycle as c
 from calc.engine import formulas as f
+from calc.engine.charge import prepare
 from calc.engine.gas import GasInputs, PressurePoint, cycle_problems
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values
@@ -22,7 +23,7 @@ DIESEL = dict(peak_pressure=150e5, compression_ratio=17.5)
 def prepared(gas=None, **changes):
     engine = EngineInputs(**{**R753, **changes})
     e = values(engine)
-    return engine, e, c.prepare(engine, e, gas or GasInputs(**DIESEL))
+    return engine, e, prepare(engine, e, gas or GasInputs(**DIESEL))
 
 
 def way(engine, e, epsilon):

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from calc.engine import cycle as c
 from calc.engine import formulas as f
 from calc.engine import throw_formulas, torque
+from calc.engine.charge import prepare
 from calc.engine.crank import firing
 from calc.engine.gas import GasInputs
 from calc.engine.inputs import EngineInputs
@@ -166,7 +167,7 @@ def test_the_rod_passes_the_pistons_force_to_the_pin(engine, F, alpha):
 def test_indicated_work_is_the_area_of_the_cycle(engine, gas):
     """W_i by the torque over the crank angle is ∮p dV in closed form; the crankcase's pressure adds nothing."""
     e = values(engine)
-    cycle = c.prepare(engine, e, gas)
+    cycle = prepare(engine, e, gas)
     found, _, _ = torque.solve(engine, e, firing(engine, e.crank).angles, gas, None)
     g, area = cycle.given, math.pi / 4 * engine.bore**2
     low, high, held = (area * (g.h_c + x) for x in (0.0, g.s, g.x_p))
@@ -184,7 +185,7 @@ def test_inertia_adds_nothing_to_the_mean_torque(engine, gas, faster):
     """The mean of the whole torque over the cycle is N·W_i over the cycle's angle at any speed and with any masses."""
     e = values(engine)
     fires = firing(engine, e.crank).angles
-    cycle = c.prepare(engine, e, gas)
+    cycle = prepare(engine, e, gas)
     epsilon = c.points(cycle, fires)
     T_G, T_I, _ = torque.at(engine, e, cycle, fires, epsilon[:, None])
     mean_gas, mean_inertia = (c.running(epsilon, T.sum(-1))[-1] / cycle.length for T in (T_G, T_I))

@@ -9,7 +9,7 @@ import pytest
 from calc.catalogue import materials
 from calc.engine import throw, torque
 from calc.engine import throw_formulas as t
-from calc.engine.cycle import prepare
+from calc.engine.charge import prepare
 from calc.engine.gas import GasInputs
 from calc.engine.throw_inputs import ThrowInputs
 from calc.sheet.quantity import published

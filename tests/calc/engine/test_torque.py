@@ -8,8 +8,9 @@ import pytest
 
 from calc.engine import formulas as f
 from calc.engine import torque
+from calc.engine.charge import prepare
 from calc.engine.crank import firing
-from calc.engine.cycle import dead_centre_angle, highest, own_angle, piston_way, points, prepare, running
+from calc.engine.cycle import dead_centre_angle, highest, own_angle, piston_way, points, running
 from calc.engine.gas import GasInputs, PressurePoint
 from calc.engine.inputs import EngineInputs
 from calc.engine.solve import values

@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the engine gives: masses, kinematics and harmonics, the torque about its crank, the stresses of a throw."""
+
+from ..sheet.quantity import Stated, group, result, value
+from ..sheet.units import (
+    CubicMetre,
+    Kilogram,
+    Metre,
+    MetrePerSecond,
+    MetrePerSecond2,
+    Newton,
+    NewtonMetre,
+    Number,
+    Pascal,
+    Radian,
+    RadPerSecond,
+    Watt,
+)  # fmt: skip
+from .crank import Crank
+from .cycle import Cycle
+from .masses import UnlikeMasses
+from .throw_fatigue import ThrowFatigue
+
+
+@result
+class Section:
+    """Moments and stresses of one section of the throw."""
+
+    bending_moment: NewtonMetre = value("Bending moment", "N·m", "M")
+    torsion: NewtonMetre = value("Torsion", "N·m", "T")
+    bending_stress: Pascal = value("Bending stress, nominal", "MPa", "σ")
+    torsion_stress: Pascal = value("Torsion stress, nominal", "MPa", "τ")
+    von_mises: Pascal = value("Von Mises stress, nominal", "MPa", "σ_v")
+    notch_stress: Pascal | None = value("Von Mises stress at the fillet", "MPa", "σ_vk", default=None)
+
+
+@result
+class Rod:
+    """The forces of one cylinder at one crank angle."""
+
+    crank_angle: Radian = value("Crank angle after the firing of this cylinder", "°", "ε_k")
+    gas_force: Newton | None = value("Gas force on the piston", "N", "F_G", default=None)
+    inertia_force: Newton = value("Inertia force of the reciprocating mass", "N", "F_I")
+    piston_force: Newton = value("Force on the piston", "N", "F")
+    rod_force: Newton = value("Force in the rod", "N", "S")
+    side_thrust: Newton = value("Side thrust on the liner", "N", "N")
+    tangential_force: Newton = value("Tangential force at the pin", "N", "F_t")
+    radial_force: Newton = value("Radial force at the pin, towards the crank axis", "N", "F_r")
+
+
+@result
+class Position(Rod):
+    """The governing throw at one crank angle.  `radial_force` and `tangential_force` are those of all rods on the pin."""
+
+    reaction_front: Newton = value("Reaction of the front main journal", "N", "R_f")
+    reaction_rear: Newton = value("Reaction of the rear main journal", "N", "R_r")
+    torque_in_front: NewtonMetre = value("Torque from the throws in front", "N·m", "T_v")
+    pin: Section = group()
+    journal: Section = group()
+
+
+@result
+class ThrowResult:
+    """The governing throw in its two positions."""
+
+    cylinder: Number = value("Cylinder whose throw governs")
+    span: Metre = value("Distance of the middles of the main journals", "mm", "L")
+    notch_bending_pin: Number | None = value("Notch factor of the pin, bending", "", "K_b", default=None)
+    notch_torsion_pin: Number | None = value("Notch factor of the pin, torsion", "", "K_t", default=None)
+    notch_bending_journal: Number | None = value("Notch factor of the journal, bending", "", "K_b", default=None)
+    notch_torsion_journal: Number | None = value("Notch factor of the journal, torsion", "", "K_t", default=None)
+    largest_tangential: Position = group()
+    top_dead_centre: Position = group()
+    fatigue: ThrowFatigue | None = group(spread=True, default=None)
+
+
+@result
+class TorqueResult:
+    """The torque of the whole engine at rated speed; with gas over its cycle, else of the inertia forces alone."""
+
+    inertia_torque_peak: NewtonMetre = value("Largest inertia torque, by amount", "N·m", "T_I")
+    inertia_torque: dict[str, Stated] = group()
+    reaction_inertia_peak: NewtonMetre = value("Largest torque reaction of the inertia forces on the block, by amount", "N·m", "T_RI")
+    reaction_inertia: dict[str, Stated] = group()
+    reaction_peak: NewtonMetre | None = value("Largest torque reaction on the block, by amount", "N·m", "T_R", default=None)
+    gas_torque_peak: NewtonMetre | None = value("Largest gas torque, by amount", "N·m", "T_G", default=None)
+    torque_peak: NewtonMetre | None = value("Largest torque, by amount", "N·m", "T_max", default=None)
+    torque_peak_angle: Radian | None = value("its crank angle after the firing of cylinder 1", "°", default=None)
+    compression_end_pressure: Pascal | None = value("Pressure at the end of compression", "bar", "p_c", default=None)
+    indicated_work: NewtonMetre | None = value("Indicated work of one cylinder and cycle", "J", "W_i", default=None)
+    indicated_mean_pressure: Pascal | None = value("Indicated mean pressure", "bar", "p_mi", default=None)
+    mean_torque: NewtonMetre | None = value("Mean indicated torque", "N·m", "T_m", default=None)
+    indicated_power: Watt | None = value("Indicated power", "kW", "P_i", default=None)
+    torque_highest: NewtonMetre | None = value("Highest torque over the cycle", "N·m", "T_hi", default=None)
+    torque_lowest: NewtonMetre | None = value("Lowest torque over the cycle", "N·m", "T_lo", default=None)
+    energy_fluctuation: NewtonMetre | None = value("Energy fluctuation over the cycle", "J", "ΔE", default=None)
+    speed_irregularity: Number | None = value("Speed irregularity", "", "δ_s", default=None)
+    harmonics: tuple[complex, ...]  # t_1 … t_8 of the inertia torque: T = Re Σ t_n e^{inε}
+    reaction_harmonics: tuple[complex, ...]  # the same of its reaction on the block
+    cycle: Cycle | None  # the gas of a cylinder, for the crank throw
+
+
+@result
+class EngineResult:
+    """Masses, kinematics and harmonics of an engine."""
+
+    reciprocating_mass: Kilogram = value("Reciprocating mass per cylinder", "g", "M_alt")
+    rotating_mass: Kilogram = value("Rotating mass per cylinder", "g", "M_rot")
+    lambda_: Number = value("Crank ratio", "", "λ")
+    delta: Number = value("Offset ratio", "", "δ")
+    angular_speed: RadPerSecond = value("Angular speed", "rad/s", "ω")
+    tdc_angle: Radian = value("Crank angle at TDC", "°", "φ_0")
+    stroke: Metre = value("Stroke", "mm", "s")
+    displacement: CubicMetre = value("Displacement", "cm³", "V_h")
+    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
+    brake_mean_pressure: Pascal | None = value("Brake mean effective pressure", "bar", "p_me", default=None)
+    piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
+    piston_speed_max_angle: Radian = value("Crank angle of the largest piston speed", "°", "α_v")
+    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
+    acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
+    acceleration_min_angle: Radian = value("Crank angle of the smallest acceleration", "°")
+    firing_interval: Radian | None = value("Firing interval, on average", "°", "Δ", default=None)
+    firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
+    firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
+    harmonic: dict[str, Stated] | None = group(default=None)
+    torque: TorqueResult | None = group(spread=True, default=None)
+    throw: ThrowResult | None = group(default=None)
+    crank: Crank
+    unlike: UnlikeMasses | None  # where the masses differ from cylinder to cylinder
+    harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
+    two_term: tuple[complex, ...]
