@@ -64,48 +64,39 @@ def idlers(gears: GearsInputs, axis: complex | None, progress: Progress | None =
     between = {mesh.driver for mesh in gears.meshes} & {mesh.driven for mesh in gears.meshes} - {gears.meshes[-1].driven}
     for wheel in gears.wheels if gears.walls or gears.neighbours else ():
         if wheel.name in between and wheel.position is None:
-            rows = sorted(_tried(gears, wheel.name, axis, progress), key=lambda row: row.rank)
+            rows = sorted(_tried(gears, wheel, axis, progress), key=lambda row: row.rank)
             if any(row.place.position is not None for row in rows):
                 found.append(rows)
     return found
 
 
-def _tried(gears: GearsInputs, name: str, axis: complex | None, progress: Progress | None) -> Iterator[Idler]:
-    wheel = next(w for w in gears.wheels if w.name == name)
-    now, said = wheel.teeth, [attribute for attribute in OF_TEETH if getattr(wheel, attribute) is not None]
+def _tried(gears: GearsInputs, wheel: Wheel, axis: complex | None, progress: Progress | None) -> Iterator[Idler]:
+    now, name, system = wheel.teeth, wheel.name, tooth_system(gears)
+    if (train := settled(gears, system)) is None:
+        return
     given = {i: m.centre_distance for i, m in enumerate(gears.meshes) if name in (m.driver, m.driven) and m.centre_distance is not None}
-    free_now = _without_backlash(gears, name, now, given)
+    shifted = replace(gears, wheels=tuple(replace(w, profile_shift=train.shifts[w.name]) for w in gears.wheels))
+    gone = dict.fromkeys(f"gears.wheels.{name}.{key}" for key, one in keys(Wheel).items() if getattr(wheel, one.attribute) is not None
+        and one.attribute in OF_TEETH)  # fmt: skip
     low, high = max(LEAST, now - now // PART), now + now // PART
-    for teeth in range(low, high + 1) if free_now is not None else ():
+    without_backlash = {n: settled(_with(shifted, name, n, dict.fromkeys(given)), system) for n in range(low, high + 1)}
+    for teeth, free in without_backlash.items():
         tell(progress, (teeth - low) / (high + 1 - low), Text("{wheel} with {n} teeth", wheel=name, n=teeth))
         if teeth == now:
-            yield _judged(gears, name, teeth, axis, {})
-        elif (free := _without_backlash(gears, name, teeth, given)) is not None and free_now is not None:
-            apart = {i: round(free[i] + a - free_now[i], HELD) for i, a in given.items()}
-            changes: Changes = {f"gears.wheels.{name}.teeth": teeth}
-            changes |= {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in apart.items()}
-            changes |= dict.fromkeys(f"gears.wheels.{name}.{key}" for key, about in keys(Wheel).items() if about.attribute in said)
-            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, changes)
+            yield _judged(gears, name, now, axis, {})
+        elif free is not None and (present := without_backlash[now]) is not None:
+            grown = {i: free.distances[key] - present.distances[key] for i in given for key in [gears.meshes[i].key]}
+            apart = {i: round(a + grown[i], HELD) for i, a in given.items()}
+            distances = {f"gears.meshes.{i}.centre_distance_mm": round(a * 1e3, 4) for i, a in apart.items()}
+            yield _judged(_with(gears, name, teeth, apart), name, teeth, axis, {f"gears.wheels.{name}.teeth": teeth, **distances, **gone})
 
 
 def _with(gears: GearsInputs, name: str, teeth: int, apart: Mapping[int, Metre | None]) -> GearsInputs:
-    """The train with other teeth of one wheel, none of what was said of the old ones, and other centre distances."""
-    wheel = next(w for w in gears.wheels if w.name == name)
-    wheel = replace(wheel, teeth=teeth, span_teeth=None, measured_span=None, measured_over_balls=None, measured_over_pins=None,
-        measured_chordal_thickness=None)  # fmt: skip
-    wheels = tuple(wheel if w.name == name else w for w in gears.wheels)
+    """The train with other teeth of one wheel, nothing that was said of the old ones, and other centre distances."""
+    bare = {w.name: replace(w, teeth=teeth, span_teeth=None, measured_span=None, measured_over_balls=None, measured_over_pins=None,
+        measured_chordal_thickness=None) for w in gears.wheels if w.name == name}  # fmt: skip
     meshes = tuple(replace(m, centre_distance=apart.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
-    return replace(gears, wheels=wheels, meshes=meshes)
-
-
-def _without_backlash(gears: GearsInputs, name: str, teeth: int, given: Iterable[int]) -> dict[int, Metre] | None:
-    """Centre distances by the shifts of the design, which stay; None where there are none."""
-    system = tooth_system(gears)
-    if (now := settled(gears, system)) is None:
-        return None
-    wheels = tuple(replace(w, profile_shift=now.shifts[w.name]) for w in gears.wheels)
-    train = settled(_with(replace(gears, wheels=wheels), name, teeth, dict.fromkeys(given)), system)
-    return None if train is None else {i: train.distances[gears.meshes[i].key] for i in given}
+    return replace(gears, wheels=tuple(bare.get(w.name, w) for w in gears.wheels), meshes=meshes)
 
 
 def _judged(gears: GearsInputs, name: str, teeth: int, axis: complex | None, changes: Changes) -> Idler:

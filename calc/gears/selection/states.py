@@ -88,7 +88,8 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
     given = [shifts[n] for n in names] + [cuts.get(w.name, w.tip_shortening) for w in gears.wheels]
     every = np.broadcast_arrays(*(np.atleast_1d(np.asarray(one, dtype=float)) for one in given))
     x, k = dict(zip(names, every)), dict(zip(names, every[len(names) :]))
-    limits = {w.name: float(_undercut_limit(system, w)) for w in gears.wheels}
+    tool = system.h_fP, system.rho_aP0, system.alpha_n
+    limits = {w.name: f.undercut_limit(*tool, w.teeth, system.transverse_pressure_angle, system.beta) for w in gears.wheels}
     circles, tips = {}, {}
     for wheel in gears.wheels:
         circles[wheel.name], tips[wheel.name] = _circles(system, wheel, each(x[wheel.name]), each(k[wheel.name]), limits[wheel.name])
@@ -104,10 +105,6 @@ def _states(system: ToothSystem, gears: GearsInputs, shifts: ByWheel, cuts: ByWh
         shifts=x, cuts=k, distances=distances, undercut_limit=limits, tip_thickness=tips, contact_ratio=ratios, sap_diameter=sap,
         sliding=sliding, sliding_lpstc=lpstc, margin=margin, clearance=clearance,
     )  # fmt: skip
-
-
-def _undercut_limit(s: ToothSystem, wheel: Wheel) -> float:
-    return f.undercut_limit(s.h_fP, s.rho_aP0, s.alpha_n, wheel.teeth, s.transverse_pressure_angle, s.beta)
 
 
 def _circles(s: ToothSystem, wheel: Wheel, x: Number, k: Metre, x_min: Number) -> tuple[_Circles, Array]:
