@@ -1,5 +1,6 @@
 """Fixtures that every test may use."""
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -8,15 +9,24 @@ import pytest
 
 from calc.design_file import Document, read
 from calc.design_file import design as checked
+from calc.sheet.garbage import SELDOM
 from calc.solve import Results, solve
+from calc.validate import Row, Unmet, rows, unmet
 
 # programs that a test starts keep what they have compiled, as a user's do: it is a second for each
 os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
 sys.dont_write_bytecode = False
+gc.set_threshold(*SELDOM)  # as the command line does: looking for garbage took a tenth of all tests, of those of the reports a quarter
 
 ROOT = Path(__file__).parent.parent
 DESIGNS = ROOT / "designs"
 GAMMA = DESIGNS / "r753ie4_gamma.toml"
+
+
+def pytest_collection_finish() -> None:
+    """The modules and the tests stay: they need not be looked through again and again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture(scope="session")
@@ -28,3 +38,9 @@ def gamma() -> Document:
 @pytest.fixture(scope="session")
 def gamma_results(gamma: Document) -> Results:
     return solve(checked(gamma))
+
+
+@pytest.fixture(scope="session")
+def validation() -> tuple[list[Row], list[Unmet]]:
+    """Every value of others beside ours: ninety designs are solved for it."""
+    return rows(), list(unmet())

@@ -5,8 +5,8 @@ import json
 
 import pytest
 
+from .command import run
 from .conftest import DESIGNS
-from .test_cli import run
 
 
 @pytest.fixture

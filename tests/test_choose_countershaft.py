@@ -4,8 +4,8 @@ import json
 
 import pytest
 
+from .command import run
 from .conftest import DESIGNS, GAMMA
-from .test_cli import run
 
 
 @pytest.fixture

@@ -6,8 +6,8 @@ import re
 
 import pytest
 
+from .command import run
 from .conftest import DESIGNS
-from .test_cli import run
 
 
 @pytest.fixture

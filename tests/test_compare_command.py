@@ -10,8 +10,8 @@ import pytest
 from assistant.cli import main
 from assistant.commands.compare import column_names
 
+from .command import run
 from .conftest import DESIGNS, GAMMA
-from .test_cli import run
 from .test_imports import HEAVY, loaded
 
 BETA = DESIGNS / "r753ie4_beta.toml"

@@ -6,7 +6,7 @@ import pytest
 
 from calc.catalogue import oils
 
-from .test_cli import run
+from .command import run
 
 
 def test_all_oils_a_row_each():

@@ -2,8 +2,8 @@
 
 import pytest
 
+from .command import run
 from .conftest import ROOT
-from .test_cli import run
 
 
 @pytest.mark.parametrize("command", [["report", "{}"], ["compare", "{}", "designs/r753ie4_beta.toml"], ["export", "{}", "--json"]])

@@ -1,7 +1,7 @@
 """`contralbero sweep`."""
 
+from .command import run
 from .conftest import GAMMA
-from .test_cli import run
 
 
 def test_sweep_writes_csv_and_says_the_verdicts(tmp_path):

@@ -2,7 +2,6 @@
 """A design in a folder of its own, a memory of its own, a clock that stands still, and the screen over them."""
 
 import asyncio
-import gc
 import time
 from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
@@ -82,7 +81,6 @@ def light(design: Path, memory: Memory) -> Session:
 def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     """Opens the screen over a session, which is solved; `async with screen(size=(80, 24)) as pilot`."""
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
-    gc.set_threshold(50_000, 20, 50)
 
     @asynccontextmanager
     async def opened(size: tuple[int, int] = (110, 30), session: Session = light, ascii: bool = False) -> AsyncIterator[Pilot[int]]:

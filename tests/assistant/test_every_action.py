@@ -5,7 +5,6 @@ The tests of a size share one screen, which is put in order before each; one tha
 """
 
 import asyncio
-import gc
 import sys
 from collections.abc import AsyncIterator, Iterator
 from functools import partial
@@ -34,7 +33,6 @@ def put_aside() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "reports.report", report)
         patch.setattr(background_solve, "AHEAD", 1000.0)
-        gc.set_threshold(50_000, 20, 50)
         yield
 
 

@@ -92,7 +92,6 @@ def opened(solved_once: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
     monkeypatch.setattr("calc.repair.remedy.remedy", lambda document, step, results, progress: found[step])
-    gc.set_threshold(50_000, 20, 50)
 
     @asynccontextmanager
     async def opened(step: int, size: tuple[int, int], **options: Any) -> AsyncIterator[Pilot[int]]:

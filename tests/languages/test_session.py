@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A whole session in another language: no English is left on the screen, whatever is opened."""
 
-import gc
 import re
 from collections.abc import AsyncIterator, Iterable, Iterator
 from contextlib import asynccontextmanager
@@ -119,7 +118,6 @@ class Reader(Ear):
 def quiet(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
     monkeypatch.chdir(tmp_path)
-    gc.set_threshold(50_000, 20, 50)
 
 
 @asynccontextmanager
