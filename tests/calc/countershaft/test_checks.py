@@ -98,6 +98,21 @@ def test_a_given_shaft_is_threaded_in_only_where_that_is_asked():
     assert verdicts(outcome(**given, outer_radius_mm=40.4, radial_clearance_mm=0.1))["envelope"] == "warn"
 
 
+@pytest.mark.parametrize("front, rear, room", [(40.0, 41.0, 2.2), (41.0, 40.5, 2.2), (40.0, 40.0, 3.2)])
+def test_the_widest_sector_must_go_through(front, rear, room):
+    """Two sectors of different radius under journals of 59.5 and 86.4 mm; the journals are no sectors."""
+    sides = ((-152.0, -1.0, front, 210.0), (1.0, 152.0, rear, 30.0))
+    sections = [
+        {"from_mm": a, "to_mm": b, "outer_radius_mm": R, "core_radius_mm": 15.0, "half_angle_deg": 70.0, "angle_deg": angle}
+        for a, b, R, angle in sides
+    ]
+    sections += [
+        {"from_mm": a, "to_mm": b, "outer_radius_mm": R} for a, b, R in ((-182.0, -152.0, 29.75), (-1.0, 1.0, 15.0), (152.0, 182.0, 43.2))
+    ]
+    made = outcome(sections=sorted(sections, key=lambda one: one["from_mm"]), journals=SEATS, radial_clearance_mm=0.1)
+    assert found(made, "envelope").value == pytest.approx(room)
+
+
 @pytest.mark.parametrize("half_length, verdict", [(150.0, "pass"), (153.0, "warn"), (153.5, "fail"), (160.0, "fail")])
 def test_the_sectors_end_where_the_journals_begin(half_length, verdict):
     """The nearer face is that of the rear journal: 167.5 − 29/2 = 153 mm.  Beyond it nothing is drawn, and it is judged all the same."""

@@ -62,6 +62,16 @@ def test_an_order_gives_a_crank_that_fires_in_it(cylinders, strokes):
         assert len(allowed) == (2 ** (cylinders // 2 - 1) if strokes == 4 and cylinders % 2 == 0 else 1)
 
 
+@pytest.mark.parametrize("off", [-0.5e-9, 0.5e-9])
+@pytest.mark.parametrize("cylinder", [1, 2])
+def test_dead_centres_that_rounding_parts_are_one(cylinder, off):
+    """Half a billionth of a turn before or behind changes no interval of three pistons that stand at TDC together."""
+    phi = np.zeros(3)
+    phi[cylinder] = 2 * math.pi * off
+    found = in_order(phi, np.zeros(3), 4, (1, 2, 3))
+    assert found is not None and np.degrees(found.intervals) == pytest.approx((360, 360, 0))
+
+
 def test_an_order_may_begin_anywhere():
     assert fired(firing_order=(3, 2, 1)).order == (1, 3, 2)
     assert solved(firing_order=(3, 2, 1))[2].orders["order_1"].vectors == pytest.approx(solved()[2].orders["order_1"].vectors)

@@ -123,8 +123,9 @@ def test_even_firing_leaves_forces_of_the_firing_frequency_only(cylinders, strok
 @settings(max_examples=60, deadline=None)
 @given(C=st.floats(0.1, 1e4), late=st.floats(-math.pi, math.pi), z=st.integers(8, 200))
 def test_two_equal_couples_out_of_phase_leave_twice_the_sine_of_half_their_angle(C, late, z):
-    """|C − C·e^(iΔφ)| = 2·C·|sin(Δφ/2)|: of backlash, per degree and per tooth of mistiming."""
+    """|C − C·e^(iΔφ)| = 2·C·|sin(Δφ/2)|: of backlash, per degree and per tooth of mistiming; of forces alike."""
     left = abs(C - C * np.exp(1j * late))
     assert abs(residual_couple(C=C, Delta_phi=late)) == pytest.approx(left, rel=1e-9, abs=1e-12 * C)
-    assert f.couple_per_degree(C_S=C) == pytest.approx(abs(C - C * np.exp(1j * math.radians(1))), rel=1e-9)
-    assert f.couple_per_tooth(C_S=C, z=float(z)) == pytest.approx(abs(C - C * np.exp(2j * math.pi / z)), rel=1e-9)
+    degree, tooth = (pytest.approx(abs(C - C * np.exp(1j * angle)), rel=1e-9) for angle in (math.radians(1), 2 * math.pi / z))
+    assert f.couple_per_degree(C_S=C) == degree and f.couple_per_tooth(C_S=C, z=float(z)) == tooth
+    assert f.force_per_degree(F_S=C) == degree and f.force_per_tooth(F_S=C, z=float(z)) == tooth

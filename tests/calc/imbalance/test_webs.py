@@ -71,6 +71,20 @@ def test_least_squares_are_least():
             assert abs(S) ** 2 + abs(C) ** 2 / a**2 > best
 
 
+def test_the_table_of_the_cranks_shows_what_they_are():
+    """Beside each other the bare crank, the stated one and that of every mode: masses of the bobs, S, C, and C·ω² at rated speed."""
+    inputs, e, found = solved(GAMMA.imbalance)
+    table = next(t for t in solve(GAMMA.imbalance, inputs, e).tables if t.id == "bobs")
+    rows = {str(row[0]): row[1:] for row in table.rows}
+    assert list(rows) == ["bare", "as stated", "equal (chosen)", "per pin", "least squares"]
+    stated = GAMMA.imbalance.bob_mass * 1e3
+    assert [rows[name][:3] for name in ("bare", "as stated")] == [(None,) * 3, pytest.approx((stated,) * 3)]
+    assert rows["equal (chosen)"][:3] == pytest.approx([bob.number * 1e3 for bob in found.webs.bob_mass.values()])
+    for name, state in zip(rows, (found.webs.crank[key] for key in ("bare", "stated", "balanced"))):
+        shown = state.unbalance_up * 1e3, state.unbalance_side * 1e3, state.product_up * 1e6, state.product_side * 1e6, state.couple
+        assert rows[name][3:] == pytest.approx(shown, abs=1e-9), name
+
+
 def test_what_pulley_and_flywheel_must_supply():
     """(1503.3 − 427.4) g on every pin: 827.8 N·m at 2600 rpm."""
     found = webs()

@@ -70,6 +70,11 @@ def test_no_flash_at_the_pitch_point(gears, key):
     assert np.interp(0.0, found.way, found.flash) < 0.03 * found.flash_temperature_max
 
 
+@pytest.mark.parametrize("n", [50.0, -50.0])
+def test_the_power_that_is_sent_through_is_torque_times_angular_velocity(n):
+    assert load.transmitted_power(F_t=2000.0, d=0.072, n=n) == pytest.approx(2000.0 * 0.036 * 2 * math.pi * 50)
+
+
 def test_double_load_is_flash_times_two_to_the_three_quarters():
     p = path_of(spur())
     assert flash_at(p, p.E, w_t=300e3) / flash_at(p, p.E, w_t=150e3) == pytest.approx(2**0.75)
