@@ -70,7 +70,7 @@ def _backlash(system: ToothSystem, given: Mesh, index: int, mesh: MeshResult, dr
     slope = 2 * math.sqrt(1 - (touching / closest) ** 2) * math.cos(system.base_helix_angle)
     return check(f"gears.{given.key}.backlash", Text("Smallest backlash {pair} by its tolerances", pair=mesh.title), mesh.backlash_min,
         ">=", 0.0, "µm", Text("geometry: teeth must not jam at any combination of the tolerances; without runout, all at 20 °C"),
-        Text("More off the span of the teeth, or a smaller tolerance of the centre distance, gives more."), index=index,
+        Text("Thinner teeth or a smaller centre tolerance give more."), index=index,
         remedies=lambda: freed((driver, driven), given, index, mesh.centre_tolerance, -mesh.backlash_min, slope))  # fmt: skip
 
 

@@ -34,7 +34,7 @@ def axis_check(last: str, off: Metre, limit: Metre) -> Check:
     """`off`: between the given position of the last wheel and the axis of the counter-shaft."""
     return check(
         f"gears.{last}.axis", Text("Position of {last} from the axis of the counter-shaft", last=last), off, "<=", limit, "µm",
-        Text("the last wheel stands on the counter-shaft; 10⁻³ m_n is a rule of this program"),
+        Text("rule of this program: the last wheel stands on the counter-shaft, within 10⁻³ m_n"),
         remedies=by_key(Wheel, f"gears.wheels.{last}.position_mm", None, place=last, effect=Text("the axis of the counter-shaft gives it")),
     )  # fmt: skip
 
@@ -47,7 +47,7 @@ def distance_check(key: str, index: int, mesh: MeshResult, c: Metre, error: Metr
         advice += Text(" Or move {wrong}.", wrong=alternatives(given))
     return check(f"gears.{key}.position",
         Text("Axes of {driver} and {driven} off their centre distance", driver=mesh.driver, driven=mesh.driven), error, "<=", limit, "µm",
-        Text("tolerance of the centre distance, at least 10⁻³ m_n (rule of this program)"), advice, index=index,
+        Text("rule of this program: the tolerance of the centre distance, at least 10⁻³ m_n"), advice, index=index,
         remedies=by_key(Mesh, f"gears.meshes.{index}.centre_distance_mm", round(c * 1e3, 4), place=mesh.title))  # fmt: skip
 
 
