@@ -13,23 +13,27 @@ import numpy as np
 
 from ..catalogue import oils
 from ..lubricant import Lubricant
-from ..sheet.arrays import many
+from ..root import root
+from ..sheet.arrays import each, many
 from ..sheet.errors import NoSolution
 from ..sheet.step import Curve, Series, axis_label
-from ..sheet.text import Name, Text
+from ..sheet.text import Amount, Name, Text
 from ..sheet.trace import untraced
 from ..sheet.value import unlinked
 from .curves import POINTS, SHARES, over_clearance
+from .film.misaligned import MisalignedFilm, solve_misaligned
 from .film.optimum import ECCENTRICITIES, share_of_largest_load, share_of_least_friction
 from .film.reynolds import ECCENTRICITY_RANGE, LENGTH_RATIO_RANGE, FilmSolution, solve_film
 from .film.table import FilmRangeError, eccentricity_from, film_at
 from .inputs import IN_WORDS
 from .result import BearingResult
-from .routes.balance import balanced
+from .routes.balance import balanced, settled
 from .routes.routes import own_warm
+from .routes.supply import lands
 
 PUBLISHED_RATIOS = (1.0, 0.5, 0.25)  # l/d of the curves of 1958, beside the infinitely long bearing
 RATIOS = np.linspace(0.2, 1.2, 11)  # of the lengths that are tried
+LOADS = np.geomspace(0.05e6, 50e6, 61)  # Pa, specific, of those that are tried
 OILS = ("0W-20", "5W-30", "10W-40", "15W-40")
 AS_DESIGNED = Text("as designed")
 LG_S = Text("lg S")
@@ -42,7 +46,7 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
     for place, r in results.items():
         makers += [partial(_clearance, place, r), partial(_length, place, r)]
         if r.seat.inputs.supply != "axial_groove":  # the film of a bearing without grooves
-            makers += [partial(_pressure, place, r), partial(_raimondi_boyd, place, r)]
+            makers += [partial(_pressure, place, r), partial(_allowable, place, r), partial(_raimondi_boyd, place, r)]
             makers += [partial(_duty, place, r), partial(_further_charts, place, r)]
     makers += [partial(_oils, first), partial(_bench, first)]
     for make in makers:
@@ -54,28 +58,47 @@ def charts(results: dict[str, BearingResult]) -> Iterator[Curve]:
 
 
 def _pressure(place: str, r: BearingResult) -> Iterator[Curve]:
-    """Around the middle plane, and along where it is largest; with a groove around the middle each half carries half of the load."""
-    films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), 1)}
-    if r.seat.inputs.supply != "groove":
+    """Around the middle plane, and along where it is largest: as designed, with the journal's slope, and parted by a groove around, where
+    each half carries half of the load."""
+    inputs, length = r.seat.inputs, r.seat.bearing.length * 1e3
+    groove = (inputs.groove_width or 0.0) * 1e3 if lands(inputs) == 2 else 0.0
+    films = {AS_DESIGNED: (_film(r.eccentricity, r.length_ratio), lands(inputs), length - groove)}
+    if inputs.supply != "groove":
         try:
             half = _film(eccentricity_from(float(r.sommerfeld), r.length_ratio / 2), r.length_ratio / 2)
-            films[Text("parted by a groove around")] = half, 2
+            films[Text("parted by a groove around")] = half, 2, length
         except FilmRangeError:
             pass  # so short a half carries this load at no eccentricity of the table
     scale = r.hot.oil.mu * 2 * math.pi * r.duty.effective_speed / r.relative_clearance**2 / 1e6
     mean, where = (Text("specific load"), r.specific_load / 1e6), dict(place=IN_WORDS[place])
     around, along = [], []
-    for label, (film, parts) in films.items():
+    for label, (film, parts, bare) in films.items():
         angle = np.degrees(film.theta - math.pi + film.attitude)  # from the load's direction, in the sense of the journal's rotation
         around.append(Series(label, angle, film.pressure * scale))
         z, p = np.append(-film.z[::-1], film.z[1:]), np.append(film.pressure_along[::-1], film.pressure_along[1:]) * scale
-        half_length = r.seat.bearing.length * 1e3 / 2 / parts
-        middles = (0.0,) if parts == 1 else (-half_length, half_length)
+        half_length = bare / 2 / parts
+        middles = (0.0,) if parts == 1 else (half_length - length / 2, length / 2 - half_length)
         along.append(Series(label, np.concatenate([m + z * half_length for m in middles]), np.tile(p, parts)))
+    if lands(inputs) == 1 and (sloping := _sloping(r)) is not None:
+        slope = Amount((r.film - r.film_edge) / length * 2e6, "mrad", form=".2g")
+        along.insert(1, Series(Text("sloping, {slope}", slope=slope), sloping.z * length / 2, sloping.pressure_along * scale))
     title = Text("Film pressure around the {place} bearing, in the plane of its largest", **where)
     yield Curve(f"pressure_around_{place}", title, axis_label("angle from the load", "°"), axis_label("p", "MPa"), tuple(around), (mean,))
     title = Text("Film pressure along the {place} bearing, where it is largest", **where)
     yield Curve(f"pressure_along_{place}", title, axis_label("z", "mm"), axis_label("p", "MPa"), tuple(along), (mean,))
+
+
+def _sloping(r: BearingResult) -> MisalignedFilm | None:
+    """The film that carries the same load with the journal's slope; None: it has none, or so much that an edge leaves the range."""
+    tilt = (r.film - r.film_edge) / (r.clearance_hot / 2)
+    low, high = tilt + ECCENTRICITY_RANGE[0], min(float(r.eccentricity), ECCENTRICITY_RANGE[1] - tilt)  # at the same ε it carries more
+
+    def missing(eccentricity: float) -> float:
+        return math.log(solve_misaligned(eccentricity, tilt, r.length_ratio).sommerfeld / r.sommerfeld)
+
+    if tilt <= 0 or high <= low or missing(high) > 0 or missing(low) < 0:
+        return None
+    return solve_misaligned(root(missing, low, high, tolerance=1e-4), tilt, r.length_ratio)
 
 
 def _film(eccentricity: float, length_ratio: float) -> FilmSolution:
@@ -112,6 +135,32 @@ def _length(place: str, r: BearingResult) -> Iterator[Curve]:
     title = Text("What the length of the {place} bearing does at the same projected area", place=IN_WORDS[place])
     series = tuple(Series(label, ratios, part) for label, part in zip(labels, parts))
     yield Curve(f"length_effects_{place}", title, Text("l/d"), Text("over that of the design"), series)
+
+
+def _allowable(place: str, r: BearingResult) -> Iterator[Curve]:
+    """The specific load at which the film at the edge is as thin as Kreisle lets it be, over the length of this journal, all else as
+    designed: parallel it rises with the length, a journal that slopes loses its edges."""
+    bearing, inputs = unlinked(r.seat.bearing), r.seat.inputs
+    d, count = bearing.diameter, lands(inputs)
+    groove = (inputs.groove_width or 0.0) if count == 2 else 0.0
+    supplied = max(width or 0.0 for width in (inputs.hole_diameter, inputs.groove_width, inputs.pocket_width))
+    l = RATIOS * count * d + groove
+    l = l[l > supplied]
+    at = replace(unlinked(r.seat), bearing=replace(bearing, length=each(l[None])))
+    h_0 = many(settled(at, replace(unlinked(r.duty), load=each(LOADS[:, None] * d * (l - groove)))).film)
+    slope, ratios = (r.film - r.film_edge) * 2 / bearing.length, (l - groove) / count / d
+    cases = [(Text("parallel"), 0.0)]
+    if slope > 0:
+        cases.append((Text("sloping, {slope}", slope=Amount(slope * 1e3, "mrad", form=".2g")), slope))
+    series = []
+    for label, theta in cases:
+        edge = h_0 - theta * l / 2
+        there = np.isfinite(edge)
+        p = [np.interp(-r.kreisle_film, -edge[on, j], LOADS[on], left=np.nan, right=np.nan) for j, on in enumerate(there.T) if on.any()]
+        series.append(Series(label, ratios[there.any(axis=0)], np.array(p) / 1e6))
+    series.append(Series(AS_DESIGNED, np.array([r.length_ratio]), np.array([r.specific_load / 1e6])))
+    title = Text("Specific load that the {place} bearing bears over its l/d", place=IN_WORDS[place])
+    yield Curve(f"allowable_load_{place}", title, Text("l/d"), axis_label("p", "MPa"), tuple(series))
 
 
 def _raimondi_boyd(place: str, r: BearingResult) -> Iterator[Curve]:

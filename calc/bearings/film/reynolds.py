@@ -136,7 +136,7 @@ def _levels(eccentricity: float, length_ratio: float, cells: tuple[int, int]) ->
     pressure: Array | None = None
     levels = []
     for coarser in REFINEMENTS:
-        grid = _grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
+        grid = film_grid(eccentricity, length_ratio, cells[0] // coarser, max(cells[1] // coarser, 1))
         pressure = _pressure(grid, None if pressure is None else _refined(pressure, grid.across.size))
         levels.append((grid, pressure))
     return levels
@@ -153,7 +153,7 @@ def _require(eccentricity: float, length_ratio: float, cells: tuple[int, int]) -
         raise ValueError(f"cells {cells}: two multiples of 4, from (24, 4) up")
 
 
-def _grid(eccentricity: float, length_ratio: float, cells_around: int, cells_across: int) -> _Grid:
+def film_grid(eccentricity: float, length_ratio: float, cells_around: int, cells_across: int) -> _Grid:
     """Nodes around: Sommerfeld's angle γ, 1 + ε·cos θ = (1 − ε²)/(1 − ε·cos γ), itself spread a little over the widest film."""
     narrow = 1.0 - eccentricity**2
     squeeze = math.sqrt((1.0 + eccentricity) / (1.0 - eccentricity))
@@ -161,14 +161,12 @@ def _grid(eccentricity: float, length_ratio: float, cells_around: int, cells_acr
     turn = np.linspace(0.0, LAST_TURN, cells_around + 1)
     gamma = turn - spread * np.sin(turn)
     theta = 2.0 * np.arctan2(squeeze * np.sin(0.5 * gamma), np.cos(0.5 * gamma))
-    sine, cosine = np.sin(gamma), np.cos(gamma)
-    film = narrow / (1.0 - eccentricity * cosine)
+    film = narrow / (1.0 - eccentricity * np.cos(gamma))
 
     around = turn[1] * (1.0 - spread * np.cos(turn)) * film / math.sqrt(narrow)
     around[0] *= 0.5
     around[-1] *= 0.5
-    square = (gamma - eccentricity * sine) / narrow**1.5  # ∫h⁻²dθ
-    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5  # ∫h⁻³dθ
+    square, cube = film_integrals(gamma, eccentricity)
     conductance = 1.0 / np.diff(cube)
     drag = 6.0 * np.diff(square) * conductance
 
@@ -178,6 +176,14 @@ def _grid(eccentricity: float, length_ratio: float, cells_around: int, cells_acr
     across = 0.5 * (np.append(gap, 0.0) + np.append(0.0, gap))
     sideways = (film**3 * around / length_ratio**2)[:, None] / gap
     return _Grid(theta, around, across, film, conductance, drag, sideways, np.append(0.0, np.cumsum(gap)))
+
+
+def film_integrals(gamma: Array, eccentricity: float | Array) -> tuple[Array, Array]:
+    """∫h⁻²dθ and ∫h⁻³dθ from the widest film to Sommerfeld's angle γ."""
+    narrow, sine, cosine = 1.0 - eccentricity**2, np.sin(gamma), np.cos(gamma)
+    square = (gamma - eccentricity * sine) / narrow**1.5
+    cube = ((1.0 + 0.5 * eccentricity**2) * gamma - (2.0 - 0.5 * eccentricity * cosine) * eccentricity * sine) / narrow**2.5
+    return square, cube
 
 
 def _refined(pressure: Array, nodes_across: int) -> Array:
@@ -204,16 +210,19 @@ def _links(grid: _Grid) -> tuple[Array, Array, Array]:
 
 def _pressure(grid: _Grid, guess: Array | None) -> Array:
     """Π at all nodes: the complementarity problem A·Π >= b, Π >= 0, Π·(A·Π − b) = 0 of one grid."""
-    inner = grid.across[:-1]
-    along, aside, diagonal = _links(grid)
-    source = -np.diff(grid.drag)[:, None] * inner
+    source = -np.diff(grid.drag)[:, None] * grid.across[:-1]
+    return pressure_of(grid.theta, *_links(grid), source, None if guess is None else guess[1:-1, :-1] > 0.0)
 
-    if guess is None:
-        active = np.broadcast_to(grid.theta[1:-1, None] < 1.1 * math.pi, source.shape)
-    else:
-        active = guess[1:-1, :-1] > 0.0
+
+def pressure_of(theta: Array, along: Array, aside: Array, diagonal: Array, source: Array, active: Mask | None = None) -> Array:
+    """Π at the nodes around and across, zero at both ends around and at the last node across.
+
+    `along`: links around, [gap, node across]; `aside`: from each node across to the next; `active`: where pressure is looked for first.
+    """
+    if active is None:
+        active = np.broadcast_to(theta[1:-1, None] < 1.1 * math.pi, source.shape)
     round_off = 1e-11 * float(np.abs(source).max())
-    pressure = np.zeros((grid.theta.size, grid.across.size))
+    pressure = np.zeros((theta.size, source.shape[1] + 1))
     inside = pressure[1:-1, :-1]
     for _ in range(ITERATION_LIMIT):
         whole = int(np.flatnonzero(active.any(axis=1))[-1]) + 1  # nodes around that the film can reach
@@ -224,13 +233,13 @@ def _pressure(grid: _Grid, guess: Array | None) -> Array:
         corrected = np.where(active, inside > 0.0, push > round_off)
         if np.array_equal(corrected, active):
             if active[-1].any():
-                end, size = Amount(grid.theta[-2], form=".3f"), grid.theta.size
+                end, size = Amount(theta[-2], form=".3f"), theta.size
                 raise ArithmeticError(Text("the film has not ruptured at {theta} rad, where the grid of {size} ends", theta=end, size=size))
             return pressure
         active = corrected
     raise ArithmeticError(
         Text(
-            "no film found on {size} by {size2} nodes in {iteration_limit} corrections", size=grid.theta.size, size2=grid.across.size,
+            "no film found on {size} by {size2} nodes in {iteration_limit} corrections", size=theta.size, size2=pressure.shape[1],
             iteration_limit=ITERATION_LIMIT,
         )
     )  # fmt: skip

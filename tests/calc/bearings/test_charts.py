@@ -1,11 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """The charts of the literature: what they draw is what the bearing has, and the band is the published one."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from calc.bearings.film.optimum import share_of_largest_load, share_of_least_friction
 from calc.bearings.film.table import film_at
+from calc.bearings.routes.balance import balanced
+from calc.bearings.routes.routes import own_warm
 from calc.design_file import design, read
 from calc.sheet.number import short
 from calc.shipped import DESIGNS
@@ -74,6 +78,38 @@ def test_pressure_along_falls_to_nothing_at_the_edges(gamma, drawn, place):
         and np.interp(0.0, *parted) == pytest.approx(0, abs=1e-9)
         and parted[1].max() > whole[1].max()
     )
+
+
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_a_sloping_journal_has_its_peak_off_the_middle(gamma, drawn, place):
+    """With the slope of the design, under the same load."""
+    (label, (z, p)), whole = list(drawn[f"pressure_along_{place}"].items())[1], drawn[f"pressure_along_{place}"]["as designed"]
+    r = gamma.outcomes["bearings"].result.bearings[place]
+    assert f"{(r.film - r.film_edge) * 2 / r.seat.bearing.length * 1e3:.2f}" in label
+    assert whole[1].max() < p.max() < 1.1 * whole[1].max() and z[p.argmax()] > 1 and p[0] == p[-1] == 0
+    assert np.trapezoid(p, z) == pytest.approx(np.trapezoid(*whole[::-1]), rel=0.03)
+
+
+def test_a_bearing_with_a_groove_is_drawn_as_its_two_lands():
+    grooved = solve(
+        design(read(DESIGNS / "r753ie4_gamma.toml").with_value("bearings.supply", "groove").with_value("bearings.groove_width_mm", 4.0))
+    )
+    curve = next(c for c in grooved.outcomes["bearings"].whole.curves if c.id == "pressure_along_rear")
+    z, p = curve.series[0].x, curve.series[0].y
+    length = grooved.outcomes["bearings"].result.bearings["rear"].seat.bearing.length * 1e3
+    assert len(curve.series) == 1 and (z[0], z[-1]) == pytest.approx((-length / 2, length / 2)) and p[abs(z) < 2.001].max() == 0
+
+
+@pytest.mark.parametrize("place", ["front", "rear"])
+def test_the_load_that_a_length_bears_leaves_the_film_of_the_limit(gamma, drawn, place):
+    """Solved anew under that load, the film at the edge is Kreisle's; with the slope it is less than parallel, the more the longer."""
+    parallel, sloping = list(drawn[f"allowable_load_{place}"].values())[:2]
+    assert (np.diff(parallel[1]) > 0).all() and (np.diff(sloping[1] / parallel[1]) < 0).all()
+    r = gamma.outcomes["bearings"].result.bearings[place]
+    p = np.interp(r.length_ratio, *sloping) * 1e6
+    load = float(p * r.seat.bearing.diameter * r.seat.bearing.length)
+    there = balanced(own_warm, r.seat, replace(r.duty, load=load))
+    assert there.film - (r.film - r.film_edge) == pytest.approx(r.kreisle_film, rel=0.01)
 
 
 def test_pressure_carries_the_load_in_the_middle_plane_of_a_long_bearing(gamma, drawn):
