@@ -1,6 +1,5 @@
-"""The drawing of a shaft: its shapes, and the DXF file read back."""
+"""The drawing of a shaft as a DXF file, read back; its shapes: tests/calc/countershaft/test_drawing.py."""
 
-import math
 import os
 import subprocess
 import sys
@@ -9,31 +8,14 @@ from io import StringIO
 import ezdxf
 import pytest
 from ezdxf import bbox
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
-from calc.countershaft.drawing import LAYERS, outline_curve, reach, shaft_drawing, silhouette, upwards
-from calc.countershaft.outline import Outline, Piece, outline
-from calc.sheet.drawing import Arc, Dimension, Polyline, Words
+from calc.countershaft.drawing import LAYERS, shaft_drawing, silhouette
+from calc.sheet.drawing import Polyline
 from reports.dxf import STYLE, dxf
 
+from ..calc.countershaft.shafts import POSITIONS
+from ..calc.countershaft.shafts import drawn_shaft as shaft
 from ..conftest import ROOT
-
-UP = math.radians(210)
-POSITIONS = (-0.1675, 0.1675)
-
-
-def piece(start, end, radius, what, half_angle=None, angle=0.0, core=0.0):
-    return Piece(start * 1e-3, end * 1e-3, radius * 1e-3, core * 1e-3, half_angle and math.radians(half_angle), angle, what)
-
-
-def shaft(front=70.0, rear=110.0) -> Outline:
-    """Two opposed sectors between journals, a gear ahead."""
-    return outline((
-        piece(-196.25, -181.25, 29.35, "gear"), piece(-181.25, -153.75, 29.75, "journal"), piece(-153.75, -152, 15, "core"),
-        piece(-152, -1, 40.3, "sector", front, UP, 15), piece(-1, 1, 15, "core"), piece(1, 152, 40.3, "sector", rear, UP - math.pi, 15),
-        piece(152, 154.25, 15, "core"), piece(154.25, 180.75, 40.5, "journal"),
-    ), derived=True)  # fmt: skip
 
 
 def read(text):
@@ -47,111 +29,6 @@ def written():
 
 def shapes(document, kind, layer):
     return document.modelspace().query(f'{kind}[layer=="{layer}"]')
-
-
-# --- shapes -------------------------------------------------------------------------------------------------------------
-@settings(deadline=None)
-@given(
-    half=st.floats(0.05, math.pi), angle=st.floats(-7, 7), up=st.floats(-7, 7),
-    core=st.one_of(st.just(0.0), st.floats(0.001, 0.039)),
-)  # fmt: skip
-def test_the_silhouette_is_that_of_the_points_of_the_section(half, angle, up, core):
-    """Against the highest and the lowest of many points of sector and core."""
-    part = Piece(0.0, 0.1, 0.04, core, half, angle, "sector")
-    points = [radius * math.cos(angle - up + half * n / 2000) for n in range(-2000, 2001) for radius in (0.04, core)]
-    high, low = reach(part, up)
-    assert high == pytest.approx(max(*points, core), abs=0.04 * (math.pi / 2000) ** 2)
-    assert low == pytest.approx(-min(*points, -core), abs=0.04 * (math.pi / 2000) ** 2)
-
-
-@pytest.mark.parametrize("half, low", [(60.0, 15.0), (90.0, 15.0), (110.0, 15.0), (120.0, 20.15), (180.0, 40.3)])
-def test_the_side_away_from_the_sector(half, low):
-    """Core up to where −R·cos γ is larger: geometry of the circular sector."""
-    high, found = reach(piece(0, 1, 40.3, "sector", half, UP, 15), UP)
-    assert high == pytest.approx(0.0403) and found == pytest.approx(low * 1e-3)
-
-
-def test_the_first_sector_is_drawn_up_and_the_opposed_one_down():
-    whole = shaft()
-    assert upwards(whole) == UP
-    path = silhouette(whole)
-    front = [y for x, y in path if -0.152 < x + 1e-9 < 0]
-    rear = [y for x, y in path if 0 < x - 1e-9 < 0.152]
-    assert max(front) == pytest.approx(0.0403) and min(front) == pytest.approx(-0.015)
-    assert max(rear) == pytest.approx(0.015) and min(rear) == pytest.approx(-0.0403)
-    assert len(set(path)) == len(path)
-
-
-def test_the_enclosed_area_is_the_sum_over_the_pieces():
-    """Shoelace formula against length times height of every piece."""
-    whole = shaft()
-    path = silhouette(whole)
-    twice = sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(path, [*path[1:], path[0]]))
-    assert abs(twice) / 2 == pytest.approx(sum(p.length * sum(reach(p, UP)) for p in whole.pieces), rel=1e-12)
-
-
-@pytest.mark.parametrize("half", [20.0, 90.0, 140.0])
-def test_a_section_closes_and_has_the_area_of_sector_and_core(half):
-    """Green's theorem over its arcs and lines, against the area that the outline computes."""
-    whole = outline((piece(0, 10, 40.3, "sector", half, UP, 15),), derived=False)
-    drawn = [p for p in shaft_drawing(whole, (), "") if p.layer == "SECTORS"]
-    arcs = [p for p in drawn if isinstance(p, Arc)]
-    below = -0.0403  # of the side view
-    lines = [p.points for p in drawn if isinstance(p, Polyline) and not p.closed and max(y for _, y in p.points) < below]
-    assert len(arcs) == 2 and len(lines) == 2
-    (x, y) = arcs[0].centre
-    ends = [
-        (x + a.radius * math.cos(w), y + a.radius * math.sin(w)) for a in arcs for w in (a.start, a.end)
-    ]  # fmt: skip
-    for end in ends:
-        assert min(math.dist(end, point) for line in lines for point in line) < 1e-12
-    area = sum(a.radius**2 / 2 * (a.end - a.start) for a in arcs)  # radial lines add nothing about the centre
-    assert area == pytest.approx(whole.area[0], rel=1e-12)
-
-
-def test_a_whole_ring_is_a_circle():
-    whole = outline((piece(0, 10, 40.3, "sector", 180.0, UP, 15),), derived=False)
-    (ring,) = (p for p in shaft_drawing(whole, (), "") if isinstance(p, Arc))
-    assert ring.end - ring.start == 2 * math.pi and ring.radius == pytest.approx(0.0403)
-
-
-def test_sectors_of_the_same_shape_share_a_section():
-    def letters(whole):
-        return [p.text for p in shaft_drawing(whole, (), "") if isinstance(p, Words) and len(p.text) == 1]
-
-    assert letters(shaft()) == ["A", "B"]
-    alike = outline((piece(0, 10, 40, "sector", 90, UP, 15), piece(10, 20, 40, "sector", 90, UP, 15)), derived=False)
-    assert letters(alike) == ["A", "A"]
-
-
-def test_a_shaft_without_sectors_is_drawn_as_well():
-    plain = outline((piece(0, 10, 5, "full"), piece(10, 30, 8, "full")), derived=False)
-    drawn = shaft_drawing(plain, (0.005, 0.02), "")
-    assert upwards(plain) == 0.0 and not [p for p in drawn if p.layer == "SECTORS"]
-    assert [p for p in drawn if isinstance(p, Dimension) and p.diameter]
-
-
-def test_what_rounding_leaves_between_two_pieces_is_not_drawn():
-    """A hundredth of a millimetre of core between two pieces: no step, no dimension."""
-    parts = (piece(0, 10, 40, "full"), piece(10, 10.01, 15, "full"), piece(10.01, 50, 40, "full"))
-    drawn = shaft_drawing(outline(parts, derived=False), (), "")
-    (path,) = (p.points for p in drawn if p.layer == "OUTLINE")
-    assert {round(abs(y), 9) for _, y in path} == {0.04}
-    lengths = sorted({round(abs(p.end[0] - p.start[0]), 9) for p in drawn if isinstance(p, Dimension) and not p.upright})
-    assert lengths == [0.01001, 0.03999, 0.05]
-
-
-def test_the_curve_has_the_points_of_the_drawing():
-    whole = shaft()
-    curve = outline_curve(whole, POSITIONS)
-    assert (curve.id, curve.title, curve.equal) == ("outline", "Outline of the shaft", True)
-    labels = [series.label for series in curve.series]
-    assert labels == ["outline", "axis", "front support", "rear support"]
-    drawn = next(p for p in shaft_drawing(whole, POSITIONS, "") if p.layer == "OUTLINE")
-    body = list(zip(curve.series[0].x, curve.series[0].y))
-    assert body[0] == body[-1]
-    assert body[:-1] == [(pytest.approx(1e3 * x, rel=1e-12), pytest.approx(1e3 * y, rel=1e-12)) for x, y in drawn.points]
-    assert curve.series[2].x[0] == -167.5 and curve.series[2].y[0] == -29.75  # under the front journal
 
 
 # --- the file -----------------------------------------------------------------------------------------------------------
