@@ -10,7 +10,8 @@ from .sheet.text import Name, Text
 
 NUMBERED = re.compile(r"order_(\d+)")
 WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the user
-    "engine.crank": Text("crank"), "engine.firing": Text("firing"), "engine.gas": Text("gas"), "engine.harmonic": Text("harmonic"),
+    "engine.crank": Text("crank"), "engine.cylinder": Text("cylinder"), "engine.firing": Text("firing"),
+    "engine.gas": Text("gas"), "engine.harmonic": Text("harmonic"),
     "engine.inertia_torque": Text("inertia torque"), "engine.reaction_inertia": Text("reaction inertia"), "engine.throw": Text("throw"),
     "engine.throw.largest_tangential": Text("largest tangential"), "engine.throw.top_dead_centre": Text("top dead centre"),
     "imbalance.bob_mass": Text("bob mass"), "imbalance.counterweight": Text("counterweight"), "imbalance.crank": Text("crank"),

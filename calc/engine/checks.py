@@ -20,9 +20,10 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tupl
     uneven = max(e.firing_interval_longest - e.firing_interval, e.firing_interval - e.firing_interval_shortest)
     uneven = based_on(uneven if uneven > DUST * TURN else 0.0, e.firing_interval, e.firing_interval_longest, e.firing_interval_shortest)
     usual = Text("Finotti 2013, 2.1, and mechanics textbook, 48.3.3: usual 0.22 to 0.30; Finotti 2013, 2.2.4: 0.2 to 0.3")
+    lam = max((one.lambda_ for one in (e.cylinder or {}).values()), default=e.lambda_, key=lambda one: abs(one - sum(CRANK_RATIO) / 2))
     longer = (
         Text("A rod longer than usual: less second order, but a heavier rod and a taller engine.")
-        if e.lambda_ < CRANK_RATIO[0]
+        if lam < CRANK_RATIO[0]
         else Text(
             "A longer rod lowers λ and with it every second-order force and couple. The range is a guide, no limit: the R753IE4 of "
             "Finotti 2013, 2.5.3.1, lies above it with 0.3282."
@@ -62,7 +63,7 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tupl
         )  # fmt: skip
     return (
         *gas,
-        check("engine.crank.lambda_usual", Text("Crank ratio λ"), e.lambda_, "in", CRANK_RATIO, "", usual, longer),
+        check("engine.crank.lambda_usual", Text("Crank ratio λ"), lam, "in", CRANK_RATIO, "", usual, longer),
         check(
             "engine.firing.even",
             Text("Deviation of a firing interval from the even one"),

@@ -106,7 +106,7 @@ def firing(engine: EngineInputs, throws: Crank) -> Firing:
 def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
     """Which cylinders (second axis) run on the crankpin of each (first axis), itself too.
 
-    Two share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart.
+    Two share a pin where they stand in different banks, at one angle of throw and less than half a pitch apart, at one radius.
     """
     n = engine.cylinders
     if engine.layout == "inline":
@@ -115,7 +115,9 @@ def sharing(engine: EngineInputs, throws: Crank) -> BoolArray:
     turned = np.abs((phi[None, :] - phi[:, None] + math.pi) % (2 * math.pi) - math.pi)
     near = np.abs(z[None, :] - z[:, None]) < engine.cylinder_pitch / 2
     other_bank = np.abs(psi[None, :] - psi[:, None]) > SAME_PIN
-    return (turned < SAME_PIN) & near & other_bank | np.eye(n, dtype=bool)
+    r: Array = np.asarray(engine.crank_radii or (engine.crank_radius,))
+    same: BoolArray = (turned < SAME_PIN) & near & other_bank & (r == r[:, None])
+    return same | np.eye(n, dtype=bool)
 
 
 def pin_of_cylinder(engine: EngineInputs, throws: Crank) -> IndexArray:

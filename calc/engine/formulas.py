@@ -113,6 +113,11 @@ def displacement(N: Number, D: Metre, s: Metre) -> CubicMetre:
     return N * pi / 4 * D**2 * s
 
 
+@formula("V_h", "definition of displacement, of cylinders whose strokes differ", unit="cm³")
+def displacement_of_unlike(D: Metre, s: Metre) -> CubicMetre:
+    return pi / 4 * D**2 * total(s)
+
+
 @formula("u_m", "Finotti 2013, 2.1: mean piston speed")
 def mean_piston_speed(s: Metre, n: RevPerSecond) -> MetrePerSecond:
     """>>> mean_piston_speed(s=0.107, n=43.33)

@@ -61,6 +61,10 @@ class EngineInputs:
         "Crank radius", "mm", above=0, high=1000, symbol="r", usual=(20, 90), source=THUMB,
         help="Half the stroke: from the crank's axis to the pin's.",
     )  # fmt: skip
+    crank_radii: tuple[float, ...] | None = series(
+        "Crank radii", "mm", default=None, above=0, high=1000, symbol="r_k",
+        help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that one.",
+    )  # fmt: skip
     rod_length: float = quantity(
         "Rod length", "mm", above=0, high=4000, symbol="L", source="Finotti 2013, 2.1",
         help=Text(
@@ -148,27 +152,37 @@ class EngineInputs:
     throw: ThrowInputs | None = table("Crank throw", ThrowInputs, default=None, help="Pin, journal and web: stresses of the crank.")
 
     @property
-    def unlike(self) -> bool:
+    def unlike_masses(self) -> bool:
         """Whether the masses differ from cylinder to cylinder."""
         return any(masses is not None and len(set(masses)) > 1 for masses in (self.reciprocating_masses, self.rotating_masses))
+
+    @property
+    def unlike_radii(self) -> bool:
+        """Whether the crank radii do."""
+        return self.crank_radii is not None and len(set(self.crank_radii)) > 1
+
+    @property
+    def unlike(self) -> bool:
+        return self.unlike_masses or self.unlike_radii
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         """What no single field can show: (key, reason)."""
         n = self.cylinders
         yield from self._mass_problems()
+        yield from self._radius_problems()
         if self.strokes == 3:
             yield "strokes", Text("must be 2 or 4")
         yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
-        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
+        if max((self.crank_radius, *(self.crank_radii or ()))) + abs(self.cylinder_offset) >= self.rod_length:
             yield "rod_length_mm", Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield "rod_cg_to_big_end_mm", Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
             return
         for key, given in (
-            ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles),
+            ("firing_order", self.firing_order), ("crank_angles_deg", self.crank_angles), ("crank_radii_mm", self.crank_radii),
             ("axial_positions_mm", self.axial_positions), ("bank_of_cylinder", self.bank_of_cylinder),
         ):  # fmt: skip
             if given is not None and len(given) != n:
@@ -203,7 +217,21 @@ class EngineInputs:
             if masses is not None and len(masses) not in (1, self.cylinders) and self.cylinders == self.cylinders:
                 yield key, Text("has {count} entries; needs one, or one per cylinder, {n}", count=len(masses), n=self.cylinders)
         if self.unlike and self.throw is not None:
-            yield "throw", Text("its stresses are those of a crank whose cylinders are alike: leave it out where their masses differ")
+            yield (
+                "throw",
+                Text("its stresses are those of a crank whose cylinders are alike: leave it out where masses or radii differ"),
+            )
+
+    def _radius_problems(self) -> Iterable[tuple[str, Text]]:
+        """Crank radii that differ, and what then has no one answer for all cylinders."""
+        if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
+            yield "crank_radii_mm", Text("must begin with crank_radius_mm, which is that of cylinder 1")
+        if not self.unlike_radii:
+            return
+        if self.gas is not None:
+            yield "gas", Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
+        if self.cylinder_offset:
+            yield "cylinder_offset_mm", Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
 
     def _not_fired(self) -> Text:
         """Why a crank of given angles can not fire in the given order; empty where it can."""

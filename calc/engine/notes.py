@@ -26,4 +26,11 @@ def notes(engine: EngineInputs, e: EngineResult, fires: Firing) -> tuple[Text, .
     notes.append(Text("The rod is replaced by two masses; the couple of its own inertia (J_G ≠ m·X₁·X₂) is neglected."))
     if engine.rod_cg_to_big_end is None and engine.rod_mass is not None:
         notes.append(Text("The rod's centre of gravity is not given: one third of it is taken as reciprocating."))
+    if e.cylinder is not None:
+        notes.append(
+            Text(
+                "The crank radii differ: crank ratio, stroke and harmonics, speed and acceleration of the piston, and its figures, are "
+                "those of cylinder 1; those of each stand under its number. The torque is that of all."
+            )
+        )
     return tuple(notes)

@@ -18,7 +18,7 @@ from ..sheet.units import (
 )  # fmt: skip
 from .crank import Crank
 from .cycle import Cycle
-from .masses import UnlikeMasses
+from .masses import Unlike
 from .throw_fatigue import ThrowFatigue
 
 
@@ -101,6 +101,18 @@ class TorqueResult:
 
 
 @result
+class Cylinder:
+    """One cylinder of an engine whose crank radii differ."""
+
+    lambda_: Number = value("Crank ratio", "", "λ")
+    stroke: Metre = value("Stroke", "mm", "s")
+    mean_piston_speed: MetrePerSecond = value("Mean piston speed", "m/s", "u_m")
+    piston_speed_max: MetrePerSecond = value("Largest piston speed", "m/s", "v_max")
+    acceleration_max: MetrePerSecond2 = value("Largest piston acceleration", "m/s²", "a_max")
+    acceleration_min: MetrePerSecond2 = value("Smallest piston acceleration", "m/s²", "a_min")
+
+
+@result
 class EngineResult:
     """Masses, kinematics and harmonics of an engine."""
 
@@ -123,9 +135,10 @@ class EngineResult:
     firing_interval_shortest: Radian | None = value("Shortest firing interval", "°", default=None)
     firing_interval_longest: Radian | None = value("Longest firing interval", "°", default=None)
     harmonic: dict[str, Stated] | None = group(default=None)
+    cylinder: dict[str, Cylinder] | None = group(default=None)
     torque: TorqueResult | None = group(spread=True, default=None)
     throw: ThrowResult | None = group(default=None)
     crank: Crank
-    unlike: UnlikeMasses | None  # where the masses differ from cylinder to cylinder
+    unlike: Unlike | None  # where masses or crank radii differ from cylinder to cylinder
     harmonics: tuple[complex, ...]  # c_1 … c_8 of a/(ω² r), exact
     two_term: tuple[complex, ...]

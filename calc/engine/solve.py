@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The engine: masses, kinematics and the harmonics of the piston's acceleration, firing, and the torque about its crank."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from ..sheet.check import Check
 from ..sheet.formula import formula
 from ..sheet.functions import modulus, pi
 from ..sheet.later import Later
-from ..sheet.linked_array import elements
+from ..sheet.linked_array import elements, gathered
 from ..sheet.quantity import Described, Stated
 from ..sheet.step import Curve, Outcome, Table
 from ..sheet.text import Text
@@ -26,9 +26,9 @@ from .checks import checks
 from .crank import column, crank, firing, pin_of_cylinder
 from .firing import Firing
 from .inputs import EngineInputs
-from .masses import masses
+from .masses import Unlike, alone, masses
 from .notes import notes
-from .result import EngineResult, ThrowResult, TorqueResult
+from .result import Cylinder, EngineResult, ThrowResult, TorqueResult
 
 ORDERS = range(1, 9)
 TURNED = "inertia_torque"  # the figure of the inertia torque, where that of the whole is given
@@ -111,13 +111,17 @@ def turn_lowest(y: Number) -> Number:
 
 def values(engine: EngineInputs) -> EngineResult:
     """Masses, kinematics and harmonics.  A number of the engine may be an array, an engine each: so are the results."""
-    reciprocating, rotating, unlike = masses(engine)
+    reciprocating, rotating, of_each = masses(engine)
+    cylinders = [_alone(k, one) for k, one in enumerate(alone(engine), 1)] if engine.unlike_radii else []
     lam = f.crank_ratio(r=engine.crank_radius, L=engine.rod_length)
     delta = f.offset_ratio(d=engine.cylinder_offset, L=engine.rod_length)
     omega = f.angular_speed(n=engine.rated_speed)
     phi_0 = f.tdc_angle(delta=delta, lam=lam)
     stroke = f.stroke(L=engine.rod_length, r=engine.crank_radius, d=engine.cylinder_offset)
-    volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
+    if cylinders:
+        volume = f.displacement_of_unlike(D=engine.bore, s=each(gathered(one.stroke for one in cylinders)))
+    else:
+        volume = f.displacement(N=engine.cylinders, D=engine.bore, s=stroke)
     mean_speed = f.mean_piston_speed(s=stroke, n=engine.rated_speed)
     p_me, P_e = None, engine.rated_power
     if P_e is not None:
@@ -132,14 +136,40 @@ def values(engine: EngineInputs) -> EngineResult:
     a_min = f.acceleration(a_rel=turn_lowest(y=exact), omega=omega, r=engine.crank_radius)
     at_lowest = f.angle_of_smallest(a_rel=exact, alpha=based_on(_peak(many(-exact))[1], exact))
     spectrum = phasors(harmonics(exact))
+    c_n = elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0))
+    two_term = (based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2)))
+    unlike = Unlike(*of_each, engine.crank_radius, lam, c_n, two_term) if engine.unlike else None
+    if unlike is not None and cylinders:
+        unlike = replace(
+            unlike, radius=each(gathered(engine.crank_radii or ())), lambda_=each(gathered(one.lambda_ for one in cylinders)),
+            harmonics=_beside(one.harmonics for one in cylinders), two_term=_beside(one.two_term for one in cylinders),
+        )  # fmt: skip
     return EngineResult(
         reciprocating_mass=reciprocating, rotating_mass=rotating, lambda_=lam, delta=delta, angular_speed=omega, tdc_angle=phi_0,
         stroke=stroke, displacement=volume, mean_piston_speed=mean_speed, brake_mean_pressure=p_me, piston_speed_max=fastest,
         piston_speed_max_angle=at_fastest, acceleration_max=a_max, acceleration_min=a_min, acceleration_min_angle=at_lowest,
-        crank=crank(engine, phi_0), unlike=unlike,
-        harmonics=elements(spectrum) if spectrum.ndim == 1 else tuple(np.moveaxis(spectrum, -1, 0)),
-        two_term=(based_on(1 - 1j * delta, delta), based_on(lam + 0j, lam), *([0j] * (len(ORDERS) - 2))),
+        crank=crank(engine, phi_0), unlike=unlike, harmonics=c_n, two_term=two_term, cylinder=_named(cylinders) if cylinders else None,
     )  # fmt: skip
+
+
+def _alone(number: int, cylinder: EngineInputs) -> EngineResult:
+    with about(Text("cylinder {n}", n=number)):
+        return values(cylinder)
+
+
+def _beside(of_each: Iterable[tuple[complex, ...]]) -> tuple[complex, ...]:
+    """The harmonics of the cylinders side by side."""
+    return tuple(each(based_on(np.array(c_n), *c_n)) for c_n in zip(*of_each))
+
+
+def _named(cylinders: Iterable[EngineResult]) -> dict[str, Cylinder]:
+    return {
+        str(k): Cylinder(
+            lambda_=one.lambda_, stroke=one.stroke, mean_piston_speed=one.mean_piston_speed, piston_speed_max=one.piston_speed_max,
+            acceleration_max=one.acceleration_max, acceleration_min=one.acceleration_min,
+        )
+        for k, one in enumerate(cylinders, 1)
+    }  # fmt: skip
 
 
 def solve(engine: EngineInputs, materials: Mapping[str, Material] | None = None) -> Outcome[EngineResult]:
@@ -211,13 +241,20 @@ def _crank_table(engine: EngineInputs, e: EngineResult, fires: Firing) -> Table:
     """Cylinder by cylinder, where everything stands: what the layout was taken for."""
     pin = pin_of_cylinder(engine, e.crank)
     degrees = [np.round(np.degrees(x), 4) + 0.0 for x in (e.crank.psi, e.crank.phi, fires.angles)]
+    radii = engine.crank_radii or ()
     rows = tuple(
-        (float(k + 1), float(degrees[0][k]), float(degrees[1][k]), float(pin[k] + 1), float(e.crank.z[k]) * 1e3, float(degrees[2][k]))
+        (
+            float(k + 1), float(degrees[0][k]), float(degrees[1][k]), float(pin[k] + 1), *(float(r) * 1e3 for r in radii[k : k + 1]),
+            float(e.crank.z[k]) * 1e3, float(degrees[2][k]),
+        )
         for k in range(engine.cylinders)
-    )
+    )  # fmt: skip
     return Table(
         "crank", Text("The crank and its cylinders"),
-        ((Text("cylinder"), ""), (Text("bank"), "°"), (Text("throw"), "°"), (Text("pin"), ""), (Text("z"), "mm"), (Text("fires at"), "°")),
+        (
+            (Text("cylinder"), ""), (Text("bank"), "°"), (Text("throw"), "°"), (Text("pin"), ""), *(((Text("r"), "mm"),) if radii else ()),
+            (Text("z"), "mm"), (Text("fires at"), "°"),
+        ),
         rows,
         Text("Bank from up, throw from that of cylinder 1, both in the sense of rotation; z from mid-engine towards the flywheel."),
     )  # fmt: skip

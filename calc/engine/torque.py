@@ -23,7 +23,6 @@ from ..sheet.text import Text
 from ..sheet.trace import about, untraced
 from ..sheet.units import (
     CubicMetre,
-    Kilogram,
     KilogramMetre2,
     Metre,
     Newton,
@@ -87,27 +86,24 @@ def reaction(T: NewtonMetre, d: Metre, F_I: Newton) -> NewtonMetre:
 )  # fmt: skip
 def torque_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
     """Complex amplitudes of orders 1 to 8, from equally spaced points over one turn."""
-    return _turned_harmonics(T_k, fires, 1.0)
+    return _turned_harmonics(T_k, fires)
 
 
-def _turned_harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:
-    orders = each(np.arange(1, ORDERS + 1)[:, None] * many(fires))
-    found = (np.fft.rfft(many(T_k)) * (2 / np.size(T_k)))[1 : ORDERS + 1] * resultant(mu * cis(-orders))
+def _turned_harmonics(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
+    turned = cis(each(-np.arange(1, ORDERS + 1)[:, None] * many(fires)))
+    one = each((np.fft.rfft(many(T_k), axis=0) * (2 / len(many(T_k))))[1 : ORDERS + 1])
+    found = phasors(one * resultant(turned) if np.ndim(one) == 1 else resultant(one * turned))
     found[np.abs(found) < 1e-12 * np.max(np.abs(T_k), initial=0.0)] = 0.0
     return each(found)
 
 
-@formula("μ_k", "mathematics: reciprocating mass of each cylinder over the mean")
-def relative_masses(M_k: Kilogram, M_alt: Kilogram) -> Number:
-    return M_k / M_alt
-
-
 @formula(
-    "t_n", "mathematics: Fourier analysis of the inertia torque of a cylinder of the mean mass, each turned by its firing, by its mass",
-    shows="t_1 … t_8 of T_k over one turn, times Σ μ_k·e^(−i·n·f_k)", names={"fires": "f", "mu": "μ_k"},
+    "t_n", "mathematics: Fourier analysis of the inertia torque of each cylinder, turned by its firing angle",
+    shows="Σ e^(−i·n·f_k)·t_1 … t_8 of T_k over one turn", names={"fires": "f"},
 )  # fmt: skip
-def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian, mu: Number) -> PhasorNewtonMetre:
-    return _turned_harmonics(T_k, fires, mu)
+def torque_harmonics_of_unlike(T_k: NewtonMetre, fires: Radian) -> PhasorNewtonMetre:
+    """`T_k`: at the points of a turn, of each cylinder from its own dead centre."""
+    return _turned_harmonics(T_k, fires)
 
 
 @formula("T_n", "mathematics: amplitude of one order of the inertia torque")
@@ -150,20 +146,21 @@ def at(
 ) -> tuple[NewtonMetre | None, NewtonMetre, Newton]:
     """Gas torque (None without gas), inertia torque and inertia force of each cylinder (last axis) at crank angles ε."""
     length = gas.length if gas else TURN
+    M_alt, r, lam = e.reciprocating_mass, engine.crank_radius, e.lambda_
+    if e.unlike is not None and np.ndim(fires):  # of one cylinder the mean mass, where they differ
+        M_alt, r, lam = e.unlike.reciprocating, e.unlike.radius, e.unlike.lambda_
     own = c.own_angle(epsilon=epsilon, fires=fires, cycle=length)
     alpha = c.crank_angle(phi_0=e.tdc_angle, epsilon=own)
-    beta = f.rod_angle(lam=e.lambda_, alpha=alpha, delta=e.delta)
+    beta = f.rod_angle(lam=lam, alpha=alpha, delta=e.delta)
     v_rel = f.relative_speed(alpha=alpha, beta=beta)
-    a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=e.lambda_)
-    unlike = e.unlike if np.ndim(fires) else None  # of one cylinder the mean mass, where they differ
-    M_alt = e.reciprocating_mass if unlike is None else each(unlike.reciprocating)
-    F_I = c.inertia_force(M_alt=M_alt, omega=e.angular_speed, r=engine.crank_radius, a_rel=a_rel)
-    T_I = c.torque_of(F=F_I, r=engine.crank_radius, v_rel=v_rel)
+    a_rel = f.relative_acceleration(alpha=alpha, beta=beta, lam=lam)
+    F_I = c.inertia_force(M_alt=M_alt, omega=e.angular_speed, r=r, a_rel=a_rel)
+    T_I = c.torque_of(F=F_I, r=r, v_rel=v_rel)
     if gas is None:
         return None, T_I, F_I
-    x = c.piston_way(r=engine.crank_radius, lam=e.lambda_, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
+    x = c.piston_way(r=r, lam=lam, phi_0=e.tdc_angle, alpha=alpha, beta=beta)
     F_G = c.gas_force(p=gas.pressure(own, x), p_case=gas.crankcase, D=engine.bore)
-    return c.torque_of(F=F_G, r=engine.crank_radius, v_rel=v_rel), T_I, F_I
+    return c.torque_of(F=F_G, r=r, v_rel=v_rel), T_I, F_I
 
 
 def solve(
@@ -192,17 +189,20 @@ def solve(
 
 
 def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[TorqueResult, Curve]:
-    """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder over a turn."""
+    """Harmonics, peak and curve of the inertia torque, which is the same turn by turn: from one cylinder, or each, over a turn."""
     epsilon = np.arange(POINTS + 1, dtype=float) * (TURN / POINTS)
     d, fires = engine.cylinder_offset, each(firing)
     with about(Text("inertia torque of one cylinder")):
-        _, one, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
+        if e.unlike is None:
+            _, one, F_I = at(engine, e, None, 0.0, each(epsilon[:-1]))
+        else:
+            _, one, F_I = at(engine, e, None, each(np.zeros(engine.cylinders)), each(epsilon[:-1, None]))
         on_block = reaction(T=one, d=d, F_I=F_I)
-    weights = _relative(e)
-    turned = (weights * np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)).sum(1)
+    turned = np.exp(-1j * np.arange(POINTS // 2 + 1)[:, None] * firing)
 
     def together(T_k: NewtonMetre) -> Array:
-        whole = np.fft.irfft(np.fft.rfft(many(T_k)) * turned, POINTS)
+        spectrum = np.fft.rfft(many(T_k), axis=0)
+        whole = np.fft.irfft(spectrum * turned.sum(1) if e.unlike is None else (spectrum * turned).sum(1), POINTS)
         return np.append(whole, whole[0])
 
     whole, block = together(one), together(on_block)
@@ -212,10 +212,10 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
         _, T_I, F_I = at(engine, e, None, fires, based_on(c.first_highest(epsilon, c.amounts(block)), on_block))
         peak_block = amount(T=reaction(T=inertia_torque(T_k=T_I), d=d, F_I=inertia_sum(F_k=F_I)))
     with about(Text("inertia torque")):
-        t = _harmonics(one, fires, weights)
+        t = _harmonics(one, fires)
         orders = _amplitudes(t, Text("Inertia torque"), "T_")
     with about(Text("torque reaction of the inertia forces")):
-        t_block = _harmonics(on_block, fires, weights)
+        t_block = _harmonics(on_block, fires)
         block_orders = _amplitudes(t_block, Text("Torque reaction of the inertia forces"), "T_RI,")
     curve = Curve(
         "torque", Text("Inertia torque about the crank over one turn"), axis_label("crank angle after TDC of cylinder 1", "°"),
@@ -229,13 +229,8 @@ def _inertia(engine: EngineInputs, e: EngineResult, firing: Array) -> tuple[Torq
     ), curve  # fmt: skip
 
 
-def _relative(e: EngineResult) -> Number:
-    """The mass of each cylinder over the mean; one number where they are alike."""
-    return 1.0 if e.unlike is None else relative_masses(M_k=each(e.unlike.reciprocating), M_alt=e.reciprocating_mass)
-
-
-def _harmonics(T_k: NewtonMetre, fires: Radian, mu: Number) -> ComplexArray:
-    return phasors(torque_harmonics_of_unlike(T_k=T_k, fires=fires, mu=mu) if np.ndim(mu) else torque_harmonics(T_k=T_k, fires=fires))
+def _harmonics(T_k: NewtonMetre, fires: Radian) -> ComplexArray:
+    return phasors((torque_harmonics if np.ndim(T_k) == 1 else torque_harmonics_of_unlike)(T_k=T_k, fires=fires))
 
 
 def _amplitudes(t: ComplexArray, words: str, symbol: str) -> dict[str, Stated]:

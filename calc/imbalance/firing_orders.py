@@ -20,6 +20,7 @@ from ..sheet.trace import untraced
 from ..sheet.units import Newton, NewtonMetre
 from .inputs import ImbalanceInputs
 from .orders import Order, order
+from .unlike import harmonics
 
 ALL, SOME = 9, 12  # cylinders up to which every order is tried, and up to which those of the cranks that are built are
 
@@ -173,8 +174,8 @@ def _left(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult, pla
     with untraced():
         angles = many(throw_angles(psi=each(layout.psi), i=each(place), strokes=engine.strokes, N=engine.cylinders))
         every = replace(e, crank=replace(layout, phi=angles))
-        judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
-        return {n: order(n, c_n, imbalance, engine, every) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}, angles
+        judged = harmonics(e, imbalance.kinematics)
+        return {n: order(n, c_n, imbalance, engine, every) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}, angles
 
 
 COLUMNS = (
@@ -205,9 +206,9 @@ def cranks_table(found: list[FiringOrder], engine: EngineInputs, most: int = 12)
 
 def as_designed(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> FiringOrder:
     """The design's own crank and order in the terms of the list."""
-    judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
+    judged = harmonics(e, imbalance.kinematics)
     with untraced():
-        found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if c_n or n <= 2}
+        found = {n: order(n, c_n, imbalance, engine, e) for n, c_n in enumerate(judged, 1) if np.any(c_n) or n <= 2}
     one, two = found[1], found[2]
     fires = firing(engine, e.crank).order
     beside, half = _in_turn(engine, np.array([fires], dtype=np.intp))

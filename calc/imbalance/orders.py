@@ -12,7 +12,7 @@ from ..sheet.quantity import group, result, value
 from ..sheet.units import Newton, NewtonMetre, Radian
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike_masses as u
+from . import unlike as u
 from .inputs import ImbalanceInputs
 
 DUST = 1e-9  # of one cylinder's m·r·ω²: so little is not worth a figure
@@ -52,7 +52,7 @@ class Order:
 def order(n: int, c_n: complex, imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> Order:
     """Order n of engines whose crank carries a share of the reciprocating and rotating masses; `c_n`: the harmonic of a/(ω² r)."""
     alike, (m, M_rot) = e.unlike is None, u.masses(e)
-    omega, r, theta_0 = e.angular_speed, engine.crank_radius, e.crank.theta_0
+    omega, r, theta_0 = e.angular_speed, u.radius(engine, e), e.crank.theta_0
     phi, z, psi = each(e.crank.phi), each(e.crank.z), each(e.crank.psi)  # arrays enter the formulas here
     F_f = F_f0 = (f.force_forward if alike else u.force_forward)(omega, m, r, c_n, float(n), theta_0, psi, phi)
     F_b = (f.force_backward if alike else u.force_backward)(omega, m, r, c_n, float(n), theta_0, psi, phi)

@@ -33,7 +33,7 @@ from ..sheet.units import (
     RadPerSecond,
 )  # fmt: skip
 from ..sheet.value import based_on
-from . import unlike_masses as u
+from . import unlike as u
 from .inputs import ImbalanceInputs
 
 SHAFTS = Text("dynamics, rotating vector of the shaft against the vector that turns like it (Finotti 2013, 2.3.3)")

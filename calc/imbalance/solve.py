@@ -20,7 +20,7 @@ from ..sheet.trace import about, trace, untraced
 from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike_masses as u
+from . import unlike as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
 from .drilling import UNDRILLED
@@ -71,7 +71,7 @@ def values(
     """
     orders: dict[str, Order] = {}
     kappa = imbalance.crank_balance_fraction
-    judged = e.harmonics if imbalance.kinematics == "exact" else e.two_term
+    judged = u.harmonics(e, imbalance.kinematics)
     for n in ORDERS:
         c_n = judged[n - 1]
         if not np.any(c_n) and n not in ALWAYS:
@@ -80,7 +80,7 @@ def values(
             solved = order(n, c_n, imbalance, engine, e)
         if n <= 2:
             with about(Text("order {n}, two terms", n=n)):
-                solved = replace(solved, two_term=order(n, e.two_term[n - 1], imbalance, engine, e))
+                solved = replace(solved, two_term=order(n, u.harmonics(e)[n - 1], imbalance, engine, e))
         orders[f"order_{n}"] = solved
     first, second = orders["order_1"], orders["order_2"]
     with about(Text("counter-shaft")):
@@ -92,19 +92,20 @@ def values(
         by_tooth = f.couple_per_tooth(C_S=length, z=based_on(float(shaft_teeth), shaft_teeth)) if shaft_teeth else None
         forces = _force_shaft(first.vectors[1], e.angular_speed, shaft_teeth) if np.any(first.vectors[1]) else _Force()
     crank = e.crank
-    one_force = e.reciprocating_mass * engine.crank_radius * e.angular_speed**2
+    r, radius = u.radius(engine, e), u.measures(engine, e)[0]
+    one_force = e.reciprocating_mass * radius * e.angular_speed**2
     one_couple = one_force * engine.cylinder_pitch
-    one_force = based_on(one_force, e.reciprocating_mass, engine.crank_radius, e.angular_speed)
+    one_force = based_on(one_force, e.reciprocating_mass, radius, e.angular_speed)
     one_couple = based_on(one_couple, one_force, engine.cylinder_pitch)
     with untraced():
-        of = 1.0, e.angular_speed, u.masses(e)[0], engine.crank_radius, crank.theta_0
+        of = 1.0, e.angular_speed, u.masses(e)[0], r, crank.theta_0
         phi, z = each(crank.phi), each(crank.z)
         whole_force = (f.counterweight_force if e.unlike is None else u.counterweight_force)(*of, phi)
         whole_couple = (f.counterweight_couple if e.unlike is None else u.counterweight_couple)(*of, z, phi)
     whole = based_on(whole_force, *of, phi), based_on(whole_couple, z, *of, phi)
     weights = None
     if imbalance.counterweight_span is not None and imbalance.counterweight_radius is not None:
-        pins = crank_masses(imbalance, e), engine.crank_radius, crank.theta_0, phi, z
+        pins = crank_masses(imbalance, e), r, crank.theta_0, phi, z
         weights = counterweights(*pins, imbalance.counterweight_span, imbalance.counterweight_radius, e.unlike is not None)
     with about(Text("throws by themselves")):
         bare = throws(kappa, engine, e)
@@ -170,7 +171,7 @@ def solve(
     `shaft`: the design has a counter-shaft, whose own step judges what is left of the backward couple.
     """
     with trace() as lines:
-        found = values(imbalance, engine, e, shaft_teeth, axis)
+        found, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
 
     undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
@@ -186,7 +187,7 @@ def solve(
     return Outcome(
         "imbalance",
         result=found,
-        checks=checks(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
+        checks=checks(found, lam, imbalance.crank_balance_fraction, shaft),
         lines=tuple(lines),
         curves=Later(lambda: (*pictures(found), *polygons(engine, e, found.throw))),
         tables=Later(
@@ -199,7 +200,7 @@ def solve(
             )
         ),
         errata=_errata(imbalance, found) if shaft else (),
-        proposals=proposals(found, e.lambda_, imbalance.crank_balance_fraction, shaft),
+        proposals=proposals(found, lam, imbalance.crank_balance_fraction, shaft),
         notes=Later(
             lambda: (
                 verdict(found.throw, engine),

@@ -21,7 +21,7 @@ from ..sheet.text import Amount, Text
 from ..sheet.units import Kilogram, Metre, Newton, NewtonMetre, Number, Radian, RadPerSecond
 from .orders import DUST, Order
 from .remedies import equivalent_mass
-from .unlike_masses import masses
+from .unlike import harmonics, masses, measures, radius
 
 SMALL = 0.05  # of one throw's force, and of its couple over one pitch
 POLYGON = Text("Finotti 2013, 2.3.1: polygon of the centrifugal forces, polygon of their moments")
@@ -72,13 +72,13 @@ class Throws:
 def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:
     """Forces and couples of the throws.  Numbers of the engine may be arrays, an engine each."""
     phi, z = each(e.crank.phi), each(e.crank.z)
-    r, omega, M_rot, M_alt = engine.crank_radius, e.angular_speed, e.rotating_mass, e.reciprocating_mass
+    r, omega, M_rot, M_alt = measures(engine, e)[0], e.angular_speed, e.rotating_mass, e.reciprocating_mass
     M_eq = equivalent_mass(M_rot=M_rot, kappa=kappa, M_alt=M_alt)
     beyond = rotating_not_balanced(M_eq=M_eq, M_rot=M_rot)
     one, more = centrifugal(m=M_rot, omega=omega, r=r), centrifugal(m=beyond, omega=omega, r=r)
     every, rest = column(one), column(more)
-    if e.unlike is not None:  # `one` and `more` are then those of the mean masses
-        M_a, M_r = masses(e)
+    if e.unlike is not None:  # `one` and `more` are then those of the means
+        (M_a, M_r), r = masses(e), radius(engine, e)
         every = centrifugal(m=M_r, omega=omega, r=r)
         rest = centrifugal(m=rotating_not_balanced(M_eq=equivalent_mass(M_rot=M_r, kappa=kappa, M_alt=M_a), M_rot=M_r), omega=omega, r=r)
     return Throws(
@@ -93,12 +93,11 @@ def polygons(engine: EngineInputs, e: EngineResult, found: Throws) -> tuple[Curv
     crank = e.crank
     if engine.cylinders < 2 or not found.force:
         return ()
-    rotating = found.force if e.unlike is None else found.force * np.asarray(e.unlike.rotating) / e.rotating_mass
-    reciprocating = e.reciprocating_mass if e.unlike is None else np.asarray(e.unlike.reciprocating)
-    first = rotating * np.exp(1j * (crank.theta_0 + crank.phi))
+    (M_alt, M_rot), r, c_2 = masses(e), radius(engine, e), harmonics(e, "exact")[1]
+    first = (found.force if e.unlike is None else M_rot * r * e.angular_speed**2) * np.exp(1j * (crank.theta_0 + crank.phi))
     kinds = [(Text("throws: rotating masses, and order 1"), first)]
-    if not np.ptp(crank.psi) and e.harmonics[1]:
-        second = reciprocating * engine.crank_radius * e.angular_speed**2 * e.harmonics[1]
+    if not np.ptp(crank.psi) and np.any(c_2):
+        second = M_alt * r * e.angular_speed**2 * c_2
         kinds.append((Text("double angles: order 2"), second * np.exp(2j * (crank.theta_0 + crank.phi))))
     forces = "polygon_forces", Text("Polygon of the cylinders' forces, cylinder 1 at TDC"), "N"
     couples = "polygon_couples", Text("Polygon of the cylinders' couples about mid-engine, cylinder 1 at TDC"), "N·m"
@@ -152,7 +151,7 @@ def systems_table(
     found: Throws, orders: Mapping[str, Order], one_force: Newton, one_couple: NewtonMetre, engine: EngineInputs, e: EngineResult
 ) -> Table:
     """The six systems of forces and couples of this engine with nothing balanced: which are balanced by themselves, and why."""
-    crank = e.crank
+    crank, lam = e.crank, measures(engine, e)[1]
     first, second = orders["order_1"].unbalanced, orders["order_2"].vectors
     closed, mirrored = found.force_together <= SMALL * found.force, _mirrored(crank)
     inline = not np.ptp(crank.psi)
@@ -170,11 +169,11 @@ def systems_table(
         (Text("forces of order 1"), abs(first[0]) + abs(first[1]), one_force, True, as_throws, as_throws),
         (Text("couples of order 1"), abs(first[2]) + abs(first[3]), one_couple, False, as_throws, as_throws),
         (
-            Text("forces of order 2"), abs(second[0]) + abs(second[1]), e.lambda_ * one_force, True,
+            Text("forces of order 2"), abs(second[0]) + abs(second[1]), lam * one_force, True,
             Text("the polygon of the doubled angles closes"), Text("the polygon of the doubled angles stays open"),
         ),
         (
-            Text("couples of order 2"), abs(second[2]) + abs(second[3]), e.lambda_ * one_couple, False,
+            Text("couples of order 2"), abs(second[2]) + abs(second[3]), lam * one_couple, False,
             Text("the polygon of couples at the doubled angles closes"),
             Text("the polygon of couples at the doubled angles stays open"),
         ),

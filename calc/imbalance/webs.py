@@ -40,7 +40,7 @@ from ..sheet.units import (
 )  # fmt: skip
 from ..sheet.value import based_on
 from . import formulas as f
-from . import unlike_masses as u
+from . import unlike as u
 from .drilling import WebDrilling, drilling
 from .inputs import ImbalanceInputs
 from .remedies import crank_masses
@@ -210,17 +210,17 @@ def webs(imbalance: ImbalanceInputs, engine: EngineInputs, e: EngineResult) -> W
         first = distinct(pin)[1]
         with about(Text("pulley and flywheel")):
             M_eq = crank_masses(imbalance, e)
-            product_of, unbalance_of = (
-                (lacking_product, lacking_unbalance) if e.unlike is None else (u.lacking_product, u.lacking_unbalance)
-            )
-            of = engine.crank_radius, crank.theta_0, M_eq
-            phi, phi_p = each(crank.phi), each(crank.phi[..., first])
-            P = product_of(*of, each(crank.z), phi, bob, each(crank.z[first]), phi_p)
-            U = unbalance_of(*of, phi, bob, phi_p)
+            of, r = (crank.theta_0, M_eq), u.radius(engine, e)
+            z, phi, z_p, phi_p = each(crank.z), each(crank.phi), each(crank.z[first]), each(crank.phi[..., first])
+            if e.unlike is None:
+                P, U = lacking_product(r, *of, z, phi, bob, z_p, phi_p), lacking_unbalance(r, *of, phi, bob, phi_p)
+            else:
+                r_p = each(many(r)[first]) if np.ndim(r) else r
+                P, U = u.lacking_product(r, *of, z, phi, bob, r_p, z_p, phi_p), u.lacking_unbalance(r, *of, phi, bob, r_p, phi_p)
             wanted = wanted_couple(P=P, omega=omega)
             found = replace(
-                found, equivalent_mass=M_eq if e.unlike is None else None, missing_forward_couple=f.couple_length(C=wanted),
-                missing_forward_couple_phase=f.couple_direction(C=wanted),
+                found, equivalent_mass=M_eq if e.unlike is None or not np.ndim(M_eq) else None,
+                missing_forward_couple=f.couple_length(C=wanted), missing_forward_couple_phase=f.couple_direction(C=wanted),
                 missing_forward_force=f.force_length(F=wanted_force(U=U, omega=omega)),
             )  # fmt: skip
     if imbalance.unbalances:
