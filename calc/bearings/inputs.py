@@ -141,7 +141,7 @@ class BearingsInputs:
     )
     viscosity: float | None = quantity(
         "Dynamic viscosity at every temperature", "mPa·s", default=None, above=0, high=1e6, symbol="mu_given",
-        help="Constant, as in textbooks, in the bearings only. Left out: by the oil's own law.",
+        help="Constant, as in textbooks (1 cP is 1 mPa·s, 1 µreyn 6.895), in the bearings only. Left out: by the oil's own law.",
     )  # fmt: skip
     slope: tuple[float, ...] | None = series(
         "Slope of the journals", "mrad", default=None, count=(1, 2), low=0, high=20, symbol="theta", usual=(0, SLOPE * 1e3),
