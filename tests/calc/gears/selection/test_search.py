@@ -20,11 +20,6 @@ from ..trains import mesh, pair_1, r753, solved, train, wheel
 
 
 @pytest.fixture(scope="module")
-def source():
-    return search(r753())
-
-
-@pytest.fixture(scope="module")
 def pair():
     return search(pair_1())
 
