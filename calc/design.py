@@ -99,6 +99,11 @@ class Design:
         for key, name, known in self._names():
             if name is not None and name not in known:
                 yield key, _unknown_name(name, known)
+        if self.engine is not None and self.engine.crank_angles is not None and self.engine.firing_order is not None:
+            from .engine.crank import not_fired  # brings numpy with it
+
+            if reason := not_fired(self.engine):
+                yield "engine.firing_order", reason
         if self.imbalance is not None and self.engine is not None and self.imbalance.crank_bodies:
             yield from self._crank_bodies(self.imbalance, self.engine)
         if self.countershaft is not None:

@@ -19,7 +19,7 @@ from .countershaft.sizing.sectors import Sized, size
 from .design import Design
 from .engine.result import EngineResult
 from .gears import formulas as g
-from .imbalance.solve import ImbalanceResult
+from .imbalance.result import ImbalanceResult
 from .sheet.errors import NoSolution
 from .sheet.linked_array import gathered
 from .sheet.number import short

@@ -75,27 +75,6 @@ def test_the_sheet_knows_no_engine():
 
 
 # --- circles
-# Circles among the modules of calc that are still to be untied; what is listed here may only become less.
-KNOWN: tuple[frozenset[str], ...] = (
-    frozenset(
-        {
-            "calc.gears.rating.influence",
-            "calc.gears.rating.result",
-            "calc.gears.rating.source_sheet",
-            "calc.gears.rating.tooth_form",
-            "calc.gears.result",
-        }
-    ),
-    frozenset({"calc.engine.cycle", "calc.engine.solve", "calc.engine.throw", "calc.engine.torque"}),
-    frozenset({"calc.friction.balance.closure", "calc.friction.journals", "calc.friction.result", "calc.friction.studies.scenarios"}),
-    frozenset({"calc.imbalance.checks", "calc.imbalance.curves", "calc.imbalance.solve"}),
-    frozenset({"calc.sheet.formula", "calc.sheet.trace", "calc.sheet.value"}),
-    frozenset({"calc.catalogue", "calc.lubricant"}),
-    frozenset({"calc.engine.crank", "calc.engine.inputs"}),
-    frozenset({"calc.sheet.arrays", "calc.sheet.linked_array"}),
-)
-
-
 @pytest.fixture(scope="module")
 def edges():
     return graph(modules(ROOT, "calc", "reports", "assistant"))
@@ -106,7 +85,7 @@ def test_no_modules_import_each_other(edges, package):
     """Imports inside functions and under TYPE_CHECKING count as well."""
     assert sum(len(others) for name, others in edges.items() if name.startswith(f"{package}.")) > 50
     tied = [circle for circle in circles(edges) if any(name.split(".")[0] == package for name in circle)]
-    assert [sorted(circle) for circle in tied if not any(circle <= known for known in KNOWN)] == []
+    assert [sorted(circle) for circle in tied] == []
 
 
 def package_of(tmp_path, **files):

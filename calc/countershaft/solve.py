@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ..bearings.formulas import heat_index, specific_load
 from ..catalogue import Material
 from ..imbalance.remedies import roll_torque
-from ..imbalance.solve import ImbalanceResult
+from ..imbalance.result import ImbalanceResult
 from ..sheet.errors import NoSolution
 from ..sheet.later import Later
 from ..sheet.linked_array import column, elements, item

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the shaft has to take: of the order of its speed, the vectors of the engine that turn like it."""
 
-from ..imbalance.solve import ImbalanceResult
+from ..imbalance.result import ImbalanceResult
 from ..sheet.record import record
 from ..sheet.text import Text
 from ..sheet.units import Newton, NewtonMetre

@@ -9,7 +9,7 @@ import numpy as np
 from ..sheet.arrays import Array, BoolArray, IndexArray, distinct, each, many
 from ..sheet.formula import formula
 from ..sheet.record import record
-from ..sheet.text import Text
+from ..sheet.text import EMPTY, Text
 from ..sheet.units import Metre, Number, Radian
 from ..sheet.value import based_on
 from .firing import Firing, in_order, most_even
@@ -151,3 +151,17 @@ def _banks(engine: EngineInputs) -> IndexArray:
     if engine.bank_of_cylinder is not None:
         return np.asarray(engine.bank_of_cylinder)
     return np.zeros(n, int) if engine.layout == "inline" else np.arange(n) % 2
+
+
+def not_fired(engine: EngineInputs) -> Text:
+    """Why a crank of given angles can not fire in the given order; empty where it can."""
+    order, angles = engine.firing_order or (), engine.crank_angles or ()
+    if not len(angles) == len(order) == engine.cylinders or sorted(order) != list(range(1, len(order) + 1)):
+        return EMPTY
+    first = order.index(1)
+    if firing(engine, throws := crank(engine, 0.0)).order == order[first:] + order[:first]:
+        return EMPTY
+    best = "-".join(map(str, firing(replace(engine, firing_order=None), throws).order))
+    return Text(
+        "these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out", best=best
+    )

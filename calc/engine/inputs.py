@@ -2,10 +2,9 @@
 """What an engine is described by."""
 
 from collections.abc import Iterable
-from dataclasses import replace
 
 from ..sheet.quantity import THUMB, choice, inputs, integer, integers, keys, quantity, series, table, tables, text
-from ..sheet.text import EMPTY, Amount, Text
+from ..sheet.text import Amount, Text
 from .gas import GasInputs, cycle_problems
 from .throw_inputs import ThrowInputs
 from .torque_inputs import TorquePoint, diagram_problems
@@ -189,8 +188,6 @@ class EngineInputs:
                 yield key, Text("has {count} entries; needs one per cylinder, {n}", count=len(given), n=n)
         if self.firing_order is not None and len(self.firing_order) == n and sorted(self.firing_order) != list(range(1, n + 1)):
             yield "firing_order", Text("must name each cylinder from 1 to {n} once", n=n)
-        elif reason := self._not_fired():
-            yield "firing_order", reason
         if self.crank_angles is None and self.firing_order is None and (self.layout != "inline" or n > 12):
             yield "crank_angles_deg", Text("needed here: give the crank angles, or the firing order of an evenly firing engine")
         if self.layout != "vee" and self.bank_angle:
@@ -232,17 +229,3 @@ class EngineInputs:
             yield "gas", Text("its pressure is that of cylinders of one stroke: leave it out where crank radii differ")
         if self.cylinder_offset:
             yield "cylinder_offset_mm", Text("must be 0 where crank radii differ: each cylinder's dead centre would stand elsewhere")
-
-    def _not_fired(self) -> Text:
-        """Why a crank of given angles can not fire in the given order; empty where it can."""
-        if self.firing_order is None or self.crank_angles is None or not len(self.crank_angles) == len(self.firing_order) == self.cylinders:
-            return EMPTY
-        from .crank import crank, firing
-
-        first = self.firing_order.index(1)
-        if firing(self, throws := crank(self, 0.0)).order == self.firing_order[first:] + self.firing_order[:first]:
-            return EMPTY
-        best = "-".join(map(str, firing(replace(self, firing_order=None), throws).order))
-        return Text(
-            "these crank angles can not fire in it within one cycle; they fire {best}: correct one of the two, or leave one out", best=best
-        )

@@ -2,24 +2,21 @@
 """What is left, judged against one cylinder's force, and the remedies that it calls for."""
 
 import math
-from typing import TYPE_CHECKING
 
 from ..sheet.check import Check, check
 from ..sheet.functions import argument
 from ..sheet.text import EMPTY, Amount, Text, listed, plural
 from ..sheet.units import Number
 from .remedies import BalanceShaft
+from .result import ImbalanceResult
 from .shaft_pair import roll_checks
-
-if TYPE_CHECKING:
-    from .solve import ImbalanceResult
 
 FIRST, SECOND = 0.05, 0.5  # shares of one cylinder's first- and second-order force that a good balance may leave
 TURNED = math.radians(0.01)
 OWN = Text("rule of this program: 5 % (order 1) or 50 % of λ (order 2) of m·r·ω² of one cylinder, couples over one pitch")
 
 
-def checks(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -> tuple[Check, ...]:
+def checks(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) -> tuple[Check, ...]:
     """What is left, against the force of one cylinder's reciprocating mass and its couple over one pitch."""
     force, couple = result.one_force, result.one_couple
     first, second = result.orders["order_1"], result.orders["order_2"]
@@ -62,7 +59,7 @@ def checks(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -
     )
 
 
-def _crank_checks(result: "ImbalanceResult") -> tuple[Check, ...]:
+def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
     """The crank on the balancing machine, and what pulley and flywheel supply, by the same measure."""
     webs, force, couple = result.webs, result.one_force, result.one_couple
     if webs is None:
@@ -115,7 +112,7 @@ def _crank_checks(result: "ImbalanceResult") -> tuple[Check, ...]:
     return tuple(made)
 
 
-def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool) -> tuple[Text, ...]:
+def proposals(result: ImbalanceResult, lam: Number, kappa: Number, shaft: bool) -> tuple[Text, ...]:
     """The remedies that the residuals of this engine call for, and why: from the engine without any share on the crank."""
     F_f, F_b, C_f, C_b = (abs(v) for v in result.orders["order_1"].unbalanced)
     F_p, F_m, C_p, C_m = (abs(v) for v in result.orders["order_2"].vectors)
@@ -181,7 +178,7 @@ def proposals(result: "ImbalanceResult", lam: Number, kappa: Number, shaft: bool
     return tuple(said) or (Text("No remedy is called for: neither order 1 nor order 2 leaves a force or couple that counts."),)
 
 
-def _taken(result: "ImbalanceResult", least: tuple[float, float]) -> Text:
+def _taken(result: ImbalanceResult, least: tuple[float, float]) -> Text:
     """What the half on the crank takes: all, or what an offset cylinder leaves, whose force does not stand opposite the pin."""
     left = (a + b / 2 for a, b in zip(result.orders["order_1"].unbalanced[0::2], result.whole))
     rest = _what(*(abs(x) for x in left), *(limit / 50 for limit in least))
@@ -195,7 +192,7 @@ def _taken(result: "ImbalanceResult", least: tuple[float, float]) -> Text:
     )
 
 
-def _turned(result: "ImbalanceResult") -> float:
+def _turned(result: ImbalanceResult) -> float:
     """The angle between the forward vector of first order and the pins' own [rad]: an offset cylinder's force leads or lags its crank."""
     F_f, _, C_f, _ = result.orders["order_1"].unbalanced
     vector, pins = max(((F_f, result.whole[0]), (C_f, result.whole[1])), key=lambda pair: abs(pair[1]))

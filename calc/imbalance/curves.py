@@ -2,7 +2,6 @@
 """The figures of this step, without and with the counter-shaft: loci with their turning vectors, bars over the orders, a whole turn."""
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,9 +11,7 @@ from ..sheet.step import Curve, Series, Table, Turning, axis_label
 from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
 from .orders import DUST
 from .remedies import BalanceShaft, Vectors
-
-if TYPE_CHECKING:
-    from .solve import ImbalanceResult
+from .result import ImbalanceResult
 
 DRAWN = 5e-3  # of one cylinder's m·r·ω²: less is not worth a figure
 WITHOUT = Text("without the counter-shaft")
@@ -30,7 +27,7 @@ MISTIMING = {
 }
 
 
-def pictures(result: "ImbalanceResult", shaft: Shaft | None = None) -> tuple[Curve, ...]:
+def pictures(result: ImbalanceResult, shaft: Shaft | None = None) -> tuple[Curve, ...]:
     """All figures.  Without a shaft of the design an ideal one stands for it: it takes all of first order that turns backward."""
     vectors = {int(name.rpartition("_")[2]): order.vectors for name, order in result.orders.items()}
     with_ = Text("with the counter-shaft") if shaft is not None else Text("with an ideal counter-shaft")
@@ -136,7 +133,7 @@ def _mistiming(kind: str, axis: Text, whole: float) -> Curve:
     )
 
 
-def remedy_table(result: "ImbalanceResult", kappa: float, shaft: Shaft | None = None) -> Table:
+def remedy_table(result: ImbalanceResult, kappa: float, shaft: Shaft | None = None) -> Table:
     """What is left of orders 1 and 2 before and after each remedy."""
     first, second = result.orders["order_1"], result.orders["order_2"]
     F_2, C_2 = second.force_peak, second.couple_peak

@@ -5,7 +5,8 @@ from ..engine.inputs import EngineInputs
 from ..engine.solve import values as engine_values
 from .formulas import couple_per_degree, unbalance_product
 from .inputs import ImbalanceInputs
-from .solve import ImbalanceResult, values
+from .result import ImbalanceResult
+from .solve import values
 
 __all__ = ["ImbalanceInputs", "couple_per_degree", "solve_imbalance", "unbalance_product"]
 

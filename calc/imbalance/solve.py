@@ -13,53 +13,27 @@ from ..engine.result import EngineResult
 from ..engine.solve import ORDERS
 from ..sheet.arrays import each
 from ..sheet.later import Later
-from ..sheet.quantity import group, result, value
-from ..sheet.step import Erratum, Outcome, Table
+from ..sheet.step import Outcome, Table
 from ..sheet.text import Text
 from ..sheet.trace import about, trace, untraced
-from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian, RadPerSecond
+from ..sheet.units import KilogramMetre, Newton, Radian, RadPerSecond
 from ..sheet.value import based_on
 from . import formulas as f
 from . import unlike as u
 from .checks import checks, proposals
 from .curves import Shaft, pictures, remedy_table
-from .drilling import UNDRILLED
 from .firing_orders import cranks_table, firing_orders
 from .inputs import ImbalanceInputs
+from .notes import errata, notes
 from .orders import Order, order
-from .remedies import Counterweight, Remedy, counterweights, crank_masses, remedies
-from .shaft_pair import ShaftPair, pair_table, roll_notes, shaft_pair
-from .throws import Throws, polygons, systems_table, throws, verdict
-from .webs import WebsResult, bob_table, webs
+from .remedies import counterweights, crank_masses, remedies
+from .result import ImbalanceResult
+from .shaft_pair import pair_table, shaft_pair
+from .throws import polygons, systems_table, throws
+from .webs import bob_table, webs
 
 LISTED = 6  # cylinders up to which all firing orders are tried in every solution
 ALWAYS = (1, 2, 4, 6)  # orders that are shown even where they are zero
-
-
-@result
-class ImbalanceResult:
-    """All orders, what the counter-shaft must supply, and the remedies."""
-
-    orders: dict[str, Order] = group(spread=True)
-    required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
-    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
-    required_unbalance_product: KilogramMetre2 = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz")
-    required_force: Newton | None = value("Force that the counter-shaft must supply", "N", "F_S", default=None)
-    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
-    required_unbalance: KilogramMetre | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None)
-    mistiming_force_per_degree: Newton | None = value("Force left per degree of mistiming", "N", default=None)
-    mistiming_force_per_tooth: Newton | None = value("Force left per tooth of mistiming at the shaft's wheel", "N", default=None)
-    mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
-    mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
-    remedy: dict[str, Remedy] = group()
-    shaft_pair: ShaftPair | None = group(default=None)
-    counterweight: dict[str, Counterweight] | None = group(default=None)
-    throw: Throws = group()
-    webs: WebsResult | None = group(spread=True, default=None)
-    required: complex  # the vector
-    whole: tuple[complex, complex]  # force and couple of counterweights for the whole reciprocating mass
-    one_force: Newton  # m·r·ω² of one cylinder, and its couple over one pitch: what is left is measured against them
-    one_couple: NewtonMetre
 
 
 def values(
@@ -151,13 +125,6 @@ def _force_shaft(backward: complex, omega: RadPerSecond, teeth: int | None) -> _
     }
 
 
-MIDDLE = Text(
-    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
-    "plane only. A vertical "
-    "couple is a pair of vertical forces, one at either end."
-)
-
-
 def solve(
     imbalance: ImbalanceInputs,
     engine: EngineInputs,
@@ -173,8 +140,6 @@ def solve(
     with trace() as lines:
         found, lam = values(imbalance, engine, e, shaft_teeth, axis), u.measures(engine, e)[1]
     bobs = cache(lambda: bob_table(imbalance, engine, e))  # with notes
-
-    undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
 
     def cranks() -> Iterator[Table]:
         if 2 < engine.cylinders <= LISTED:
@@ -199,17 +164,9 @@ def solve(
                 *cranks(),
             )
         ),
-        errata=_errata(imbalance, found) if shaft else (),
+        errata=errata(imbalance, found) if shaft else (),
         proposals=proposals(found, lam, imbalance.crank_balance_fraction, shaft),
-        notes=Later(
-            lambda: (
-                verdict(found.throw, engine),
-                *bobs()[1],
-                *((UNDRILLED,) if undrilled else ()),
-                MIDDLE,
-                *roll_notes(imbalance, found.shaft_pair),
-            )
-        ),
+        notes=Later(lambda: notes(imbalance, engine, found, bobs()[1])),
     )
 
 
@@ -219,24 +176,3 @@ def with_shaft(outcome: Outcome[ImbalanceResult], shaft: Shaft, imbalance: Imbal
     tables = Later(lambda: (remedy_table(found, imbalance.crank_balance_fraction, shaft), *outcome.tables[1:]))
     others = Later(lambda: (curve for curve in outcome.curves if curve.id.startswith("polygon")))
     return replace(outcome, curves=Later(lambda: (*pictures(found, shaft), *others)), tables=tables)
-
-
-def _errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
-    """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
-    second = result.orders.get("order_2")
-    if second is None or second.two_term is None or not second.two_term.couple_peak_vertical or not imbalance.crank_balance_fraction:
-        return ()
-    theirs = f.second_order_couple_of_finotti(kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical)
-    return (
-        Erratum(
-            "imbalance.order_2.couple_peak_vertical",
-            Text("Second-order couple"),
-            float(theirs),
-            "N·m",
-            Text("method of Finotti 2013, 2.5.3.4"),
-            Text(
-                "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
-                "untouched: the whole reciprocating mass acts."
-            ),
-        ),
-    )

@@ -9,7 +9,7 @@ from ..countershaft.inputs import CountershaftInputs, EccentricMass
 from ..countershaft.sizing.choices import asked, candidates, changes, choices, envelope
 from ..countershaft.sizing.sectors import TooSmall, remainder
 from ..engine.result import EngineResult
-from ..imbalance.solve import ImbalanceResult
+from ..imbalance.result import ImbalanceResult
 from ..sheet.changes import Changes
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from ...bearings.inputs import BearingsInputs
 from ...catalogue import Material
-from ...imbalance.solve import ImbalanceResult
+from ...imbalance.result import ImbalanceResult
 from ...sheet.changes import Changes, digits
 from ...sheet.errors import BadInput, InputError, NoSolution
 from ...sheet.progress import Progress, tell

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is to be known of the imbalance beside its numbers, and where the source goes wrong."""
+
+from collections.abc import Iterable
+
+from ..engine.inputs import EngineInputs
+from ..sheet.step import Erratum
+from ..sheet.text import Text
+from . import formulas as f
+from .drilling import UNDRILLED
+from .inputs import ImbalanceInputs
+from .result import ImbalanceResult
+from .shaft_pair import roll_notes
+from .throws import verdict
+
+MIDDLE = Text(
+    "Couples are taken about the middle of the engine; where a force is left as well, they hold about that "
+    "plane only. A vertical "
+    "couple is a pair of vertical forces, one at either end."
+)
+
+
+def notes(imbalance: ImbalanceInputs, engine: EngineInputs, found: ImbalanceResult, bobs: Iterable[Text]) -> tuple[Text, ...]:
+    """`bobs`: what is told of the bobs of the balancing machine."""
+    undrilled = imbalance.drill_radius is not None and (found.webs is None or found.webs.drilled_mass is None)
+    drilling = (UNDRILLED,) if undrilled else ()
+    return verdict(found.throw, engine), *bobs, *drilling, MIDDLE, *roll_notes(imbalance, found.shaft_pair)
+
+
+def errata(imbalance: ImbalanceInputs, result: ImbalanceResult) -> tuple[Erratum, ...]:
+    """Where the thesis goes wrong that this chain follows: for designs with its kind of shaft."""
+    second = result.orders.get("order_2")
+    if second is None or second.two_term is None or not second.two_term.couple_peak_vertical or not imbalance.crank_balance_fraction:
+        return ()
+    theirs = f.second_order_couple_of_finotti(kappa=imbalance.crank_balance_fraction, C_2=second.two_term.couple_peak_vertical)
+    return (
+        Erratum(
+            "imbalance.order_2.couple_peak_vertical",
+            Text("Second-order couple"),
+            float(theirs),
+            "N·m",
+            Text("method of Finotti 2013, 2.5.3.4"),
+            Text(
+                "The source takes only the mass that is not balanced on the crank. Counterweights turn at crank speed and leave order 2 "
+                "untouched: the whole reciprocating mass acts."
+            ),
+        ),
+    )

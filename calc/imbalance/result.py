@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the imbalance step gives: the orders, what the counter-shaft must supply, the remedies."""
+
+from ..sheet.quantity import group, result, value
+from ..sheet.units import KilogramMetre, KilogramMetre2, Newton, NewtonMetre, Radian
+from .orders import Order
+from .remedies import Counterweight, Remedy
+from .shaft_pair import ShaftPair
+from .throws import Throws
+from .webs import WebsResult
+
+
+@result
+class ImbalanceResult:
+    """All orders, what the counter-shaft must supply, and the remedies."""
+
+    orders: dict[str, Order] = group(spread=True)
+    required_couple: NewtonMetre = value("Couple that the counter-shaft must supply", "N·m", "C_S")
+    required_couple_phase: Radian = value("its phase, cylinder 1 at TDC", "°")
+    required_unbalance_product: KilogramMetre2 = value("Unbalance times arm of the counter-shaft", "kg·mm²", "U·Δz")
+    required_force: Newton | None = value("Force that the counter-shaft must supply", "N", "F_S", default=None)
+    required_force_phase: Radian | None = value("its phase, cylinder 1 at TDC", "°", default=None)
+    required_unbalance: KilogramMetre | None = value("Unbalance of the counter-shaft", "kg·mm", "U", default=None)
+    mistiming_force_per_degree: Newton | None = value("Force left per degree of mistiming", "N", default=None)
+    mistiming_force_per_tooth: Newton | None = value("Force left per tooth of mistiming at the shaft's wheel", "N", default=None)
+    mistiming_per_degree: NewtonMetre = value("Couple left per degree of mistiming", "N·m")
+    mistiming_per_tooth: NewtonMetre | None = value("Couple left per tooth of mistiming at the shaft's wheel", "N·m", default=None)
+    remedy: dict[str, Remedy] = group()
+    shaft_pair: ShaftPair | None = group(default=None)
+    counterweight: dict[str, Counterweight] | None = group(default=None)
+    throw: Throws = group()
+    webs: WebsResult | None = group(spread=True, default=None)
+    required: complex  # the vector
+    whole: tuple[complex, complex]  # force and couple of counterweights for the whole reciprocating mass
+    one_force: Newton  # m·r·ω² of one cylinder, and its couple over one pitch: what is left is measured against them
+    one_couple: NewtonMetre
