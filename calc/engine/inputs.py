@@ -60,10 +60,6 @@ class EngineInputs:
         "Crank radius", "mm", above=0, high=1000, symbol="r", usual=(20, 90), source=THUMB,
         help="Half the stroke: from the crank's axis to the pin's.",
     )  # fmt: skip
-    crank_radii: tuple[float, ...] | None = series(
-        "Crank radii", "mm", default=None, above=0, high=1000, symbol="r_k",
-        help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that one.",
-    )  # fmt: skip
     rod_length: float = quantity(
         "Rod length", "mm", above=0, high=4000, symbol="L", source="Finotti 2013, 2.1",
         help=Text(
@@ -102,6 +98,10 @@ class EngineInputs:
     bank_of_cylinder: tuple[int, ...] | None = integers(
         "Bank of each cylinder", default=None, low=0, high=1, help="The bank of each cylinder, 0 or 1; bank 0 stands at −V/2."
     )
+    crank_radii: tuple[float, ...] | None = series(
+        "Crank radii", "mm", default=None, above=0, high=1000, symbol="r_k",
+        help="One per cylinder, where they differ; the first is the crank radius. Left out: all cylinders have that one.",
+    )  # fmt: skip
     piston_mass: float | None = quantity(
         "Piston mass", "g", default=None, above=0, high=1e5, symbol="M_P", usual=(150, 2000), source=THUMB,
         help="Mass of one piston with rings, pin and circlips.",
