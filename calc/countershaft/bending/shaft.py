@@ -4,6 +4,8 @@
 The shaft stands still in the frame that turns with it, where its load is constant; weight and gear force are left out.  The finite-element
 results of Finotti 2013, ch. 6, are not reproduced: the true shape is not given there.  The share η of the sectors' stiffness makes the
 bracket.  Sections at other angles than the load's are taken as if they bent in their plane of symmetry.
+Ribs along the core have no section of their own: what they lend depends on how they join core and sectors, as with η, in whose bracket they
+stay (they only stiffen); the share at which a slope reaches its limit says whether they are needed.
 """
 
 import math
