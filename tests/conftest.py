@@ -25,7 +25,11 @@ GAMMA = DESIGNS / "r753ie4_gamma.toml"
 
 def pytest_collection_finish() -> None:
     """The modules and the tests stay: they need not be looked through again and again."""
-    gc.collect()
+    gc.freeze()
+
+
+def pytest_sessionfinish() -> None:
+    """The process ends: pytest would look through all that it holds five times."""
     gc.freeze()
 
 

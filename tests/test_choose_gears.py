@@ -6,6 +6,9 @@ import re
 
 import pytest
 
+from assistant.offers import gears as offered
+from calc.gears.selection.search import search
+
 from .command import run
 from .conftest import DESIGNS
 
@@ -23,6 +26,21 @@ def copy(tmp_path):
 def largest_sliding(path):
     values = json.loads(run("check", path, "--json", "--step", "gears").stdout)["values"]
     return max(abs(v["value"]) for id, v in values.items() if re.search(r"\.specific_sliding_(driver|driven)$", id))
+
+
+@pytest.fixture(scope="module", autouse=True)
+def searched_once():
+    """The same gears are searched once for all tests that list them or write a row of them."""
+    known = []
+
+    def once(gears, progress=None):
+        found = next((found for other, found in known if other == gears), None) or search(gears, progress=progress)
+        known.append((gears, found))
+        return found
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(offered, "search", once)
+        yield
 
 
 @pytest.fixture(scope="module")

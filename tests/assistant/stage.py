@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """A screen that many tests use, one after the other, put in order before each."""
 
-import gc
 import shutil
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -86,9 +85,6 @@ async def staged(size: tuple[int, int], folder: Path) -> AsyncIterator[Stage]:
     (folder / "light.toml").write_text(text, encoding="utf-8")
     session = Session.open(folder / "light.toml", memory=Memory(folder / "state"), now=lambda: NOON)
     session.solve()
-    gc.collect()
-    gc.freeze()  # these stay; they need not be looked through again and again
     async with ContralberoApp(session).run_test(size=size) as pilot:
         await still(pilot)
         yield Stage(pilot, folder, text, session.results)
-    gc.unfreeze()

@@ -4,7 +4,6 @@
 Where a screen is meant to change, `pytest tests/assistant/test_snapshots.py --snapshot-update` writes them anew; then read what `git diff` shows.
 """
 
-import gc
 from collections.abc import AsyncIterator, Callable, Iterator
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
@@ -61,10 +60,7 @@ def solved_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     assert session.results is not None
     outcomes = session.results.outcomes
     found = {s.key: remedies.remedy(session.document, s.key, session.results) for s in STEPS if outcomes[s.key].verdict == "fail"}
-    gc.collect()
-    gc.freeze()  # these are many objects that stay; they need not be looked through again and again
     yield session.results, found
-    gc.unfreeze()
 
 
 @pytest.fixture(scope="module")
