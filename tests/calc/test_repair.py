@@ -1,0 +1,186 @@
+"""The parts of the search for a passing design: teeth that are wide or strong enough and no more, masses that leave nothing, one number moved."""
+
+import cmath
+import math
+from types import SimpleNamespace
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from calc.addresses import quantity_of
+from calc.countershaft.inputs import EccentricMass
+from calc.design_file import Document, design, read
+from calc.gears.rating.classes import class_names, strength_class
+from calc.repair.remedy import nearest
+from calc.repair.shaft import _near, _shifted, _single, _wanted
+from calc.repair.vary import Number, _Search
+from calc.sheet.search import Budget
+from calc.solve import solve
+
+from ..conftest import GAMMA
+from .test_remedy import damaged, fails, with_changes
+
+WEAK = tuple(f'gears.wheels.{name}.gear_material="nitrocarburised"' for name in ("crank", "pump"))
+
+
+# --- teeth ---------------------------------------------------------------------------------------------------------------------
+def weak_teeth(document: Document, changes: tuple[str, ...]) -> list[str]:
+    return [id for id in fails(solve(design(with_changes(document, changes)))) if "safety" in id]
+
+
+@pytest.mark.parametrize("power", [60, 80])
+def test_no_half_millimetre_more_of_face_width_than_is_needed(power: int) -> None:
+    """Both wheels come to one width, the wider one too where it is not wide enough; within 1.5 times it, and beyond where no class helps."""
+    document = damaged("timing_pair", f"gears.power_kW={power}")
+    found = nearest(document)
+    keys, widths = zip(*((key, float(b)) for key, b in (change.split("=") for change in found.changes)))
+    assert found.passes and set(keys) == {"gears.wheels.crank.face_width_mm", "gears.face_width_mm"} and len(set(widths)) == 1
+    assert weak_teeth(document, found.changes) == []
+    assert weak_teeth(document, tuple(f"{key}={b - 0.5}" for key, b in zip(keys, widths)))
+
+
+@pytest.mark.parametrize("power", [5, 20])
+def test_the_weakest_class_that_is_enough(power: int) -> None:
+    """Half as much width again does not help: both wheels take the class and quality of least strength with which the pair holds."""
+    document = damaged("timing_pair", f"gears.power_kW={power}", *WEAK)
+    found = nearest(document)
+    made = {key.split(".")[2:][-1]: value for key, value in (change.split("=") for change in found.changes)}
+    assert found.passes and {key.split(".")[2] for key in found.changes} == {"crank", "pump"} and "face_width" not in str(found.changes)
+
+    def both(name: str, quality: str) -> tuple[str, ...]:
+        return tuple(
+            f'gears.wheels.{w}.{key}="{value}"' for w in ("crank", "pump") for key, value in (("gear_material", name), ("quality", quality))
+        )
+
+    now = strength_class("nitrocarburised", "MQ")
+    taken = strength_class(made["gear_material"].strip('"'), made.get("quality", "MQ").strip('"'))
+    for name in class_names():
+        for quality in ("MQ", "ME"):
+            one = strength_class(name, quality)
+            stronger = one.sigma_Hlim >= now.sigma_Hlim and one.sigma_Flim >= now.sigma_Flim
+            if stronger and one.sigma_Hlim + one.sigma_Flim < taken.sigma_Hlim + taken.sigma_Flim:
+                assert weak_teeth(document, both(name, quality)), (name, quality)
+    assert weak_teeth(document, both(taken.name, taken.quality)) == []
+
+
+# --- masses --------------------------------------------------------------------------------------------------------------------
+angles = st.floats(-math.pi, math.pi)
+masses = st.lists(st.tuples(st.floats(0.1, 5), st.floats(0.005, 0.05), angles, st.floats(0.01, 0.1)), min_size=2, max_size=4)
+
+
+def row_of(said: list[tuple[float, float, float, float]]) -> tuple[tuple[EccentricMass, ...], list[complex], complex, complex]:
+    """Masses one behind the other from −0.1 m on, their unbalances, and U and P of them all."""
+    z, made = -0.1, []
+    for n, (m, r, angle, gap) in enumerate(said):
+        made.append(EccentricMass(name=f"m{n}", mass=m, radius=r, angle=angle, z=z))
+        z += gap
+    now = [m.mass * m.radius * cmath.exp(1j * m.angle) for m in made]
+    return tuple(made), now, sum(now), sum(u * m.z for u, m in zip(now, made))
+
+
+@given(said=masses, U=st.complex_numbers(max_magnitude=0.1), P=st.complex_numbers(min_magnitude=1e-3, max_magnitude=0.02))
+def test_what_is_wanted_of_the_masses_leaves_nothing(said, U, P):
+    """Of the first and the last: force and couple; of all, turned and scaled alike: the couple; never more of the others than is said."""
+    row, now, *_ = row_of(said)
+    ways = list(_wanted(row, now, U, P))
+    for way in ways:
+        assert sum(u * m.z for u, m in zip(way, row)) == pytest.approx(P, abs=0.1001 * abs(P))
+    assert any(
+        way[1:-1] == now[1:-1]
+        and sum(way) == pytest.approx(U, abs=1e-9)
+        and sum(u * m.z for u, m in zip(way, row)) == pytest.approx(P, abs=1e-9)
+        for way in ways
+    )
+    turned = ways[-1]
+    assert sum(u * m.z for u, m in zip(turned, row)) == pytest.approx(P, abs=1e-9)
+    assert all(u / old == pytest.approx(turned[0] / now[0]) for u, old in zip(turned, now))
+
+
+@given(said=masses, which=st.integers(0, 3), share=st.floats(0.3, 3), turn=angles)
+def test_a_single_mass_that_is_wrong_is_found(said, which, share, turn):
+    """What all of them gave before one was changed, by that one alone."""
+    row, now, U, P = row_of(said)
+    n = which % len(row)
+    assume(abs(P) > 1e-4)
+    wrong = [u * share * cmath.exp(1j * turn) if i == n else u for i, u in enumerate(now)]
+    assert any(way == pytest.approx(now, abs=1e-12) for way in _wanted(row, wrong, U, P))
+
+
+@given(said=masses, which=st.integers(0, 3), away=st.floats(-0.05, 0.05))
+def test_a_mass_that_stands_at_a_wrong_place_is_moved_back(said, which, away):
+    row, now, U, P = row_of(said)
+    n = which % len(row)
+    z = row[n].z - away
+    moved = P - now[n] * away
+    assume(abs(z) > 1e-3)
+    assert {f"countershaft.masses.m{n}.z_mm": round(z * 1e3, 1)} in list(_shifted(row, now, U, moved))
+    assert not list(_shifted(row, now, U + 0.11 * max(map(abs, now)), moved)), "the force is to be right already"
+
+
+@given(m=st.floats(0.1, 5), r=st.floats(0.005, 0.05), angle=angles, share=st.floats(0.3, 3), turn=st.floats(0.2, 3))
+def test_a_mass_becomes_what_is_wanted_by_its_weight_its_angle_or_both(m, r, angle, share, turn):
+    mass = EccentricMass(name="m", mass=m, radius=r, angle=angle, z=0.0)
+    wanted = share * m * r * cmath.exp(1j * (angle + turn))
+
+    def made(changes):
+        said = {key.rpartition(".")[2]: number for key, number in changes.items()}
+        radius, size = said.get("radius_mm", r * 1e3) / 1e3, said.get("mass_kg", m)
+        return size * radius * cmath.exp(1j * math.radians(said.get("angle_deg", math.degrees(angle))))
+
+    weight, turned, both, shorter = map(made, _single(mass, wanted))
+    close = pytest.approx(abs(wanted), rel=0.01)
+    assert abs(weight) == close and cmath.phase(weight / cmath.exp(1j * angle)) == pytest.approx(0, abs=1e-9)
+    assert abs(turned) == pytest.approx(m * r) and abs(cmath.phase(turned / wanted)) < math.radians(0.06)
+    for whole in (both, shorter):
+        assert abs(whole) == close and abs(cmath.phase(whole / wanted)) < math.radians(0.06)
+    assert not any("angle" in key for changes in _single(mass, share * m * r * cmath.exp(1j * angle)) for key in changes)
+
+
+@given(angle=st.floats(-720, 720), old=st.floats(-720, 720))
+def test_an_angle_stays_near_its_old_number(angle, old):
+    near = _near(angle, old)
+    assert abs(near - old) <= 180 + 1e-9 and math.remainder(near - angle, 360) == pytest.approx(0, abs=1e-9)
+
+
+# --- one number ----------------------------------------------------------------------------------------------------------------
+DATA = read(GAMMA).data
+
+
+def number(key: str, *now: float, alone: bool = True) -> Number:
+    return Number(key, now, alone, quantity_of(DATA, key))
+
+
+def test_a_number_moves_by_a_share_and_a_whole_one_by_one_at_least():
+    assert number("bearings.front.length_mm", 27.5).moved(0.02) == {"bearings.front.length_mm": pytest.approx(28.05)}
+    assert number("gears.wheels.0.teeth", 36.0).moved(0.02) == {"gears.wheels.0.teeth": 37}
+    assert number("gears.wheels.0.teeth", 36.0).moved(-0.02) == {"gears.wheels.0.teeth": 35}
+    assert number("gears.wheels.0.teeth", 36.0).moved(0.1) == {"gears.wheels.0.teeth": 40}
+    both = number("countershaft.bearing_positions_mm", -160.0, 160.0, alone=False).moved(0.05)
+    assert both == {"countershaft.bearing_positions_mm": pytest.approx([-168, 168])}
+    assert number("bearings.front.length_mm", 27.5).moved(-1.5) is None, "not allowed"
+
+
+def test_a_number_of_nothing_moves_by_its_step():
+    key = "gears.wheels.0.profile_shift"
+    step = quantity_of(DATA, key).step or 0.1
+    assert number(key, 0.0).moved(0.05) == {key: pytest.approx(0.5 * step)} and number(key, 0.0).moved(-0.05) == {
+        key: pytest.approx(-0.5 * step)
+    }
+
+
+@pytest.mark.parametrize("verdicts, decided", [
+    ({"a": "pass", "b": "fail"}, True), ({"a": "fail", "b": "fail", "c": "pass"}, True), ({"a": "pass", "b": "pass", "c": "fail"}, False),
+    ({"a": "fail"}, False), ({"b": "pass"}, False),
+])  # fmt: skip
+def test_a_trial_ends_early_only_where_all_that_is_asked_is_known_and_fails(verdicts, decided):
+    """Else what comes later would not be looked at: whether the change breaks it."""
+    asked = tuple(SimpleNamespace(id=id) for id in "ab")
+    search = _Search(None, "gears", asked, None, Budget(1))
+    checks = [SimpleNamespace(id=id, verdict=verdict) for id, verdict in verdicts.items()]
+    outcome = SimpleNamespace(key="gears", checks=checks, state="solved")
+    assert search._fails(outcome) == decided
+    assert not search._fails(SimpleNamespace(key="friction", checks=checks, state="solved"))
+    unsolved = _Search(None, "gears", (), None, Budget(1))
+    assert unsolved._fails(SimpleNamespace(key="gears", checks=[], state="no_solution"))
+    assert not unsolved._fails(outcome)
