@@ -2,10 +2,11 @@
 
 import inspect
 import pydoc
+import re
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from calc.bearings.formulas import specific_load
@@ -85,6 +86,52 @@ def test_precedence_signs_roots_powers_and_written_constants():
     formula_text, numbers, _ = line_text(only(tangle, 2.0, -3.0, 0.5))
     assert formula_text == "x₁ = −(a + ω)²·√(a − (ω − α_wt))/(2·π)^0.56 + a/ω/3 − exp(−a)·1.153423"
     assert "(2 + (−3))²" in numbers and "√(2 − ((−3) − 0.5))" in numbers
+
+
+KNOWN = {"a": 0.7, "b": 1.3, "c": 1.9, "d": 0.4}
+NODES = {
+    "add": lambda x, y: x + y, "sub": lambda x, y: x - y, "mul": lambda x, y: x * y, "div": lambda x, y: x / y, "pow": lambda x, y: x**y,
+    "neg": lambda x: -x, "sqrt": lambda x: x**0.5, "cis": lambda x: np.exp(1j * x), "sum": lambda x: x,
+}  # fmt: skip
+A, TWO = expression.Expr("symbol", (), "a"), expression.Expr("number", (), "2")
+leaves = st.sampled_from(
+    [*(expression.Expr("symbol", (), name) for name in KNOWN), *(expression.Expr("number", (), n) for n in ("2", "3", "0.5", "−2"))]
+)
+trees = st.recursive(leaves, lambda inner: st.builds(
+    lambda head, one, other: expression.Expr(head, (one, other) if head in ("add", "sub", "mul", "div", "pow") else (one,)),
+    st.sampled_from(list(NODES)), inner, inner), max_leaves=8)  # fmt: skip
+
+
+def meant(tree):
+    """The value of a tree; a root of a negative number has two."""
+    if tree.head in NODES:
+        parts = [meant(one) for one in tree.args]
+        if tree.head in ("pow", "sqrt") and abs(parts[0].imag) < 1e-9 and parts[0].real < 0:
+            raise ZeroDivisionError
+        return complex(NODES[tree.head](*parts))
+    return complex(KNOWN.get(tree.name) or float(tree.name.replace("−", "-")))
+
+
+def read_again(text):
+    """The value of what is written, by the rules of arithmetic."""
+    text = re.sub("[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda raised: "**" + raised[0].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")), text)
+    text = re.sub(r"√(\w+(?:\.\d+)?)", r"√(\1)", text)
+    for sign, word in (("·", "*"), ("−", "-"), ("^", "**"), ("√", "root"), ("Σ", "")):
+        text = text.replace(sign, word)
+    return eval(text, {"root": lambda x: (x + 0j) ** 0.5, "e": np.e, "i": 1j, **{name: complex(x) for name, x in KNOWN.items()}})
+
+
+@given(tree=trees)
+@example(tree=expression.Expr("pow", (expression.Expr("pow", (A, TWO)), TWO)))
+@example(tree=expression.Expr("pow", (A, expression.Expr("pow", (A, TWO)))))
+def test_what_is_written_reads_as_what_is_meant(tree):
+    """Brackets stand wherever another order of the operations would be read, so of a power of a power."""
+    try:
+        value = meant(tree)
+    except (ZeroDivisionError, OverflowError):
+        return
+    if np.isfinite(value) and abs(value) < 1e9:
+        assert read_again(expression.text(tree)) == pytest.approx(value, rel=1e-6, abs=1e-9)
 
 
 def test_an_array_is_shown_by_its_governing_value_and_where_it_occurs():
