@@ -5,12 +5,12 @@ import math
 from collections.abc import Iterable
 from itertools import pairwise
 
+from ..balance_quality import GRADES
 from ..journal_rules import LENGTH_RATIO
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
 from .making.inputs import Bolts, Cost, OilDrain, Part, Support
 
-GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
 FROM_MID_SHAFT = Text("From mid-shaft, + towards the flywheel.")

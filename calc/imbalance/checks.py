@@ -92,6 +92,14 @@ def _crank_checks(result: ImbalanceResult) -> tuple[Check, ...]:
                 what,
             ),
         ]
+        if webs.permitted_unbalance is not None and webs.drilled_mass is None:
+            made.append(
+                check(
+                    "imbalance.crank.residual", Text("Static unbalance of the crank {bobs}", bobs=bobs), state.unbalance, "<=",
+                    webs.permitted_unbalance, "kg·mm", Text("ISO 21940-11, permissible residual unbalance, of the mass that is listed"),
+                    Text("The balancing machine has it drilled out: give drill_radius_mm, and the webs to drill are found."),
+                )
+            )  # fmt: skip
     if webs.unbalances_couple_left is not None:
         made.append(
             check(

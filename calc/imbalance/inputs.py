@@ -3,6 +3,7 @@
 
 from collections.abc import Iterable
 
+from ..balance_quality import GRADES
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ..sheet.text import Text
 
@@ -96,6 +97,10 @@ class ImbalanceInputs:
     drill_radius: float | None = quantity(
         "Radius of the balancing holes", "mm", default=None, low=5, high=1000, symbol="r_d", source="Finotti 2013, 2.6",
         help="From the crank's axis to the middle of what is drilled out of a web: given, the webs to drill are found.",
+    )  # fmt: skip
+    crank_balance_grade: str = choice(
+        "Balance quality grade of the crank", *GRADES, default="G16",
+        help="ISO 21940-11; crank drives of engines G16 (rigidly mounted) and G40. Judged where the bodies of the crank are given.",
     )  # fmt: skip
     unbalances: tuple[Unbalance, ...] = tables(
         "Unbalances on the crank",

@@ -11,12 +11,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from ..balance_quality import grade_number, permitted_unbalance
 from ..engine.crank import pin_of_cylinder
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
 from ..sheet.arrays import Array, ComplexArray, distinct, each, many, phasors
 from ..sheet.formula import formula
-from ..sheet.functions import argument, cis, imag, modulus, resultant
+from ..sheet.functions import argument, cis, imag, modulus, resultant, total
 from ..sheet.linked_array import column, elements
 from ..sheet.quantity import Described, Stated, group, result, value
 from ..sheet.step import Table
@@ -57,6 +58,11 @@ def unbalance(m: Kilogram, p: PhasorMetre) -> PhasorKilogramMetre:
 @formula("C", TABLE, unit="kg·mm²")
 def product(m: Kilogram, p: PhasorMetre, z: Metre) -> PhasorKilogramMetre2:
     return resultant(m * p * z)
+
+
+@formula("m_S", "definition: mass of the crank's bodies as they are listed, with their bobs")
+def crank_mass(m: Kilogram, m_b: Kilogram) -> Kilogram:
+    return total(m) + total(m_b)
 
 
 @formula("m_b", "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up", unit="g")
@@ -182,6 +188,7 @@ class WebsResult:
     crank: dict[str, CrankState] | None = group(default=None)
     drill: dict[str, WebDrilling] | None = group(default=None)
     drilled_mass: Kilogram | None = value("Mass to drill out of the crank in all", "g", default=None)
+    permitted_unbalance: KilogramMetre | None = value("Permitted residual unbalance of the crank", "kg·mm", "U_per", default=None)
     pin_deviation: Radian | None = value("Largest angle between a pin of the bodies and its throw", "°", default=None)
     equivalent_mass: Kilogram | None = value("Equivalent mass of a cylinder", "g", "M_eq", default=None)
     missing_forward_couple: NewtonMetre | None = value("Couple that pulley and flywheel must supply", "N·m", "C_pf", default=None)
@@ -272,13 +279,14 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
     states = {"bare": _state(*machine.bare, imbalance, e)}
     if imbalance.bob_mass is not None:
         with about(Text("crank with the bobs as stated")):
-            turned_with = machine.with_bobs(based_on(np.full(machine.pins.size, imbalance.bob_mass), imbalance.bob_mass))
+            m_b = based_on(np.full(machine.pins.size, imbalance.bob_mass), imbalance.bob_mass)
+            turned_with = machine.with_bobs(m_b)
             states["stated"] = _state(*turned_with, imbalance, e)
     with about(Text("crank with the bobs found")):
         balanced = machine.with_bobs(masses)
         states["balanced"] = _state(*balanced, imbalance, e)
     if imbalance.bob_mass is None:
-        turned_with = balanced
+        m_b, turned_with = masses, balanced
     crank = e.crank
     throw = based_on(crank.phi - crank.phi[imbalance.crank_bodies_throw_at_tdc - 1], crank.phi, imbalance.crank_bodies_throw_at_tdc)
     first = distinct(pin_of_cylinder(engine, crank))[1]
@@ -288,7 +296,13 @@ def _bodies(machine: _Machine, imbalance: ImbalanceInputs, engine: EngineInputs,
         for j, bob in enumerate(elements(masses))
     }
     drill, drilled = drilling(imbalance, *turned_with, machine.p, machine.z)
-    return WebsResult(crank=states, bob_mass=bobs, pin_deviation=deviation, drill=drill, drilled_mass=drilled), each(masses)
+    grade = imbalance.crank_balance_grade
+    with about(Text("balance quality {grade}", grade=grade)):
+        m_S = crank_mass(m=machine.m, m_b=each(m_b))
+        U_per = permitted_unbalance(G=grade_number(grade=grade), m_S=m_S, omega=e.angular_speed)
+    return WebsResult(
+        crank=states, bob_mass=bobs, pin_deviation=deviation, drill=drill, drilled_mass=drilled, permitted_unbalance=U_per
+    ), each(masses)
 
 
 def _state(S: complex, C: complex, imbalance: ImbalanceInputs, e: EngineResult) -> CrankState:

@@ -7,15 +7,15 @@ the outer bearings.
 
 from collections.abc import Iterator
 
+from ...balance_quality import ISO, grade_number, permitted_unbalance
 from ...sheet.formula import formula
 from ...sheet.functions import largest, modulus, smallest
 from ...sheet.quantity import result, value
 from ...sheet.step import Table
 from ...sheet.text import Text
 from ...sheet.trace import about, untraced
-from ...sheet.units import UNITS, Kilogram, KilogramMetre, Metre, MetrePerSecond, NewtonMetre, Number, RadPerSecond
+from ...sheet.units import UNITS, Kilogram, KilogramMetre, Metre, NewtonMetre, Number, RadPerSecond
 
-ISO = Text("ISO 21940-11")
 PLANES = Text("{iso}, allocation to the tolerance planes", iso=ISO)
 TABLED = ("G2.5", "G6.3", "G16", "G40")
 LEAST = 0.3  # of U_per, the smaller share of a plane
@@ -31,14 +31,6 @@ class ToleranceResult:
     residual_unbalance_permitted_rear: KilogramMetre = value("in the plane of the rear bearing", "g·mm", "U_per,r")
     permitted_couple_error: NewtonMetre = value("Couple of both planes' permitted unbalance, opposed", "N·m", "C_per")
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
-
-
-@formula("U_per", Text("{iso}, permissible residual unbalance; G = e_per·ω", iso=ISO), unit="g·mm")
-def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
-    """>>> permitted_unbalance(G=0.0063, m_S=9.034, omega=272.3)
-    0.0002090128...
-    """
-    return G * m_S / omega
 
 
 @formula("q_f", Text("{planes}: as the static load of the front bearing", planes=PLANES))
@@ -66,12 +58,6 @@ def couple_error(U_f: KilogramMetre, z_f: Metre, U_r: KilogramMetre, z_r: Metre,
 @formula("q_per", "definition: permitted error of the couple over the required couple", unit="%")
 def error_share(C_per: NewtonMetre, C_S: NewtonMetre) -> Number:
     return C_per / C_S
-
-
-@formula("G", Text("{iso}, balance quality grade: e_per·ω", iso=ISO), shows="number of the grade, in mm/s")
-def grade_number(grade: str) -> MetrePerSecond:
-    """G of a grade: "G6.3" is 6.3 mm/s."""
-    return float(grade[1:]) / 1000
 
 
 def permitted(grade: str, mass: Kilogram, omega: RadPerSecond, z_S: Metre, z_f: Metre, z_r: Metre,

@@ -89,7 +89,7 @@ def test_the_inner_masses_that_balance_four_cranks():
     assert found["engine.reciprocating_mass"] == pytest.approx(m.mean() * 1e3)
 
 
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=20, deadline=None)
 @given(
     st.lists(st.floats(0.1, 500), min_size=3, max_size=3, unique=True), st.lists(st.floats(0.03, 0.08), min_size=3, max_size=3),
     st.floats(0, 1), st.floats(0, 1.5),

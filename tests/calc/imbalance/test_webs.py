@@ -172,6 +172,16 @@ def test_a_crank_that_its_bobs_leave_out_of_balance_is_named():
     assert {c.id: c.verdict for c in outcome.checks}["imbalance.crank.force"] == "warn"
 
 
+def test_what_the_balance_quality_permits_the_crank():
+    """ISO 21940-11: G·m/ω of the bodies and their bobs; judged where the webs to drill, which take all of it, are not found."""
+    inputs, e, _ = solved()
+    mass = sum(body.mass for body in GAMMA.imbalance.crank_bodies) + 3 * GAMMA.imbalance.bob_mass
+    for grade, drill, verdict in (("G16", None, "pass"), ("G6.3", None, "note"), ("G6.3", 0.065, None)):
+        outcome = solve(replace(GAMMA.imbalance, crank_balance_grade=grade, drill_radius=drill), inputs, e)
+        assert outcome.solution.webs.permitted_unbalance == pytest.approx(float(grade[1:]) * 1e-3 * mass / e.angular_speed)
+        assert {c.id: c.verdict for c in outcome.checks}.get("imbalance.crank.residual") == verdict
+
+
 def drilled(found, bodies, radius):
     """The bodies with what is drilled out of them, as bodies of negative mass."""
     at = {body.name: body.z for body in bodies}
