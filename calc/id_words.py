@@ -21,6 +21,7 @@ WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the use
     "imbalance.remedy.first_order_pair": Text("first order pair"), "imbalance.remedy.four_shafts": Text("four shafts"),
     "imbalance.remedy.second_order_shafts": Text("second order shafts"), "imbalance.unbalances": Text("unbalances"),
     "countershaft.alternative": Text("alternative"), "countershaft.bolts": Text("bolts"), "countershaft.drain": Text("drain"),
+    "countershaft.further_drains": Text("further drains"),
     "countershaft.holes": Text("holes"), "countershaft.scatter": Text("scatter"), "countershaft.sector": Text("sector"),
     "countershaft.support": Text("support"),
     "bearings.front": Text("front"), "bearings.rear": Text("rear"),

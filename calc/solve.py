@@ -183,6 +183,10 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, train, f))
         b = bearings_with_standing(b, c.solution.standing)
+        if design.countershaft.oil_drain is not None or design.countershaft.further_drains:
+            from .countershaft.making.drainage import with_oil  # which most designs do not need
+
+            c = with_oil(c, b.result)
     if g.result is not None and design.gears is not None:
         g = _rated(part, g, design.gears, design, e, c, f)
     if g.result is not None and c.result is not None:

@@ -9,7 +9,7 @@ from ..balance_quality import GRADES
 from ..journal_rules import LENGTH_RATIO
 from ..sheet.quantity import THUMB, choice, inputs, integer, quantity, series, table, tables, text
 from ..sheet.text import Amount, Text
-from .making.inputs import Bolts, Cost, OilDrain, Part, Support
+from .making.inputs import Bolts, Cost, FurtherDrain, OilDrain, Part, Support
 
 THREADED = 0.2e-3  # m: clearance for threading in, where the program chooses the radius; rule of this program
 ANGLE = Text("With cylinder 1 at TDC, from up, in the sense of crank rotation.")
@@ -151,6 +151,7 @@ class CountershaftInputs:
     bolts: Bolts | None = table("Bolts of the support", Bolts, default=None)
     support: Support | None = table("Support", Support, default=None)
     oil_drain: OilDrain | None = table("Oil drain", OilDrain, default=None)
+    further_drains: tuple[FurtherDrain, ...] = tables("Further oil drains", FurtherDrain, default=())
     cost: Cost | None = table("Cost", Cost, default=None)
     parts: tuple[Part, ...] = tables("Parts of the assembly", Part, default=(), help="They are counted, for designs to be compared.")
 

@@ -102,6 +102,7 @@ class CountershaftResult:
     scatter: "ScatterResult | None" = group(default=None)
     bolts: "BoltsResult | None" = group(spread=True, default=None)
     drain: "DrainResult | None" = group(spread=True, default=None)
+    further_drains: "dict[str, DrainResult] | None" = group(default=None)
     alternative: "dict[str, MaterialResult] | None" = group(default=None)
     part_count: Number | None = value("Parts of the assembly", "", default=None)
     part_kinds: Number | None = value("Kinds of parts", "", default=None)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The oil drain of the support: a spring band clamp that grips both ends of the hose, and a union that fits the block.
+"""The oil drain of the support: a spring band clamp that grips both ends of the hose, a union that fits the block and a sleeve on it.
 
 A clamp must be closed when it sits on the smaller end, so its nominal diameter must not exceed that end, and it must open far enough to
 go over the larger one.  A clamp of the next size up would open far enough where this one does not, but it would not grip.
@@ -17,10 +17,12 @@ from ...sheet.formula import formula
 from ...sheet.quantity import result, value
 from ...sheet.text import EMPTY, Amount, Text
 from ...sheet.trace import about
-from ...sheet.units import Metre
-from .inputs import Clamp, OilDrain, Union
+from ...sheet.units import CubicMetrePerSecond, Metre, Radian
+from ...sheet.value import based_on
+from .inputs import Clamp, OilDrain, Sleeve, Union
 from .thread import thread
 
+RING = 0.1e-3  # m: by which the ring of a sleeve may be wider than the thread that goes through it; so the source's table has them
 RULE = Text("Finotti 2013, 4.4: choice of a spring band clamp (DIN 3021)")
 
 
@@ -40,6 +42,13 @@ def clamps(series: str = "company") -> tuple[Clamp, ...]:
 def unions() -> tuple[Union, ...]:
     """The unions that come with the program."""
     return tuple(Union(thread=row["thread"], bore=row["bore_mm"] / 1000) for row in _file("unions.toml")["row"])
+
+
+@cache
+def sleeves() -> tuple[Sleeve, ...]:
+    """The sleeves that come with the program, those that take a hose."""
+    rows = [row for row in _file("sleeves.toml")["row"] if "d1_mm" in row]
+    return tuple(Sleeve(ring=row["d_mm"] / 1000, bore=row["d1_mm"] / 1000, end=row["d2_mm"] / 1000) for row in rows)
 
 
 # --- formulas ---------------------------------------------------------------------------------------------------------------
@@ -69,6 +78,20 @@ def widest_bore(bores: Metre, designation: str) -> Metre:
     return cast(Metre, max(many(bores)))
 
 
+@formula("d_1",
+    "rule of this program: the sleeve with the widest bore among those whose ring fits the union's thread (Finotti 2013, 4.4)",
+    shows="largest bore",
+    unit="mm")  # fmt: skip
+def widest_sleeve(bores: Metre, designation: str) -> Metre:
+    """`bores`: of the sleeves at hand whose ring fits the thread `designation`."""
+    return cast(Metre, max(many(bores)))
+
+
+@formula("θ_d", "geometry: slope of the passage to the drain while the machine tilts against it", unit="°", names={"tau": "τ"})
+def tilted_slope(theta: Radian, tau: Radian) -> Radian:
+    return theta - tau
+
+
 # --- results ----------------------------------------------------------------------------------------------------------------
 @result
 class DrainResult:
@@ -81,6 +104,11 @@ class DrainResult:
     clamp_margin: Metre | None = value("its opening beyond the hose", "mm", "Δ", default=None)
     clamp_opening_din3021: Metre | None = value("its largest opening by DIN 3021", "mm", "D_o", default=None)
     union_bore: Metre | None = value("Bore of the widest pipe union that fits", "mm", "d_u", default=None)
+    sleeve_bore: Metre | None = value("Bore of the widest sleeve that fits", "mm", "d_1", default=None)
+    sleeve_end: Metre | None = value("outer diameter of its end, for the hose", "mm", "d_2", default=None)
+    drain_slope: Radian | None = value("Slope of the passage to the drain, machine tilted", "°", "θ_d", default=None)
+    drain_run_off: CubicMetrePerSecond | None = value("Oil that runs off by this slope", "L/min", "Q_d", default=None)
+    drain_flow: CubicMetrePerSecond | None = value("Oil of the bearings that the drain takes", "L/min", "Q_o", default=None)
     drain: OilDrain
     smallest: Metre  # nominal diameter of the smallest clamp at hand
     tried: Metre | None
@@ -110,6 +138,10 @@ def solve(drain: OilDrain) -> DrainResult:
         picked = _pick(drain, at_hand)
         fits = tuple(union for union in drain.unions or unions() if thread(union.thread) == hole)
         bore = widest_bore(bores=each(tuple(union.bore for union in fits)), designation=drain.thread) if fits else None
+        rings = tuple(s for s in drain.sleeves or sleeves() if -1e-9 < s.ring - hole[0] <= RING + 1e-9)
+        sleeve = widest_sleeve(bores=each(tuple(s.bore for s in rings)), designation=drain.thread) if rings else None
+        end = based_on(next(s.end for s in rings if s.bore == sleeve), sleeve) if rings else None
+        slope = tilted_slope(theta=drain.slope, tau=drain.tilt or 0.0) if drain.slope is not None else None
         taken = picked if picked is not None and picked[1] >= drain.hose_max else None
         gap = margin(D_o=picked[1], D_max=drain.hose_max) if picked else None
         with about(Text("oil drain, DIN 3021")):
@@ -117,7 +149,8 @@ def solve(drain: OilDrain) -> DrainResult:
             gap_din = margin(D_o=standard[1], D_max=drain.hose_max) if standard else None
     same = standard is not None and taken is not None and standard[0] == taken[0]
     return DrainResult(clamp_nominal=taken[0] if taken else None, clamp_opening=taken[1] if taken else None,
-        clamp_margin=gap if taken else None, clamp_opening_din3021=standard[1] if standard and same else None, union_bore=bore, drain=drain,
+        clamp_margin=gap if taken else None, clamp_opening_din3021=standard[1] if standard and same else None, union_bore=bore,
+        sleeve_bore=sleeve, sleeve_end=end, drain_slope=slope, drain=drain,
         smallest=min(clamp.nominal for clamp in at_hand), tried=gap, tried_din3021=gap_din if same else None, unions=fits,
         reason=EMPTY if taken else _reason(drain, picked, standard))  # fmt: skip
 
@@ -138,23 +171,30 @@ def _reason(drain: OilDrain, picked: tuple[Metre, Metre] | None, standard: tuple
 
 
 def checks(choice: DrainResult) -> Iterator[Check]:
-    """Whether a clamp goes over both ends, and whether a union fits."""
-    advice = EMPTY
+    """Whether a clamp goes over both ends, whether union and sleeve fit, and whether the oil finds a slope while the machine is tilted."""
+    id, advice = choice.drain.id, EMPTY
     if choice.reason:
         advice = Text("Hose ends closer to each other in diameter, or a clamp for each end: {reason}.", reason=choice.reason)
     if choice.tried is None:
         smallest = Text("Smallest clamp at hand on the smaller hose end")
-        yield check("countershaft.drain.clamp", smallest, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
+        yield check(f"{id}.clamp", smallest, choice.smallest, "<=", choice.drain.hose_min, "mm", RULE, advice)
     else:
         beyond = Text("Opening of the clamp beyond the larger hose end")
-        yield check("countershaft.drain.clamp", beyond, choice.tried, ">=", 0.0, "mm", RULE, advice)
+        yield check(f"{id}.clamp", beyond, choice.tried, ">=", 0.0, "mm", RULE, advice)
     if choice.tried_din3021 is not None:
-        yield check("countershaft.drain.clamp_din3021", Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
+        yield check(f"{id}.clamp_din3021", Text("Opening of the clamp by DIN 3021 beyond the larger hose end"),
             choice.tried_din3021, ">=", 0.0, "mm", Text(_file("clamps.toml")["din3021"]["source"]),
             Text("The clamp of the source opens further than the standard asks for: make sure that the one bought does too."))  # fmt: skip
-    yield check("countershaft.drain.union", Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
+    yield check(f"{id}.union", Text("Pipe unions at hand with thread {thread}", thread=choice.drain.thread),
         float(len(choice.unions)), ">", 0.0, "", Text("Finotti 2013, 4.4: the union's thread must be that of the hole in the block"),
         Text("Another thread in the block, or a union of the design."))  # fmt: skip
+    if choice.sleeve_bore is None:
+        yield check(f"{id}.sleeve", Text("Sleeves at hand for a union with thread {thread}", thread=choice.drain.thread), 0.0, ">", 0.0, "",
+            Text("Finotti 2013, 4.4: the union goes through the ring of the sleeve"), Text("A sleeve of the design."))  # fmt: skip
+    if choice.drain_slope is not None and choice.drain.tilt is not None:
+        yield check(f"{id}.slope", Text("Slope of the passage to the drain, machine tilted"), choice.drain_slope, ">", 0.0, "°",
+            Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope"),
+            Text("A steeper passage: it must slope by more than the machine tilts."))  # fmt: skip
 
 
 def notes(choice: DrainResult) -> Iterator[Text]:
@@ -163,6 +203,8 @@ def notes(choice: DrainResult) -> Iterator[Text]:
         yield Text("Oil drain: clamps by {source}.", source=Text(_file("clamps.toml")["company"]["source"]))
     if choice.reason:
         yield Text("Oil drain: no clamp is taken: {reason}.", reason=choice.reason)
+    if choice.drain.slope is not None and choice.drain.bore is None:
+        yield Text("Oil drain: what runs off is not computed: give bore_mm, the narrowest bore of the passage.")
     for row in _file("unions.toml")["seal"]:
         if choice.unions and thread(row["thread"]) == thread(choice.drain.thread):
             parts, source = Text(row["parts"]), Text(row["source"])

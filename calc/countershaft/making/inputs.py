@@ -3,7 +3,7 @@
 
 from collections.abc import Iterable
 
-from ...sheet.quantity import THUMB, choice, inputs, integer, quantity, tables, text
+from ...sheet.quantity import THUMB, choice, inputs, integer, quantity, series, tables, text
 from ...sheet.text import Amount, Text
 from .thread import thread, thread_problem
 
@@ -71,8 +71,24 @@ class Union:
 
 
 @inputs
+class Sleeve:
+    """One sleeve: its ring sits under the head of the union, its end takes the hose."""
+
+    ring: float = quantity("Inner diameter of the ring", "mm", above=0, high=200, symbol="d", source="Finotti 2013, 4.4",
+        help="The union goes through it: not below the diameter of its thread.")  # fmt: skip
+    bore: float = quantity("Bore of the end", "mm", above=0, high=200, symbol="d1", source="Finotti 2013, 4.4",
+        help="Inner diameter; of the sleeves that fit the one with the widest bore is taken.")  # fmt: skip
+    end: float = quantity("Outer diameter of the end", "mm", above=0, high=200, symbol="d2", source="Finotti 2013, 4.4",
+        help="On which the hose sits.")  # fmt: skip
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.end <= self.bore:
+            yield "end_mm", Text("must be larger than bore_mm")
+
+
+@inputs
 class OilDrain:
-    """The hose and the union through which the support's oil runs back."""
+    """The hose, the union and the sleeve through which the support's oil runs back, and how steep the passage to it is."""
 
     hose_min: float = quantity("Hose end, smallest outer diameter", "mm", above=0, high=500, symbol="D_min", source="Finotti 2013, 4.4",
         help="The clamp must still grip the hose end at this diameter.")  # fmt: skip
@@ -81,12 +97,41 @@ class OilDrain:
     thread: str = text("Thread of the hole in the block", help="Like M18x1.5.")
     clamps: tuple[Clamp, ...] = tables("Spring band clamps at hand", Clamp, default=())
     unions: tuple[Union, ...] = tables("Pipe unions at hand", Union, default=())
+    sleeves: tuple[Sleeve, ...] = tables("Sleeves at hand", Sleeve, default=())
+    slope: float | None = quantity("Slope of the passage to the drain", "°", default=None, above=0, high=90, symbol="theta", step=1,
+        source="Finotti 2013, 3.2.2",
+        help="Least angle to the horizontal, machine level; 45° in the source.")  # fmt: skip
+    tilt: float | None = quantity("Largest tilt of the machine", "°", default=None, low=0, high=90, symbol="tau", step=1,
+        source="Finotti 2013, 3.2.2",
+        help="At which the oil must still leave, as on an excavator on a slope. Left out: not judged.")  # fmt: skip
+    bore: float | None = quantity("Narrowest bore of that passage", "mm", default=None, above=0, high=200, symbol="d_d",
+        source="Finotti 2013, 4.4", help="Where it is narrowest. Left out: what runs off is not computed.")  # fmt: skip
+    oil_share: tuple[float, ...] = series("Share of the oil of each bearing", "%", default=(1.0, 1.0), count=(2, 2), low=0, high=100,
+        symbol="x", help="[front, rear]: what of each bearing's oil this drain takes. Left out: all of both.")  # fmt: skip
+
+    @property
+    def id(self) -> str:
+        """What the ids of its checks begin with."""
+        return "countershaft.drain"
 
     def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.slope is None and (self.tilt is not None or self.bore is not None):
+            yield "slope_deg", Text("needed with tilt_deg and bore_mm: how steep the passage is")
         if self.hose_max < self.hose_min:
             yield "hose_max_mm", Text("must not be below hose_min_mm")
         if (wrong := thread_problem(self.thread)) is not None:
             yield "thread", wrong
+
+
+@inputs
+class FurtherDrain(OilDrain):
+    """A drain beside the first."""
+
+    name: str = text("Name")
+
+    @property
+    def id(self) -> str:
+        return f"countershaft.further_drains.{self.name}"
 
 
 @inputs

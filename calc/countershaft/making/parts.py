@@ -26,6 +26,7 @@ from .inputs import Support
 from .tolerance import ToleranceResult
 
 if TYPE_CHECKING:
+    from .drain import DrainResult
     from .scatter import ScatterResult
 
 
@@ -44,7 +45,7 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
     """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
     rho = materials[shaft.material].density
     result = replace(result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to))
-    scattered, other, bolted, chosen = _scatter(shaft, todo, masses, result, to), None, None, None
+    scattered, other, bolted = _scatter(shaft, todo, masses, result, to), None, None
     if shaft.cost is not None or shaft.mode == "size":
         from ..sizing.alternatives import Seat, compared, compared_table
 
@@ -64,13 +65,9 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
         to.checks += _support(shaft.support, support)
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
-    if shaft.oil_drain is not None:
-        from . import drain
-
-        chosen = drain.solve(shaft.oil_drain)
-        to.checks += drain.checks(chosen)
-        to.notes += drain.notes(chosen)
-    return replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=chosen, part_count=count, part_kinds=kinds)
+    drains = _drains(shaft, to)
+    return replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=drains.pop("", None), further_drains=drains or None,
+        part_count=count, part_kinds=kinds)  # fmt: skip
 
 
 def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
@@ -157,6 +154,19 @@ def _scatter(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass,
     to.curves += Later(lambda: scatter.curves(spread, limit))
     to.notes += scatter.notes(shaft.scatter, spread)
     return spread
+
+
+def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]":
+    """The drains by their names, the first one without; what is noted of all is noted once."""
+    asked = ([("", shaft.oil_drain)] if shaft.oil_drain is not None else []) + [(one.name, one) for one in shaft.further_drains]
+    if not asked:
+        return {}
+    from . import drain
+
+    chosen = {name: drain.solve(one) for name, one in asked}
+    to.checks += [check for one in chosen.values() for check in drain.checks(one)]
+    to.notes += dict.fromkeys(note for one in chosen.values() for note in drain.notes(one))
+    return chosen
 
 
 def _support(support: Support, material: Material) -> Iterator[Check]:

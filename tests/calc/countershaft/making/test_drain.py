@@ -1,15 +1,23 @@
 """The hose clamp and the pipe union of the oil drain."""
 
+import math
+from dataclasses import replace
+
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from calc.bearings.result import BearingsResult
 from calc.countershaft.making import drain
-from calc.countershaft.making.inputs import Clamp, OilDrain, Union
+from calc.countershaft.making.drainage import laminar_speed, run_off, turbulent_speed, with_oil
+from calc.countershaft.making.inputs import Clamp, OilDrain, Sleeve, Union
 from calc.countershaft.making.thread import thread, thread_problem
 from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of
+
+from ..shafts import outcome
+from ..shafts import verdicts as shaft_verdicts
 
 
 def asked(low, high, name="M18x1.5", **own):
@@ -36,6 +44,8 @@ def test_the_source_design():
             "countershaft.clamp_margin": 0.5,
             "countershaft.clamp_opening_din3021": 24.2,
             "countershaft.union_bore": 11.0,
+            "countershaft.sleeve_bore": 7.5,
+            "countershaft.sleeve_end": 16.0,
         }
     )
     assert verdicts(r) == {"clamp": "pass", "clamp_din3021": "pass", "union": "pass"}
@@ -170,6 +180,79 @@ def test_threads_of_the_table_can_be_read():
     assert len(drain.unions()) == 11
     assert all(thread_problem(union.thread) is None for union in drain.unions())
     assert len({thread(union.thread) for union in drain.unions()}) == 10
+    assert len(drain.sleeves()) == 8 and all(not list(sleeve.problems()) for sleeve in drain.sleeves())
+
+
+# --- sleeves ------------------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("name, bore", [("M8x1", 4), ("M12x1.5", 6), ("M14x1.5", 5), ("M18x1.5", 7.5), ("M22x1.5", 12), ("M10x1", None)])
+def test_sleeves_of_the_source(name, bore):
+    """Finotti 2013, 4.4: the ring goes over the thread; the only one for M10 takes no hose."""
+    r = drain.solve(asked(22.5, 24.0, name))
+    assert r.sleeve_bore == (None if bore is None else pytest.approx(bore / 1e3))
+    assert verdicts(r).get("sleeve") == ("note" if bore is None else None)
+
+
+def test_a_sleeve_of_the_design():
+    own = (
+        Sleeve(ring=18e-3, bore=9e-3, end=16e-3),
+        Sleeve(ring=18.05e-3, bore=10e-3, end=17e-3),
+        Sleeve(ring=18.2e-3, bore=12e-3, end=20e-3),
+    )
+    r = drain.solve(asked(22.5, 24.0, sleeves=own))
+    assert (r.sleeve_bore, r.sleeve_end) == (10e-3, 17e-3)
+    assert [key for key, _ in Sleeve(ring=1.0, bore=1.0, end=1.0).problems()] == ["end_mm"]
+
+
+# --- tilted machine -----------------------------------------------------------------------------------------------------------
+@pytest.mark.parametrize("tilt, verdict", [(None, None), (30.0, "pass"), (45.0, "fail"), (60.0, "fail")])
+def test_the_slope_that_a_tilted_machine_leaves(tilt, verdict):
+    """Finotti 2013, 3.2.2: 45° of the support, so that the oil leaves also on a slope."""
+    r = drain.solve(asked(22.5, 24.0, slope=math.radians(45), tilt=None if tilt is None else math.radians(tilt)))
+    assert math.degrees(r.drain_slope) == pytest.approx(45.0 - (tilt or 0.0)) and verdicts(r).get("slope") == verdict
+    assert any("bore_mm" in note for note in drain.notes(r))
+
+
+def test_a_tilt_needs_a_slope():
+    assert ["slope_deg"] == [key for key, _ in asked(22.5, 24.0, tilt=0.5).problems()]
+
+
+@settings(max_examples=30)
+@given(st.floats(0.01, 1.57), st.floats(2e-3, 30e-3), st.floats(2e-6, 1e-3))
+def test_what_runs_off_is_half_of_a_full_pipe(theta, d, nu):
+    """Hagen and Poiseuille below Re = (64/0.316)^(4/3), where Blasius gives the same; both laws balance weight and wall friction."""
+    v_l, v_t = (speed(theta=theta, d=d, nu=nu) for speed in (laminar_speed, turbulent_speed))
+    Q, v = run_off(d=d, v_l=v_l, v_t=v_t), min(v_l, v_t)
+    assert Q == pytest.approx(v * math.pi * d**2 / 8)
+    Re = v * d / nu
+    assert max(64 / Re, 0.316 / Re**0.25) * v**2 / (2 * d) == pytest.approx(9.80665 * math.sin(theta))
+    if Re < (64 / 0.316) ** (4 / 3):
+        assert Q == pytest.approx(math.pi * 9.80665 * math.sin(theta) * d**4 / (256 * nu))
+
+
+def test_the_oil_of_the_bearings_against_what_runs_off(gamma_results):
+    """The source's drain takes all of the rear bearing's oil and half of the front one's; its bore is not given."""
+    shaft, bearings = gamma_results.outcomes["countershaft"], gamma_results.result(BearingsResult)
+    found = {}
+    for bore in (8e-3, 16e-3):
+        wanted = replace(shaft.result.drain.drain, bore=bore)
+        solved = with_oil(replace(shaft, result=replace(shaft.result, drain=drain.solve(wanted))), bearings)
+        found[bore] = next(c for c in solved.checks if c.id == "countershaft.drain.run_off")
+        assert solved.result.drain.drain_flow == bearings.bearings["rear"].oil_flow + bearings.bearings["front"].oil_flow / 2
+    assert [c.verdict for c in found.values()] == ["warn", "pass"]
+    assert with_oil(shaft, bearings) is shaft
+
+
+# --- several ------------------------------------------------------------------------------------------------------------------
+def test_two_circuits():
+    """Finotti 2013, 3.1.2: solution alpha has two; each is chosen and judged by itself, and what is noted of both is noted once."""
+    own = {"hose_min_mm": 15.4, "hose_max_mm": 16.4, "thread": "M14x1.5"}
+    found = outcome(oil_drain=own, further_drains=[{**own, "name": "middle", "hose_max_mm": 17.0, "thread": "M22x1.5"}])
+    assert found.result.drain.union_bore == 9e-3 and found.result.further_drains["middle"].union_bore == 12e-3
+    assert {id: v for id, v in shaft_verdicts(found).items() if "drain" in id} == {
+        "drain.clamp": "pass", "drain.clamp_din3021": "pass", "drain.union": "pass",
+        "further_drains.middle.clamp": "fail", "further_drains.middle.union": "pass",
+    }  # fmt: skip
+    assert sum("clamps by" in note for note in found.notes) == 1
 
 
 def test_every_value_leads_back_to_a_line():
