@@ -66,8 +66,17 @@ def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
     count = f.part_count(n=column(shaft.parts, "count")) if shaft.parts else None
     kinds = based_on(float(len(shaft.parts)), shaft.parts) if shaft.parts else None
     drains = _drains(shaft, to)
-    return replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=drains.pop("", None), further_drains=drains or None,
+    whole = replace(result, scatter=scattered, alternative=other, bolts=bolted, drain=drains.pop("", None), further_drains=drains or None,
         part_count=count, part_kinds=kinds)  # fmt: skip
+    if shaft.support is not None:
+        to.tables += Later(lambda: _load_cases(shaft, whole))
+    return whole
+
+
+def _load_cases(shaft: CountershaftInputs, result: CountershaftResult) -> list[Table]:
+    from .load_cases import table  # which a check does not show
+
+    return table(shaft, result)
 
 
 def _permitted(shaft: CountershaftInputs, todo: Task, result: CountershaftResult, to: Gathered) -> ToleranceResult | None:
