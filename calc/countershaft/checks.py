@@ -18,6 +18,7 @@ from .result import CountershaftResult
 from .stationary_load import Gear
 from .task import LEFT_OVER, WORDS, Task
 
+WEAKEST = 235e6  # Pa: proof stress of the weakest structural steel
 Journals = tuple[tuple[Metre, Metre], ...]
 
 
@@ -129,9 +130,15 @@ def bending_checks(bent: Bending, material: Material) -> Iterator[Check]:
     # the stresses are nominal: of the full sections, whatever their share in the stiffness
     proof, source = material.proof_stress, Text("elasticity, proof stress of {name}", name=material.name)
     advice = Text("A larger core where the moment is largest, or a shorter span.")
+    name = Text("Largest bending stress, nominal")
     if proof is not None:
-        yield check("countershaft.bending_stress", Text("Largest bending stress, nominal"), bent.bending_stress, "<=", proof, "MPa",
+        yield check("countershaft.bending_stress", name, bent.bending_stress, "<=", proof, "MPa",
             Text("{source}; the stress stands still in the turning shaft", source=source), advice)  # fmt: skip
+    elif material.kind == "steel":
+        yield check("countershaft.bending_stress", name, bent.bending_stress, "<=", WEAKEST, "MPa",
+            Text("rule of this program: as the weakest structural steels; the strength of {name} is not known", name=material.name),
+            Text("Give the strength of {name} as a [[material]] of the design.", name=material.name), kind="caution",
+            missing=("material.proof_stress_MPa",))  # fmt: skip
     if proof is not None and bent.notch_stress is not None:
         yield check("countershaft.notch_stress", Text("Bending stress at the fillet of a shoulder"), bent.notch_stress, "<=", proof, "MPa",
             Text("{source}: above it the fillet yields locally", source=source),
