@@ -6,8 +6,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from calc.bearings.film.feeds import Feed
+from calc.bearings.film.feeds import Feed, Feeds
 from calc.bearings.film.grooved import solve_grooved
+from calc.bearings.film.grooved_table import eccentricity_from, film_at
+from calc.bearings.film.nodes import FilmRangeError
 from calc.bearings.routes.balance import settled
 from calc.design_file import design
 from calc.explain import chain
@@ -55,6 +57,22 @@ def test_many_states_are_the_one(results):
     many = settled(r.seat, replace(r.duty, load=np.array([r.load, 2 * r.load])))
     assert many.film[0] == pytest.approx(r.film, rel=1e-5)
     assert many.film[1] == pytest.approx(r.film_double_load, rel=1e-5)
+
+
+def test_from_the_film_back_to_the_eccentricity(results):
+    """There and back in the whole range; beyond it an error that names the range, or no number."""
+    r = results.outcomes["bearings"].result.bearings["front"]
+    b = r.seat.bearing
+    feeds = Feeds(tuple(Feed(angle, 2 * 5e-3 / b.diameter, 18e-3 / b.length) for angle in (math.pi / 2, 3 * math.pi / 2)))
+    ratio, eps = b.length / b.diameter, np.array([0.02, 0.1, 0.4, 0.7, 0.9, 0.98])
+    S = film_at(eps, ratio, feeds).sommerfeld
+    assert np.all(np.diff(S) < 0) and eccentricity_from(S[1:-1], ratio, feeds) == pytest.approx(eps[1:-1], abs=1e-5)
+    for beyond in (1.01 * S[0], 0.99 * S[-1]):
+        with pytest.raises(FilmRangeError) as off:
+            eccentricity_from(float(beyond), ratio, feeds)
+        assert (off.value.low, off.value.high) == pytest.approx((S[-1], S[0]), rel=1e-6)
+        assert math.isnan(eccentricity_from(float(beyond), ratio, feeds, outside="nan"))
+    assert np.isnan(eccentricity_from(np.array([1.01 * S[0], S[2]]), ratio, feeds, outside="nan")).tolist() == [True, False]
 
 
 def test_the_grooves_thin_the_film_of_a_plain_bearing_with_the_same_oil(gamma, results):

@@ -4,9 +4,13 @@ import math
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
 
-from calc.bearings.film.grooved import Feed, solve_grooved
+from calc.bearings.film.grooved import Feed, _grid, _nodes_across, overlap, solve_grooved
+from calc.bearings.film.grooved_table import GroovedTable, _bends
 from calc.bearings.film.table import film_at
 
 REFERENCE = tomllib.loads((Path(__file__).parents[2] / "reference" / "someya_two_axial_grooves.toml").read_text(encoding="utf-8"))
@@ -118,3 +122,36 @@ def test_feed_pressure_of_opposite_grooves_lifts_nothing_and_one_above_presses_d
 def test_what_has_no_meaning_is_refused(eps, feeds, words):
     with pytest.raises(ValueError, match=words):
         solve_grooved(eps, 0.5, feeds)
+
+
+@pytest.mark.parametrize("share", [0.3, 0.6, 1.0])
+@pytest.mark.parametrize("angles", [(math.pi / 2, 3 * math.pi / 2), (0.4,), (5.0, 1.0, 3.0)])
+def test_the_grid_goes_round_once_and_holds_what_lies_in_the_feeds_to_their_ends(angles, share):
+    feeds = tuple(Feed(angle, 0.3, share) for angle in angles)
+    grid, z = _grid(0.7, 0.6, 0.5, feeds, (96, 12)), _nodes_across(share, 12)
+    assert (z[0], z[-1]) == pytest.approx((0, 1)) and (np.diff(z) > 0).all() and np.abs(z - share).min() < 1e-12
+    assert grid.around.sum() == pytest.approx(2 * math.pi, rel=1e-3)
+    assert grid.across.sum() == pytest.approx(1) and (grid.conductance > 0).all()
+    off = np.abs(np.angle(np.exp(1j * (grid.alpha[:, None] - np.array(angles)))))
+    within = (off < 0.15 + 1e-9).any(axis=1)
+    held = within[:, None] & (z[:-1] < share + 1e-9)
+    assert np.array_equal(grid.fixed[1:-1], held[1:-1]) and grid.fixed[[0, -1]].all()
+    assert within.sum() > len(feeds) * 2 and np.abs(off - 0.15).min(axis=0) == pytest.approx(0, abs=1e-9)
+    assert np.abs(grid.film - (1 + 0.7 * np.cos(grid.theta))).max() < 1e-9
+
+
+@given(a=st.floats(0, 6.28), b=st.floats(0, 6.28), one=st.floats(0.05, 1.5), other=st.floats(0.05, 1.5))
+def test_feeds_overlap_where_they_are_nearer_than_half_of_both(a, b, one, other):
+    apart = abs(math.remainder(a - b, 2 * math.pi)) - (one + other) / 2
+    assume(abs(apart) > 1e-9)
+    assert overlap((Feed(a, one), Feed(b, other))) == (apart < 0)
+
+
+# --- the spline of daily use ---------------------------------------------------------------------------------------------------
+def test_the_spline_gives_a_cubic_back():
+    """Whose third derivative does not jump anywhere: between the nodes too, and at both ends."""
+    x = np.linspace(0.1, 2.1, 9)
+    cubic = np.stack([(x - 0.7) ** 3, 2 * x**2 - x, np.ones(9)], axis=1)
+    table = GroovedTable(x, cubic, _bends(cubic, x[1] - x[0]), x, x)
+    at = np.linspace(0.1, 2.1, 57)
+    assert table.at(at) == pytest.approx(np.stack([(at - 0.7) ** 3, 2 * at**2 - at, np.ones(57)], axis=1), abs=1e-12)
