@@ -32,29 +32,6 @@ def nearest_passing(case):
 
 
 @pytest.fixture(scope="module")
-def tight(gamma, gamma_results):
-    """The source's design, whose front journal has room for 27.5 mm."""
-    return bearings_case(design(gamma), gamma_results)
-
-
-@pytest.fixture(scope="module")
-def fitting(tight):
-    return search(tight)
-
-
-@pytest.fixture(scope="module")
-def source(gamma):
-    """The same without an outline, so that no room is known."""
-    made = design(gamma)
-    return bearings_case(replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)))
-
-
-@pytest.fixture(scope="module")
-def found(source):
-    return search(source)
-
-
-@pytest.fixture(scope="module")
 def sized():
     return bearings_case(design(read(DESIGNS / "r753ie4_sized.toml")))
 

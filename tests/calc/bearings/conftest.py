@@ -1,0 +1,32 @@
+"""The source's bearings as the search sees them, with the room that the shaft leaves and without any, and what it finds: once for all tests."""
+
+from dataclasses import replace
+
+import pytest
+
+from calc.bearings.selection.search import search
+from calc.design_file import design
+from calc.selection import bearings_case
+
+
+@pytest.fixture(scope="session")
+def tight(gamma, gamma_results):
+    """The source's design, whose front journal has room for 27.5 mm."""
+    return bearings_case(design(gamma), gamma_results)
+
+
+@pytest.fixture(scope="session")
+def fitting(tight):
+    return search(tight)
+
+
+@pytest.fixture(scope="session")
+def source(gamma):
+    """The same without an outline, so that no room is known."""
+    made = design(gamma)
+    return bearings_case(replace(made, countershaft=replace(made.countershaft, outer_radius=None, core_radius=None)))
+
+
+@pytest.fixture(scope="session")
+def found(source):
+    return search(source)
