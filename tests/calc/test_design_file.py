@@ -107,6 +107,17 @@ def test_what_is_no_design_is_refused_without_a_traceback(raw, words):
     assert any(words in e for e in found), found
 
 
+@pytest.mark.parametrize("raw, line, words", [
+    (b"a = 1\nb = 2,5\nc = 3\n", 2, "decimals are written with a point: 2.5"), (b"a = 1\nb = [1,\n  2", 3, "Unclosed array"),
+    (b"a = 1\nb = [1,\n", 3, "is not TOML"), (b"a = ", 1, "Invalid value"), (b"\xef\xbb\xbfa = 1\nb = \n", 2, "Invalid value"),
+    (b"a = 1\n# caf\xe9\n", 2, "UTF-8"), (b"# 1,5\nb = \n", 2, "is not TOML"),
+])  # fmt: skip
+def test_where_a_file_stops_being_toml_is_said(raw, line, words):
+    """Where it ends too early: its last line.  A decimal comma is spoken of in its own line alone."""
+    (found,) = errors(raw)
+    assert found.startswith(f"d.toml:{line}: ") and words in found and ("decimals" in found) == (b"2,5" in raw)
+
+
 def test_a_huge_file_is_refused_before_it_is_read_as_toml(tmp_path):
     path = tmp_path / "huge.toml"
     path.write_bytes(b"# " + b"x" * 2_000_000)

@@ -4,6 +4,7 @@ import dataclasses
 import math
 import time
 from io import StringIO
+from itertools import pairwise
 
 import ezdxf
 import numpy as np
@@ -14,7 +15,7 @@ from calc.gears.profile.cut import Cut
 from calc.gears.profile.drawing import LAYERS, data_table, train_drawing, wheel_drawing
 from calc.gears.profile.outline import shifts
 from calc.gears.solve import geometry, with_layout
-from calc.sheet.drawing import Polyline
+from calc.sheet.drawing import Arc, Polyline, Words
 from reports.dxf import dxf
 
 from ..trains import SPEED, mesh, r753, solved, train, wheel
@@ -187,6 +188,38 @@ def test_the_first_tooth_points_where_it_is_said(whole):
     one = at.size // 25
     middle = at[one // 2]
     assert abs(middle) * 2 == pytest.approx(whole.wheels["crank"].tip_diameter) and np.angle(middle) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_a_train_that_is_not_placed_as_a_whole_stands_in_a_row(whole):
+    """Nothing given, or not every wheel; the first tooth of the first driver then points up, and the words under the drawing say which."""
+    places = placed(whole)
+    some = {name: places[name] for name in list(places)[1:]}
+    all_alike = {
+        tuple(map(str, map(vars, shapes)))
+        for shapes in (train_drawing(whole), train_drawing(whole, "", some), train_drawing(whole, "", {}))
+    }
+    assert len(all_alike) == 1
+    row, bent = train_drawing(whole), train_drawing(whole, "", places)
+    said = [[p.text for p in shapes if isinstance(p, Words)] for shapes in (row, bent)]
+    assert "In a row" in said[0][-1] and "Drawn up" in said[1][-1] and len(said[0]) == len(said[1]) == len(whole.wheels) + 2
+    at = np.array([complex(*p) for p in next(p for p in row if isinstance(p, Polyline) and p.closed).points])
+    assert np.angle(at[at.size // 25 // 2]) == pytest.approx(math.pi / 2, abs=1e-9)
+
+
+@pytest.mark.parametrize("bent", [True, False])
+def test_the_words_of_a_train_stand_at_their_wheels_and_below_all_of_them(whole, bent):
+    """Names beside the axes; the title and what is said below the lowest tip circle, one under the other, from the leftmost on."""
+    drawing = train_drawing(whole, "A train", placed(whole) if bent else None)
+    tips = {p.centre: p.radius for p in drawing if isinstance(p, Arc) and p.layer == "TIP"}
+    words = [p for p in drawing if isinstance(p, Words)]
+    names, below = words[:-3], words[-3:]
+    assert [p.text for p in names] == [f"{name}, z {w.teeth}" for name, w in whole.wheels.items()] and below[0].text == "A train"
+    for word, (centre, radius) in zip(names, tips.items()):
+        assert 0 < word.at[0] - centre[0] < radius / 4 and 0 < word.at[1] - centre[1] < radius / 4
+    low, left = min(y - r for (_, y), r in tips.items()), min(x - r for (x, _), r in tips.items())
+    assert [p.at[0] for p in below] == pytest.approx([left] * 3)
+    heights = [p.at[1] for p in below]
+    assert low - 0.02 < heights[0] < low - below[0].height and all(b < a - below[0].height for a, b in pairwise(heights))
 
 
 def test_a_driver_of_two_wheels_has_them_on_different_sides():
