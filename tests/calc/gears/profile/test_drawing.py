@@ -55,6 +55,18 @@ def test_circles_have_the_diameters_of_the_wheel(whole, idler):
                                             whole.meshes["idler_shaft"].working_diameter_driver]), rel=1e-12)  # fmt: skip
 
 
+def test_the_axes_cross_in_the_middle_and_stand_out_beyond_the_tips(whole):
+    for shapes, centre in (
+        (wheel_drawing(whole, "idler"), 0j),
+        (train_drawing(whole), complex(whole.meshes["crank_central"].centre_distance)),
+    ):
+        lines = [p.points for p in shapes if p.layer == "AXIS"]
+        across = [(complex(*a), complex(*b)) for a, b in lines if abs(complex(*a) + complex(*b) - 2 * centre) < 1e-12]
+        radius = whole.wheels["central" if centre else "idler"].tip_diameter / 2
+        assert [np.angle(b - a) for a, b in across] == pytest.approx([0.0, math.pi / 2])
+        assert all(radius * 1.01 < abs(b - a) / 2 < radius * 1.1 for a, b in across)
+
+
 @pytest.mark.parametrize("layer, end", [("PROFILE", ""), ("PROFILE_MAX", "max"), ("PROFILE_MIN", "min")])
 def test_the_outline_repeats_with_every_tooth_and_goes_round_once(whole, idler, layer, end):
     points, z = polyline(idler, layer), 39
