@@ -29,7 +29,7 @@ COMPARED = {
 LOGICAL = {ast.And: ("and", "or"), ast.Or: ("or", "and")}
 EXTREMES = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "sin": "cos", "cos": "sin"}
 SAYING = {"Text", "quantity", "value", "group", "table", "tables", "Amount", "round", "range", "rounded", "integers"}  # take no results
-TIME = 240  # s; a mutant that loops for ever is dead as well
+TIME = 900  # s; a mutant that loops for ever is dead as well; generous, since the machine may be busy
 
 
 class Mutant(NamedTuple):
