@@ -13,6 +13,7 @@ from calc.design_file import design, parse
 from calc.engine import solve as engine
 from calc.engine.crank import pin_of_cylinder
 from calc.imbalance.inputs import ImbalanceInputs
+from calc.imbalance.throws import polygons
 from calc.sheet.errors import BadInput
 from calc.sheet.quantity import published
 from calc.solve import solve
@@ -167,6 +168,22 @@ def test_cylinders_side_by_side_share_a_pin_only_at_one_radius():
     for radii, pins in (([300.0, 300.0], [0, 0]), ([300.0, 250.0], [0, 1])):
         inputs = design(parse(vee.replace("bore_mm", f"crank_radii_mm = {radii}\nbore_mm").encode(), "d.toml")).engine
         assert pin_of_cylinder(inputs, engine.values(inputs).crank).tolist() == pins
+
+
+def test_each_throw_and_each_bob_stands_at_its_own_radius():
+    """The throws together, and what bobs of 0.5 kg lack of the equivalent masses: sums of m·r and m·r·z; the polygon ends where they do."""
+    r = np.array([0.05, 0.04, 0.06])
+    given = ImbalanceInputs(crank_balance_fraction=0.3, bob_mass=0.5)
+    inputs, e, found = solved(given, crank_radius=r[0], crank_radii=tuple(r))
+    turned, omega = r * np.exp(1j * e.crank.phi) * e.angular_speed**2, e.angular_speed
+    whole = e.rotating_mass * turned.sum()
+    lacking = (e.rotating_mass + 0.3 * e.reciprocating_mass - 0.5) * turned
+    assert found.throw.force_together == pytest.approx(abs(whole))
+    assert found.webs.missing_forward_force == pytest.approx(abs(lacking.sum()))
+    assert found.webs.missing_forward_couple == pytest.approx(abs((lacking * e.crank.z).sum()))
+    assert found.one_force == pytest.approx(e.reciprocating_mass * r.mean() * omega**2)
+    ends = polygons(inputs, e, found.throw)[0].series[3]
+    assert ends.y[1] + 1j * ends.x[1] == pytest.approx(whole)
 
 
 def test_rotating_masses_that_the_crank_leaves():
