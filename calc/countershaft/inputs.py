@@ -140,7 +140,7 @@ class CountershaftInputs:
         source=THUMB, help="Its radius. Left out: no notch stress.")  # fmt: skip
     sector_effectiveness: float = quantity("Stiffness share of the sectors", default=0.2, low=0.1, high=1, symbol="eta", step=0.05,
         usual=(0.2, 0.4), source="Finotti 2013, 4.6 (in chapter 6), by fit to its slopes",
-        help="Of their full section, with the ribs that join them; 1 is optimistic, 0.2 honest.")  # fmt: skip
+        help="Of their full section; 1 is optimistic, 0.2 honest.")  # fmt: skip
     gear_z: float | None = quantity("Middle of the gear", "mm", default=None, low=-5000, high=5000, symbol="z_G",
         help="From mid-shaft, + towards the flywheel. Left out: ahead of the front journal, against it.")  # fmt: skip
     journals: tuple[Journal, ...] = tables("Journals", Journal, default=())
