@@ -4,13 +4,15 @@
     python bench/mutants.py [COUNT] [SEED] [PROCESSES]
 
 Drawn at random over all places where an operator, a comparison, a number, a sign, `min` or `max` can be exchanged; texts, units, labels
-and annotations are no such places.  Against each, first the tests that import its module, then those of its step, then those of the
-whole of calc/.  Printed: a line for each (killed, by which file, or survived), then the share that died, and the survivors.
+and annotations are no such places.  Against each, first the tests that import its module, then those of its step (of calc/languages:
+tests/languages), then those of the whole of calc/.
+Printed: a line for each (killed, by which file, or survived), then the share that died, and the survivors.
 """
 
 import ast
 import os
 import random
+import resource
 import shutil
 import subprocess
 import sys
@@ -29,7 +31,7 @@ COMPARED = {
 LOGICAL = {ast.And: ("and", "or"), ast.Or: ("or", "and")}
 EXTREMES = {"min": "max", "max": "min", "minimum": "maximum", "maximum": "minimum", "sin": "cos", "cos": "sin"}
 SAYING = {"Text", "quantity", "value", "group", "table", "tables", "Amount", "round", "range", "rounded", "integers"}  # take no results
-TIME = 900  # s; a mutant that loops for ever is dead as well; generous, since the machine may be busy
+TIME = 240  # s of the processor's time, however loaded the machine is; a mutant that loops for ever is dead as well
 
 
 class Mutant(NamedTuple):
@@ -103,7 +105,8 @@ def stages(mutant: Mutant) -> list[list[str]]:
     module = ".".join(("calc", *inside.with_suffix("").parts))
     named = (f"{module} import", f"{module.rpartition('.')[0]} import {stem}")
     near = [x for x in tests if any(name in x.read_text(encoding="utf-8") for name in named)]
-    step = [x for x in tests if x.parent != ROOT / "tests" / "calc" and folder in x.parts and x not in near]
+    said = sorted((ROOT / "tests" / "languages").glob("test_*.py")) if folder == "languages" else []
+    step = [x for x in tests if x.parent != ROOT / "tests" / "calc" and folder in x.parts and x not in near] + said
     rest = [x for x in tests if x not in near and x not in step and x.parent == ROOT / "tests" / "calc"]
     rest += [] if len(inside.parts) > 1 and folder != "sheet" else [x for x in tests if x not in near and x not in rest]
     return [[str(x.relative_to(ROOT)) for x in some] for some in (near, step, rest) if some]
@@ -119,9 +122,8 @@ def killer(mutant: Mutant, copy: Path) -> str:
     try:
         for files in stages(mutant):
             command = [sys.executable, "-m", "pytest", "-x", "-q", "--no-header", "-p", "no:cacheprovider", *files]
-            try:
-                run = subprocess.run(command, cwd=copy, capture_output=True, text=True, env=environment, timeout=TIME)
-            except subprocess.TimeoutExpired:
+            run = subprocess.run(command, cwd=copy, capture_output=True, text=True, env=environment, preexec_fn=_limited)
+            if run.returncode < 0:
                 return "no end"
             if run.returncode:
                 failed = [line.split()[1].split("::")[0] for line in run.stdout.splitlines() if line.startswith(("FAILED ", "ERROR "))]
@@ -130,6 +132,10 @@ def killer(mutant: Mutant, copy: Path) -> str:
     finally:
         target.write_bytes(source)
         os.utime(target, ns=(times.st_atime_ns, times.st_mtime_ns))
+
+
+def _limited() -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (TIME, TIME))
 
 
 def main() -> None:
