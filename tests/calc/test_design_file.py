@@ -82,6 +82,45 @@ def test_one_mistake_is_named_with_its_line(old, new, line, words):
         assert any(e.startswith(f"d.toml:{at}: ") for e in found), (at, found)
 
 
+ENGINE, BEARINGS = "table to take it from", "where there is no [bearings] table"
+
+
+@pytest.mark.parametrize("name, changes, named", [
+    ("r753ie4_gamma", {"countershaft.speed_ratio": 1}, {"countershaft.speed_ratio": "must be -1"}),
+    ("r753ie4_gamma", {"countershaft.bearing_positions_mm": [-167.5, 0, 167.5]}, {"countershaft.bearing_positions_mm": "give two"}),
+    ("r753ie4_gamma", {"imbalance.crank_bodies_throw_at_tdc": 4}, {"imbalance.crank_bodies_throw_at_tdc": "from 1 to 3"}),
+    ("r753ie4_gamma", {"gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
+    ("r753ie4_gamma", {"engine": None}, {"bearings.speed_rpm": ENGINE, "gears.speed_rpm": ENGINE}),
+    ("r753ie4_gamma", {"bearings": None}, {"friction.oil": BEARINGS, "friction.oil_temperature_C": BEARINGS, "gears.power_kW": BEARINGS}),
+    ("timing_pair", {"gears.speed_rpm": None}, {"gears.speed_rpm": ENGINE}),
+    ("timing_pair", {"gears.power_kW": None}, {"gears.power_kW": "whose loss the train carries"}),
+    ("timing_pair", {"gears.speed_irregularity": 0.1}, {"gears.irregularity_order": "whose firing order it is"}),
+    ("timing_pair", {"gears.speed_irregularity": 0.1, "gears.irregularity_order": 2}, {}),
+    ("timing_pair", {"gears.wheels.crank.position_mm": [1, 0], "gears.wheels.pump.position_mm": [133.67, 0]}, {}),
+    ("r753ie4_gamma", {"gears.speed_rpm": 2600, "gears.wheels.crank.position_mm": [1, 0]}, {"gears.wheels.0.position_mm": "must be [0, 0]"}),
+])  # fmt: skip
+def test_what_only_the_whole_design_can_show(name, changes, named):
+    """What one table takes from another, where it is not there; what the engine or the bearings say already."""
+    document = read(DESIGNS / f"{name}.toml")
+    for key, value in changes.items():
+        document = document.with_value(key, value) if "." in key else Document({k: v for k, v in document.data.items() if k != key})
+    if not named:
+        design(document)
+        return
+    with pytest.raises(BadInput) as bad:
+        design(document)
+    assert {error.key for error in bad.value.errors} == set(named)
+    assert all(named[error.key] in error.reason for error in bad.value.errors)
+
+
+@pytest.mark.parametrize("rear, overlap", [(13.4, True), (13.6, False)])
+def test_journals_stand_clear_of_each_other(gamma, rear, overlap):
+    """27.5 and 26.5 mm long, 13.5 mm before the middle and so far behind it: they touch at 27 mm."""
+    with pytest.raises(BadInput) as bad:  # the masses then stand outside
+        design(gamma.with_value("countershaft.bearing_positions_mm", [-13.5, rear]))
+    assert any(error.key == "countershaft.bearing_positions_mm.1" for error in bad.value.errors) == overlap
+
+
 def test_every_error_at_once_in_the_order_of_the_lines():
     text = (
         TEXT.replace("bore_mm = 94.0", "bore_mm = -1")

@@ -11,7 +11,7 @@ from calc.engine import solve as engine
 from calc.engine.crank import crank, firing
 from calc.engine.firing import evenest, in_order
 from calc.engine.inputs import EngineInputs
-from calc.imbalance.firing_orders import firing_orders
+from calc.imbalance.firing_orders import as_designed, cranks_table, firing_orders, orders_table
 from calc.imbalance.inputs import ImbalanceInputs
 from calc.sheet.errors import NoSolution
 
@@ -243,3 +243,27 @@ def test_of_equal_orders_the_one_that_spares_bearings_and_intake_leads():
     four = EngineInputs(**{**R753, "cylinders": 4, "firing_order": (1, 3, 4, 2)})
     best, second = firing_orders(ImbalanceInputs(), four, engine.values(four))[:2]
     assert (best.neighbours, best.same_half) == (second.neighbours, second.same_half) == (2, 2)
+
+
+@pytest.mark.parametrize("kinematics", ["exact", "two_term"])
+def test_the_design_stands_above_the_orders_as_the_list_has_it(kinematics):
+    """A five with an order that is not the best: its row is that of the same order further down; ranks, pins, and how many are shown."""
+    imbalance = ImbalanceInputs(kinematics=kinematics)
+    inputs, e, i = solved(imbalance, cylinders=5, firing_order=(1, 3, 5, 4, 2))
+    found = firing_orders(imbalance, inputs, e)
+    own, rows = as_designed(imbalance, inputs, e), orders_table(found, 30, as_designed(imbalance, inputs, e), inputs).rows
+    assert own.order == (1, 3, 5, 4, 2) and own.couple_1_forward == pytest.approx(i.orders["order_1"].couple_forward)
+    same = next(row for row in rows[1:] if row[1] == "1-3-5-4-2")
+    assert rows[0][0] == "" and rows[0][1:4] == same[1:4] and rows[0][4:] == pytest.approx(same[4:], abs=1e-6)
+    assert [row[0] for row in rows[1:]] == list(range(1, 25)) and all(row[3] == 5 for row in rows)
+    short = orders_table(found, 7, own, inputs)
+    assert len(short.rows) == 8 and short.note.startswith("7 of 24 orders, under the design as it is.")
+
+
+def test_of_each_crank_the_best_order_is_shown():
+    """A four-stroke six: 120 orders on 30 cranks of three pins or of six."""
+    inputs, e, _ = solved(cylinders=6, firing_order=(1, 2, 3, 4, 5, 6))
+    found = firing_orders(ImbalanceInputs(), inputs, e)
+    table = cranks_table(found, inputs, most=5)
+    assert table.note.startswith("120 orders on 30 different cranks") and len(table.rows) == 5
+    assert table.rows[0][0] == "-".join(map(str, found[0].order)) and len({row[1] for row in table.rows}) == 5
