@@ -10,6 +10,7 @@ import pytest
 from calc.design_file import design, read
 from calc.imbalance.inputs import CrankBody, ImbalanceInputs, Unbalance
 from calc.imbalance.solve import solve
+from calc.sheet.quantity import published
 
 from .engines import solved
 
@@ -41,6 +42,9 @@ def test_equal_bobs_of_427_grams():
     found = webs()
     assert [bob.number * 1e3 for bob in found.bob_mass.values()] == pytest.approx([427.469] * 3, abs=5e-4)
     assert found.crank["balanced"].product_side == 0
+    assert [(p.id, p.label, p.symbol) for p in published(found, "") if p.id.startswith(".bob_mass")] == [
+        (f".bob_mass.{j}", f"Bob mass on pin {j}", f"m_{j}") for j in (1, 2, 3)
+    ]
 
 
 def test_bobs_per_pin_take_the_whole_couple_and_keep_the_middle_one():

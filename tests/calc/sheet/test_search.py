@@ -55,6 +55,7 @@ def test_the_steps_beside_a_number():
     assert beside(27.5e-3, 0.5e-3) == (27e-3, 28e-3)
     assert beside(90.04e-6, 5e-6) == (85e-6, 95e-6)
     assert beside(94e-6, 5e-6) == (90e-6, 100e-6)  # 95 is less than half a step away
+    assert beside(92.5e-6, 5e-6) == pytest.approx((85e-6, 100e-6))  # 90 and 95 are no more than that
 
 
 # --- many at once ----------------------------------------------------------------------------------------------------------

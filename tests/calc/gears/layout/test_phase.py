@@ -127,6 +127,9 @@ def test_hunting_teeth_of_the_train():
     }  # fmt: skip
     judged = verdicts(found)
     assert [judged[f"{k}.hunting"] for k in found.result.meshes] == ["pass", "note", "pass"]
+    said = [c.advice for c in found.checks if c.id.endswith(".hunting")]
+    assert ["meets only" in advice for advice in said] == [False, True, False]
+    assert "central meets only 13 of the 39 teeth of idler, and one fault returns after 13 turns of central" in said[1]
 
 
 def test_marks_meet_again_after_whole_turns_of_every_wheel_and_not_before():
