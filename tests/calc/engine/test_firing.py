@@ -161,6 +161,16 @@ def test_engines_that_can_not_be_listed_are_refused(changes):
         firing_orders(ImbalanceInputs(), inputs, e)
 
 
+@pytest.mark.parametrize("changes, needed", [
+    (dict(layout="vee", cylinders=6, bank_angle=1.0), True), (dict(layout="boxer", cylinders=4), True), (dict(cylinders=13), True),
+    (dict(cylinders=12), False), (dict(layout="boxer", cylinders=2, crank_angles=angles(0, 180)), False),
+])  # fmt: skip
+def test_where_no_usual_order_is_known_the_crank_is_asked_for(changes, needed):
+    """Above twelve cylinders, and for banks."""
+    found = dict(EngineInputs(**{**R753, "firing_order": None, **changes}).problems())
+    assert ("crank_angles_deg" in found) == needed and (not needed or "needed here" in found["crank_angles_deg"])
+
+
 @pytest.mark.parametrize("cylinders", range(1, 13))
 def test_every_inline_engine_has_an_order_without_being_asked(cylinders):
     found = fired(cylinders=cylinders, firing_order=None)

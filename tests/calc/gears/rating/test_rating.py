@@ -95,6 +95,24 @@ def test_load_distribution_of_2019_at_its_ends(eps_beta, expected):
     assert s.load_distribution(eps_beta, 1.5) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(
+    "eps_beta, low, high",
+    [(0.0, 1.0, math.sqrt(0.5)), (1.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3)), (2.0, 1 / math.sqrt(2.3), 1 / math.sqrt(2.3))],
+)
+def test_the_load_of_the_root_at_the_ends_of_the_overlap(eps_beta, low, high):
+    """A spur pair: by one tooth, from ε_αn 2 on by two; with an overlap of 1 or more the lines of contact share it evenly."""
+    assert s.load_distribution(eps_beta, 2.3) == pytest.approx(low) and s.load_distribution_high(eps_beta, 2.3) == pytest.approx(high)
+
+
+@pytest.mark.parametrize("h, rho, s_pr", [(1.25, 0.38, 0.0), (1.4, 0.2, 0.0), (1.4, 0.3, 0.05e-3)])
+def test_the_corner_of_the_tool_touches_its_flank(h, rho, s_pr):
+    """E is the distance of its centre from the middle of the tool's tooth: ρ away, at right angles, from the flank that stands s_pr out."""
+    m_n, alpha = 2e-3, math.radians(20)
+    x = s.tool_half_width(m_n=m_n, h_fP=h, alpha_n=alpha, s_pr=s_pr, rho_aP0=rho)
+    flank = m_n * (math.pi / 4 - (h - rho) * math.tan(alpha)) + s_pr / math.cos(alpha)  # at the height of the centre
+    assert (flank - x) * math.cos(alpha) == pytest.approx(rho * m_n)
+
+
 @pytest.mark.parametrize("eps_beta, Z_eps", [(0.0, math.sqrt(2.5 / 3)), (1.0, math.sqrt(1 / 1.5)), (3.0, math.sqrt(1 / 1.5))])
 def test_contact_ratio_factor_at_its_ends(eps_beta, Z_eps):
     assert s.contact_ratio_factor(1.5, eps_beta) == pytest.approx(Z_eps)
