@@ -111,7 +111,7 @@ def solve(
     """
     kept = before.parts if before is not None and before.recorded >= traced else {}
     part = Parts(TITLES, kept, stop=stop, enough=enough)
-    told = [] if before is None else [before] if before.recorded else list(before._told)
+    told = [] if before is None or traced else [before] if before.recorded else list(before._told)  # of what is recorded: no chain
     with seldom_collected(), recorded(traced):
         try:
             outcomes = _solve(part, design)

@@ -26,6 +26,16 @@ KEYS = ("mass_kg", "radius_mm", "angle_deg", "z_mm")
 MASSES = {f"countershaft.masses.{name}.{key}" for name in ("front", "rear") for key in KEYS}
 
 
+def test_a_session_keeps_the_lines_of_one_version_only():
+    """Each look takes over what the last one recorded, and lets the ones before go."""
+    document, results = read(DESIGNS / f"{R754}.toml"), RESULTS[R754]
+    for speed in (2400.0, 2500.0, 2600.0):
+        document = document.with_value("engine.rated_speed_rpm", speed)
+        results = solve(design(document), results)
+        last = results.traced()
+        assert last.recorded and last is results.traced() and not last._told
+
+
 def inputs_of(name, value):
     return {key for link in CHAINS[name].of(value) for key in link.inputs}
 
