@@ -21,7 +21,7 @@ from .sheet.units import UNITS
 class Measured:
     """One row of [[measured]]."""
 
-    value: str = text("Value", help="The id of a value, as `check` prints it, or the key of an input.")
+    value: str = text("Value", help="The id of a value, as `check --all` prints it, or the key of an input.")
     speed: float | None = quantity("Speed", "rpm", above=0, high=30000, default=None, help="Left out: the design's own speed.")
     is_: float = quantity("Measured", help="In the unit of the row.")
     unit: str = text("Unit", default="", help="That in which the value is shown.")

@@ -259,5 +259,5 @@ def _no_value(id: str, known: dict[str, str]) -> Text:
     return (
         Text("is no value of these designs")
         + (f'; did you mean "{near[0]}"?' if near else "")
-        + " (`contralbero check FILE` prints them all)"
+        + " (`contralbero check FILE --all` prints them)"
     )

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero check`: solve a design and print values, checks and verdicts."""
+"""`contralbero check`: solve a design and print its verdicts, main values and findings, or all that it gives."""
 
 import sys
 from argparse import Namespace

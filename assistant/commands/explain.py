@@ -70,7 +70,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
             reason = Text("its step has no values: {state}: {why}", state=state, why=why)
             raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
         near = get_close_matches(asked.value, list(values), 3, 0.4)
-        hint = Text("did you mean {ids}?", ids=", ".join(near)) if near else Text("`contralbero check` lists the values")
+        hint = Text("did you mean {ids}?", ids=", ".join(near)) if near else Text("`contralbero check FILE --all` lists the values")
         raise BadInput(document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))])
     if asked.value.startswith("friction.scenarios."):
         return _scenario(asked, document, design)
