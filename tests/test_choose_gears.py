@@ -33,9 +33,9 @@ def searched_once():
     """The same gears are searched once for all tests that list them or write a row of them."""
     known = []
 
-    def once(gears, progress=None):
-        found = next((found for other, found in known if other == gears), None) or search(gears, progress=progress)
-        known.append((gears, found))
+    def once(gears, progress=None, axis=None):
+        found = next((found for other, found in known if other == (gears, axis)), None) or search(gears, progress, axis)
+        known.append(((gears, axis), found))
         return found
 
     with pytest.MonkeyPatch.context() as patch:

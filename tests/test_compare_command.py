@@ -44,7 +44,7 @@ def test_what_differs_stands_first(capsys, found) -> None:
     assert places == sorted(places)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
     assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
-    assert re.search(r"Counter-shaft +▲ warn +▲ warn: 2 warn\n", out)
+    assert re.search(r"Counter-shaft +✓ pass +▲ warn: 2 warn\n", out)
     assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
     assert re.search(r"bearings\.rear\.transition .*≥ 3253 rpm → ≥ 1383 rpm", out)
     assert f"{len(found['inputs'])} inputs differ." in out
@@ -68,7 +68,7 @@ def test_json_has_both_sides(found) -> None:
     assert all(len(d["sha256"]) == 64 for d in found["designs"])
     length = next(d for d in found["inputs"] if d["key"] == "bearings.front.length_mm")
     assert length == {"key": "bearings.front.length_mm", "label": "Length", "unit": "mm", "a": 26.0, "b": 27.5}
-    assert found["steps"]["countershaft"] == {"a": "warn", "b": "warn", "moved": False}
+    assert found["steps"]["countershaft"] == {"a": "pass", "b": "warn", "moved": True}
     edge = next(c for c in found["checks"] if c["id"] == "bearings.rear.film_edge")
     assert edge["moved"] and edge["in"] == "both" and (edge["a"]["verdict"], edge["b"]["verdict"]) == ("fail", "pass")
     assert edge["a"]["limit"] == 9.0 and edge["a"]["margin"] < 0 < edge["b"]["margin"]

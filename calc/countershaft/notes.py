@@ -42,7 +42,10 @@ def bending_notes(bent: Bending, steel: Material) -> Iterator[Text]:
     yield from bent.notes
     yield Text("Bending stresses are nominal, of the full sections; sectors across the load's plane are bent as if they stood in it.")
     if steel.proof_stress is None:
-        yield Text("No strength of {name} is known: its stresses and its fatigue are not verified.", name=steel.name)
+        yield Text(
+            "No strength of {name} is known: its bending stress is held against the weakest steels; notch and fatigue are not verified.",
+            name=steel.name,
+        )
 
 
 def supports_note(stepped: bool) -> Text:
