@@ -242,7 +242,7 @@ def text(tree: Expr, outer: float = 0) -> str:
             out = plain(tree.name)
         case "pow":
             exponent = text(a[1])
-            raised = exponent.translate(SUPERSCRIPTS) if exponent.lstrip("−").isdigit() else f"^{text(a[1], 5)}"
+            raised = exponent.translate(SUPERSCRIPTS) if exponent.lstrip("−").isdecimal() else f"^{text(a[1], 5)}"
             out = f"{text(a[0], 4.5)}{raised}"
         case "sqrt":
             out = f"√{text(a[0], 5)}" if a[0].head in ("symbol", "number") else f"√({text(a[0])})"

@@ -123,7 +123,7 @@ def read_again(text):
 
 @given(tree=trees)
 @example(tree=expression.Expr("pow", (expression.Expr("pow", (A, TWO)), TWO)))
-@example(tree=expression.Expr("pow", (A, expression.Expr("pow", (A, TWO)))))
+@example(tree=expression.Expr("pow", (A, expression.Expr("pow", (TWO, TWO)))))
 def test_what_is_written_reads_as_what_is_meant(tree):
     """Brackets stand wherever another order of the operations would be read, so of a power of a power."""
     try:
