@@ -65,6 +65,11 @@ def with_unit(u: Metre) -> Number:
     return HALF * u / 1
 
 
+@formula("w", "a formula for this test")
+def of_ones(u: Metre, a: Metre) -> Number:
+    return 1 * u / 1 - (a - u) * 1
+
+
 def only(call, *args, **kwargs):
     with trace() as lines:
         call(*args, **kwargs)
@@ -231,3 +236,7 @@ def test_a_formula_keeps_the_signature_of_its_function():
     assert list(inspect.signature(specific_load).parameters) == ["F", "d", "l"]
     assert inspect.unwrap(specific_load) is specific_load.function
     assert Formula.__doc__.startswith("A formula with its symbol")
+
+
+def test_ones_that_only_carry_a_unit_are_not_written():
+    assert line_text(only(of_ones, 3.0, 2.0))[:2] == ("w = u − (a − u)", "= 3 − (2 − 3) = 4")
