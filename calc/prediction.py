@@ -21,6 +21,7 @@ COLUMNS = (
 )  # fmt: skip
 TITLE = Text("Measured beside predicted")
 NO_VALUE = Text("this design has no such value")
+NOT_THERE = Text("is not known at this speed")
 NOTE = Text(
     "Deviation: predicted less measured, over measured. Inside: within the uncertainty of the measurement. At another speed the design is "
     "solved again with its clearances as they are, and with the oil of the bench run at that speed where there is one."
@@ -44,8 +45,9 @@ class Predicted:
         if speed not in self._solved:
             other = at_speed(self._design, speed, self._values)
             self._solved[speed] = other, self._at(other)
-        found, why = _predicted(row, *self._solved[speed])
-        return found, Text("has no solution at this speed") if why == NO_VALUE and row.value in self._values else why
+        if row.value in self._values and row.value not in self._solved[speed][1]:  # no film, or a share of the rated power
+            return None, NOT_THERE
+        return _predicted(row, *self._solved[speed])
 
     def speed(self, row: Measured) -> float | None:
         """In rpm."""

@@ -61,7 +61,8 @@ def test_the_film_of_another_speed_is_that_of_the_curve_over_speeds():
     ({"value": "gears.qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq", "is": 1.0}, "this design has no such value"),
     ({"value": "bearings.front.fil", "is": 1.0}, "this design has no such value; did you mean bearings.front.film?"),
     ({"value": "bearings.supply_temperature_C", "speed_rpm": 500, "is": 1.0, "unit": "°C"}, "is an input of no speed of its own: leave speed_rpm out"),
-    ({"value": "bearings.front.film", "speed_rpm": 29999, "is": 1.0, "unit": "µm"}, "has no solution at this speed"),
+    ({"value": "bearings.front.film", "speed_rpm": 29999, "is": 1.0, "unit": "µm"}, "is not known at this speed"),
+    ({"value": "engine.brake_mean_pressure", "speed_rpm": 2000, "is": 8.0, "unit": "bar"}, "is not known at this speed"),
     ({"value": "bearings.front.film", "is": 0.01, "unit": "mm"}, "is shown in µm: give it so"),
 ])  # fmt: skip
 def test_what_cannot_be_compared_says_why(row, words):
