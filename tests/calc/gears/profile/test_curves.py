@@ -50,6 +50,7 @@ def test_the_tip_circles_stand_about_their_wheels_and_end_the_path_of_contact(wh
             assert circle.label == f"tip circle of {name}"
             radius = whole.wheels[name].tip_diameter / 2
             assert np.abs(circle.x + 1j * circle.y - centre * 1e3) == pytest.approx(radius * 1e3)
+            assert np.abs(circle.x + 1j * circle.y).min() == pytest.approx(abs(radius - abs(centre)) * 1e3), "at the pitch point"
             assert abs(path.x[touched] + 1j * path.y[touched] - centre * 1e3) == pytest.approx(radius * 1e3)
             assert min(circle.x) < min(path.x) and max(path.x) < max(circle.x)
         assert max(np.abs(below.x + 1j * below.y - centres[0] * 1e3)) == pytest.approx(whole.wheels[m.driver].tip_diameter * 500)
