@@ -11,7 +11,7 @@ from calc.bearings.corners import corner_points, corners
 from calc.bearings.routes.balance import balanced, settled
 from calc.bearings.routes.routes import own_warm
 from calc.bearings.selection.convergence import changes, slopes_of, with_row
-from calc.bearings.selection.grid import field, widest_usual
+from calc.bearings.selection.grid import field, lengths, widest_usual
 from calc.bearings.selection.notes import notes, summary
 from calc.bearings.selection.ranking import best, by_power
 from calc.bearings.selection.room import room
@@ -94,6 +94,13 @@ def test_between_the_solved_lengths_the_cubic_is_close(source, place):
         there = np.isfinite(close) & np.isfinite(true)
         assert there.mean() > 0.9
         assert np.abs(close / true - 1)[there].max() < 1e-4
+
+
+def test_no_length_is_looked_at_that_the_supply_takes_up(source):
+    """A hole of 24 mm: lengths begin half a millimetre above it, where they else begin at a quarter of the diameter."""
+    task = task_of(source)
+    wide = replace(task, seat=replace(task.seat, inputs=replace(task.seat.inputs, supply="hole", hole_diameter=0.024)))
+    assert min(lengths(wide)) == pytest.approx(0.0245) and min(lengths(task)) < 0.024
 
 
 def test_every_row_passes_where_it_stands(source, found):
