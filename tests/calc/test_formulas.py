@@ -19,37 +19,45 @@ for path in Path(calc.__file__).parent.rglob("*.py"):
     if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
         import_module(".".join(path.relative_to(Path(calc.__file__).parent.parent).with_suffix("").parts))
 
-OURS = {name: f for name, f in FORMULAS.items() if name.startswith("calc.")}  # other tests make formulas of their own
-EXPRESSIONS = {name: f for name, f in OURS.items() if not f.shows}
+OURS = [f for name, f in FORMULAS.items() if name.startswith("calc.")]  # other tests make formulas of their own
+EACH_MODULE = pytest.mark.parametrize(
+    "module", dict.fromkeys(f.function.__module__ for f in OURS)
+)  # one test a formula would take twice as long
+
+
+def formulas_of(module, expressions=False):
+    """Those of a module; `expressions`: without those that say in words how a number was found."""
+    return [f for f in OURS if f.function.__module__ == module and not (expressions and f.shows)]
 
 
 def test_there_are_formulas():
-    assert len(OURS) > 100
+    assert len(OURS) > 1000
 
 
-@pytest.mark.parametrize("name", OURS)
-def test_names_its_source(name):
-    assert len(OURS[name].source) >= 8
+@EACH_MODULE
+def test_names_its_source(module):
+    assert not [f.__name__ for f in formulas_of(module) if len(f.source) < 8]
 
 
-@pytest.mark.parametrize("name", OURS)
-def test_every_argument_and_the_result_have_a_unit(name):
-    found = units(OURS[name])
-    assert set(found) == {*OURS[name].parameters, "return"}
-    assert not OURS[name].unit or OURS[name].unit in UNITS
+@EACH_MODULE
+def test_every_argument_and_the_result_have_a_unit(module):
+    for f in formulas_of(module):
+        assert set(units(f)) == {*f.parameters, "return"}, f.__name__
+        assert not f.unit or f.unit in UNITS, f.__name__
 
 
-@pytest.mark.parametrize("name", EXPRESSIONS)
-def test_is_one_return_expression_that_renders(name):
-    f = EXPRESSIONS[name]
-    body = ast.parse(textwrap.dedent(inspect.getsource(f.function))).body[0].body
-    assert [type(n) for n in body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))] == [ast.Return]
-    assert text(expression(f))
+@EACH_MODULE
+def test_is_one_return_expression_that_renders(module):
+    for f in formulas_of(module, expressions=True):
+        body = ast.parse(textwrap.dedent(inspect.getsource(f.function))).body[0].body
+        assert [type(n) for n in body if not (isinstance(n, ast.Expr) and isinstance(n.value, ast.Constant))] == [ast.Return], f.__name__
+        assert text(expression(f)), f.__name__
 
 
-@pytest.mark.parametrize("name", EXPRESSIONS)
-def test_dimensions_agree(name):
-    check(EXPRESSIONS[name])
+@EACH_MODULE
+def test_dimensions_agree(module):
+    for f in formulas_of(module, expressions=True):
+        check(f)
 
 
 def test_a_formula_without_source_does_not_import():
