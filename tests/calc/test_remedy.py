@@ -40,7 +40,7 @@ DAMAGED = [
     ("r753ie4_sized", "bearings.rear.length_mm=60"),  # runs into the sector
     ("r753ie4_sized", "bearings.oil=SAE 10W"),
     ("r753ie4_sized", "gears.wheels.central.span_allowance_um=[100, 80]"),  # jams
-    ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2"),  # contradicts the distances: no solution
+    ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2", "gears.wheels.central.position_mm="),  # contradicts the distances
     ("r753ie4_sized", "gears.wheels.idler.tip_shortening_mm=2.5"),  # hands over too late
     ("timing_pair", "gears.wheels.0.profile_shift=-1"),  # undercut
     ("timing_pair", "gears.power_kW=60"),  # too weak
