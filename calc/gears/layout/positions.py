@@ -107,10 +107,13 @@ def _anchors(gears: GearsInputs, train: TrainResult, placing: Placing, shaft_axi
         placing.put(first, 0j, Text("crank"))
 
 
-def fixed_axes(gears: GearsInputs, shaft_axis: complex | None) -> set[str]:
-    """The wheels that `_anchors` gives a place."""
-    axes = {w.name for w in gears.wheels if w.position is not None} | ({gears.meshes[-1].driven} if shaft_axis is not None else set())
-    return axes | {gears.meshes[0].driver} if axes else axes
+def axes_apart(gears: GearsInputs, shaft_axis: complex | None) -> dict[int, Metre]:
+    """The distance of the axes of each mesh, by its number, whose wheels both have a given place."""
+    first, last = gears.meshes[0].driver, gears.meshes[-1].driven
+    at = {} if shaft_axis is None else {last: shaft_axis}
+    at |= {wheel.name: complex(*wheel.position) for wheel in gears.wheels if wheel.position is not None}
+    at = {first: 0j} | at if at else at
+    return {i: abs(at[m.driven] - at[m.driver]) for i, m in enumerate(gears.meshes) if m.driver in at and m.driven in at}
 
 
 def _neighbours(name: str, meshes: tuple[MeshResult, ...]) -> dict[str, MeshResult]:

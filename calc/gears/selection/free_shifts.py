@@ -6,6 +6,7 @@ leaves one more free; it can be held where it is now, left to what the design ch
 """
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from ...sheet.arrays import Array
@@ -14,7 +15,7 @@ from ...sheet.record import record
 from ...sheet.text import COMMA, Amount, Text, listed, plural
 from ...sheet.units import Metre
 from ..inputs import GearsInputs
-from ..layout.positions import fixed_axes
+from ..layout.positions import axes_apart
 from ..result import ToothSystem
 from ..train import Train, settle
 
@@ -87,21 +88,20 @@ def freedoms(gears: GearsInputs, system: ToothSystem, axis: complex | None = Non
     parts = tied(gears)
     if len(parts) == 1:
         return (_freedom("train", Text("train"), gears, system, parts),)
-    found, now = [], settled(gears, system)
+    found, now, apart = [], settled(gears, system), axes_apart(gears, axis)
     given = [part for part in parts if _given(gears, part)] or parts[:1]
     if len(given) < len(parts):
         made = _freedom("designed", Text("as the design"), gears, system, given)
         found.append(replace(made, name=_copied(made, gears, given)))
     if now is not None:
-        held = {i: round(now.distances[m.key], HELD) for i, m in enumerate(gears.meshes) if m.centre_distance is None}
+        held = {i: round(apart.get(i, now.distances[m.key]), HELD) for i, m in enumerate(gears.meshes) if m.centre_distance is None}
         meshes = tuple(replace(m, centre_distance=held.get(i, m.centre_distance)) for i, m in enumerate(gears.meshes))
         name = Text("distance held") if len(held) == 1 else Text("distances held")
         whole = tied(fixed := replace(gears, meshes=meshes))
-        found.append(replace(_freedom("held", name, fixed, system, whole), held=held))
+        with suppress(NoSolution):  # two given axes may be too far apart, or too near, for the shifts that are tried
+            found.append(replace(_freedom("held", name, fixed, system, whole), held=held))
     found.append(_freedom("free", Text("distance free") if len(parts) == 2 else Text("distances free"), gears, system, parts))
-    axes = fixed_axes(gears, axis)
-    between = [i for i, mesh in enumerate(gears.meshes) if {mesh.driver, mesh.driven} <= axes]
-    return tuple(way for way in found if all(way.gears.meshes[i].centre_distance for i in between)) or tuple(found)
+    return tuple(way for way in found if all(way.gears.meshes[i].centre_distance for i in apart)) or tuple(found)
 
 
 def tied(gears: GearsInputs) -> list[tuple[str, ...]]:
