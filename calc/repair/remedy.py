@@ -71,9 +71,11 @@ class Nearest:
         return not any(o.verdict in ("fail", "no_solution", "blocked") for o in self.results.outcomes.values())
 
 
+Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
+
 # For each step: patterns of its checks, and what repairs them (module.function, imported when a check fails).  What is left goes to the
 # search over single numbers, then to the last ones.
-WAYS = {
+WAYS: Ways = {
     "countershaft": ((("countershaft.residual", "countershaft.residual_force"), "shaft.balance"),
                      (("countershaft.crossing",), "shaft.shorter_journals")),
     "bearings": ((("*",), "bearings.repair"),),
@@ -86,8 +88,11 @@ WAYS = {
     ),
 }  # fmt: skip
 UNSOLVED = {"bearings": "bearings.repair", "countershaft": "shaft.resize", "gears": "teeth.repair"}
-LAST = {"countershaft": ((("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape"),
-                          "shaft.resize"),)}  # fmt: skip
+LAST: Ways = {
+    "countershaft": ((("countershaft.envelope", "countershaft.envelope_length", "countershaft.crossing", "countershaft.mass_shape"),
+                      "shaft.resize"),),
+    "gears": ((("*.clearance",), "teeth.idler"),),  # once what else kept its teeth from passing is repaired
+}  # fmt: skip
 
 
 def _way(name: str) -> Way:

@@ -124,6 +124,13 @@ def test_an_idler_that_touches_the_cover_gets_the_nearest_teeth_that_do_not() ->
     assert found.mends == ("gears.idler.clearance",) and not found.left and found.changes[0] == "gears.wheels.idler.teeth=37"
 
 
+def test_an_idler_that_touches_is_repaired_beside_axes_that_are_off_their_distance() -> None:
+    """Other teeth of the idler put no two other axes right: first these, then the idler."""
+    apart = "gears.meshes.1.centre_distance_mm=82.6", "gears.meshes.2.centre_distance_mm=70.7"
+    found = remedy(damaged("r753ie4_sized", "gears.wheels.idler.teeth=41", *apart), "gears", tries=0)
+    assert not found.left and {"gears.idler.clearance", "gears.crank_central.position"} <= set(found.mends)
+
+
 def test_where_no_teeth_of_the_idler_help_it_is_said() -> None:
     found = remedy(damaged("r753ie4_sized", "gears.walls.cover-below.to_mm=[140,140]"), "gears", tries=0)
     assert not found.changes and "gears.idler.clearance" in {one.id for one in found.left}
