@@ -94,3 +94,11 @@ def test_a_distance_between_two_given_axes_is_not_left_free(sized):
     assert [way.key for way in freedoms(gears, tooth_system(gears), axis)] == ["held"]
     assert [way.key for way in freedoms(gears, tooth_system(gears))] == ["held"]  # crank and central
     assert [way.key for way in freedoms(loose, tooth_system(gears), axis)] == ["designed", "held", "free"]
+
+
+def test_a_distance_between_two_given_axes_is_theirs(sized):
+    """The axes of crank and central stand 65.808 mm apart, whatever distance the present shifts would have."""
+    meshes = (sized.gears.meshes[0], replace(sized.gears.meshes[1], centre_distance=81.2e-3), *sized.gears.meshes[2:])
+    gears = replace(sized.gears, meshes=meshes)
+    ways = freedoms(gears, tooth_system(gears), complex(*sized.countershaft.axis))
+    assert {round(way.gears.meshes[0].centre_distance, 6) for way in ways} == {0.065808}
