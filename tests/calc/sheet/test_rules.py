@@ -54,7 +54,7 @@ def test_the_keys_that_move_a_check_are_inputs():
     known = inputs(Design)
     for rule in rules():
         for key in rule.moved_by:
-            pattern = re.sub(r"\b(DRIVER|DRIVEN|W|#)(?=\.|$)|#", "*", key)
+            pattern = re.sub(r"\b(DRIVER|DRIVEN|N|W|#)(?=\.|$)|#", "*", key)
             forms = {pattern.replace("B", place) for place in ("front", "rear")}
             assert forms <= known, (rule.id, key)
 
