@@ -2,6 +2,8 @@
 """What the checks found, as plain text that fits a screen: limits first, then cautions, each group of one cause by its worst check;
 advice and what concerns the method by their numbers and the worst of each.  `everything`: all of them in full."""
 
+import os
+import sys
 import textwrap
 from collections.abc import Iterator, Sequence
 
@@ -12,7 +14,7 @@ WORDS = {
     "pass": "pass", "warn": "warn", "fail": "FAIL", "note": "note", "not_verified": "not verified", "accepted": "accepted",
     "blocked": "blocked", "not_asked": "not used", "no_solution": "NO SOLUTION",
 }  # fmt: skip
-LINE = 132  # characters of a line
+LINE = 132  # characters of a line, and fewer on a terminal that has not so many
 INDENT = " " * 8
 
 
@@ -77,5 +79,12 @@ def _counts(kind: str, groups: Sequence[Sequence[Check]]) -> Iterator[str]:
 def _wrapped(text: str, start: str = INDENT) -> list[str]:
     """A number keeps its per cent on its line."""
     close = text.replace(" %", "\N{NO-BREAK SPACE}%")
-    lines = textwrap.wrap(close, LINE, initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)
+    lines = textwrap.wrap(close, _width(), initial_indent=start, subsequent_indent=INDENT, break_long_words=False, break_on_hyphens=False)
     return [line.replace("\N{NO-BREAK SPACE}%", " %") for line in lines]
+
+
+def _width() -> int:
+    try:
+        return max(60, min(LINE, os.get_terminal_size(sys.stdout.fileno()).columns))
+    except (ValueError, OSError):  # no terminal
+        return LINE

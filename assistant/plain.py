@@ -29,7 +29,7 @@ VECTORS = ("N", "N·m", "°", "kg·mm", "kg·mm²")  # units of vectors: one wit
 
 
 def print_results(results: Results, step: str | None = None, *, everything: bool = True, findings: bool = False) -> None:
-    """A screen: the verdict and two values of every step, what is open, what was measured beside what is predicted.
+    """A screen: what is open, the verdict and two values of every step, what was measured beside what is predicted.
 
     `step`: only that, with all its values, tables, notes and checks before; `findings`: so of every step, every check that is open in full,
     and what is made only when asked for: the tables of studies, which take longer than the solve.  `everything`: there vectors of no length
@@ -120,19 +120,20 @@ def check_line(check: Check) -> str:
 
 
 def print_summary(results: Results, step: str | None = None, everything: bool = False) -> None:
-    """The verdict of each step with the values that stand for it, then what is open.  `everything`: every check of a group, advice and
-    method in full."""
+    """What is open, then the verdict of each step with the values that stand for it: what stands last is what a terminal shows.
+
+    `everything`: every check of a group, advice and method in full.
+    """
     shown = {key: outcome for key, outcome in results.outcomes.items() if step in (None, key)}
+    for line in finding_lines([check for outcome in shown.values() for check in outcome.checks], everything):
+        print(line)
+    if any(check.open for outcome in shown.values() for check in outcome.checks):
+        print()
     for key, outcome in shown.items():
         values = {value.id: value for value in outcome.values()}
         heads = [values[id] for id in HEADLINES[key] if id in values][:2]
         said = str(outcome.reason) or " · ".join(f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads)
         print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {said}".rstrip())
-    lines = list(finding_lines([check for outcome in shown.values() for check in outcome.checks], everything))
-    if lines:
-        print()
-    for line in lines:
-        print(line)
 
 
 def results_json(

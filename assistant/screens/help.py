@@ -38,7 +38,7 @@ SCREEN = (
     Text(
         "What can not be understood, or is not allowed, stays in its field with the reason; the results stay those of the last valid input."
     ),
-    Text("A limit that is passed over is a FAIL; a narrow one, or advice that is passed over, is a warn."),
+    Text("A limit passed over is a FAIL; a caution passed over, or a limit kept narrowly, a warn; advice a note; ? lacks a number."),
     Text("Enter on a check, a line or a value walks back through its formulas to the inputs."),
     Text("Letters act as keys while no field is being edited: Esc leaves a field."),
     Text("← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it."),

@@ -103,6 +103,5 @@ class Checks(ItemList):
         loud = style if check.open else ""
         first = Content.assemble((start, style), pad(names[0], room), (f"{self.app.say(check.margin_text()):>{margin_width}}", style))
         limit, say = check.limit_text(), self.app.say
-        limit = limit if limit[:1] in "≥≤<>" else Text("in {limit}", limit=limit)
         numbers = Content.assemble(" " * indent, (say.number(short(check.value)), loud), (f"   {say(limit)}", "dim"))
         return [first, *(Content(" " * indent + name) for name in names[1:]), numbers]

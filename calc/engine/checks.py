@@ -40,6 +40,14 @@ def checks(engine: EngineInputs, e: EngineResult, turning: TorqueResult) -> tupl
                 Text("The gas takes more work than it gives: look at peak pressure and compression ratio, or at the table of pressure."),
             )
         )  # fmt: skip
+    if turning.indicated_mean_pressure is not None and e.brake_mean_pressure is not None:
+        gas.append(
+            check(
+                "engine.rated_power", Text("Brake mean effective pressure, against the indicated one"), e.brake_mean_pressure, "<=",
+                turning.indicated_mean_pressure, "bar", Text("energy: a crank gives no more than its gas"),
+                Text("Correct the rated power, or the gas: what the crank gives is what the gas gives less the friction."),
+            )
+        )  # fmt: skip
     if engine.gas is not None and engine.gas.pressure and turning.cycle is not None:
         _, gap = widest_gap(turning.cycle.corners, turning.cycle.length)
         gap = based_on(gap, turning.cycle.corners)

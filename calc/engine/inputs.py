@@ -174,8 +174,15 @@ class EngineInputs:
         yield from diagram_problems(self.torque, self.torque_period, self.strokes, self.gas is not None)
         if self.gas is not None:
             yield from ((f"gas.{key}", reason) for key, reason in cycle_problems(self.gas, self.strokes))
-        if max((self.crank_radius, *(self.crank_radii or ()))) + abs(self.cylinder_offset) >= self.rod_length:
+        if self.crank_radius + abs(self.cylinder_offset) >= self.rod_length:
             yield "rod_length_mm", Text("must be longer than crank radius plus cylinder offset: the crank could not turn")
+        for k, radius in enumerate(self.crank_radii or (), 1):
+            if radius >= self.rod_length:
+                mm = Amount(radius * 1e3, form="g")
+                yield (
+                    "crank_radii_mm",
+                    Text("cylinder {k}: {mm} mm is not below rod_length_mm: the crank could not turn", k=k, mm=mm),
+                )
         if self.rod_cg_to_big_end is not None and self.rod_cg_to_big_end > self.rod_length:
             yield "rod_cg_to_big_end_mm", Text("must not exceed the rod length")
         if n != n:  # not given as a number: nothing to compare with
@@ -222,7 +229,8 @@ class EngineInputs:
     def _radius_problems(self) -> Iterable[tuple[str, Text]]:
         """Crank radii that differ, and what then has no one answer for all cylinders."""
         if self.crank_radii is not None and self.crank_radii[:1] != (self.crank_radius,):
-            yield "crank_radii_mm", Text("must begin with crank_radius_mm, which is that of cylinder 1")
+            mm = Amount(self.crank_radius * 1e3, form="g")
+            yield "crank_radii_mm", Text("must begin with crank_radius_mm, {mm} mm, which is that of cylinder 1: change both", mm=mm)
         if not self.unlike_radii:
             return
         if self.gas is not None:

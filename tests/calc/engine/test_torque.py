@@ -13,7 +13,7 @@ from calc.engine.crank import firing
 from calc.engine.cycle import dead_centre_angle, highest, own_angle, piston_way, points, running
 from calc.engine.gas import GasInputs, PressurePoint
 from calc.engine.inputs import EngineInputs
-from calc.engine.solve import values
+from calc.engine.solve import solve, values
 from calc.sheet.quantity import published
 from calc.sheet.trace import trace
 from calc.sheet.value import link_of
@@ -296,3 +296,10 @@ def test_forces_that_cancel_add_no_reaction():
     block = {name: stated.number for name, stated in found.reaction_inertia.items()}
     assert {"order_1", "order_2", "order_4"}.isdisjoint(block) and "order_3" in block
     assert block["order_3"] != pytest.approx(crank["order_3"], rel=1e-6)
+
+
+@pytest.mark.parametrize("power, verdict", [(50e3, "pass"), (120e3, "fail")])
+def test_a_crank_gives_no_more_than_its_gas(power, verdict):
+    found = solve(EngineInputs(**R753, gas=GasInputs(**DIESEL), rated_power=power))
+    (check,) = [c for c in found.checks if c.id == "engine.rated_power"]
+    assert check.verdict == verdict
