@@ -368,11 +368,17 @@ def test_where_nothing_can_be_listed_the_exit_code_is_three(tmp_path):
     assert done.returncode == 3 and "not listed" in done.stderr
 
 
-def test_explain_says_what_is_a_check_and_what_has_no_solution():
+def test_explain_says_what_is_not_there_and_what_has_no_solution():
     done = run("explain", GAMMA, "countershaft.slope_limit")
     assert done.returncode == 2 and "did you mean countershaft.slope" in done.stderr
-    done = run("explain", GAMMA, "countershaft.holes.range")
-    assert done.returncode == 2 and "is a check" in done.stderr
     small = DESIGNS / "r753ie4_sized.toml"
     done = run("check", small, "--set", "countershaft.outer_radius_mm=38", "--step", "countershaft")
     assert done.returncode == 3 and "the journals as they are leave an outer radius of 43 mm" in done.stdout
+
+
+@pytest.mark.parametrize("check, said", [
+    ("bearings.rear.slope_given", "taken from the inputs: bearings.slope_mrad"), ("countershaft.holes.range", "moved by the inputs: countershaft.overdesign"),
+])  # fmt: skip
+def test_a_check_on_no_published_value_is_explained_by_what_it_judges(check, said):
+    done = run("explain", GAMMA, check)
+    assert done.returncode == 0 and done.stdout.startswith(f"{check}: ") and said in done.stdout

@@ -9,11 +9,11 @@ from calc.addresses import value_at
 from calc.design import Design
 from calc.design_file import Document, load
 from calc.design_file import design as design_of
-from calc.explain import Chains, chain, origin, shortened
+from calc.explain import Chains, Link, chain, origin, shortened
 from calc.publications import resolved
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.number import short
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import Text
 from calc.sheet.trace import Line
 from calc.solve import solve
 
@@ -51,18 +51,14 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
 
         for check in results.checks():
             if check.id == asked.value:
-                if (judged := Chains(results).behind(check)) is not None:
+                chains = Chains(results)
+                head = f"{check.id}: {check.name}, {short(check.value)} {check.unit}".rstrip() + f", needs {check.limit_text()}."
+                if (judged := chains.behind(check)) is not None:
                     if not asked.json:
-                        print(f"{check.id}: {check.name}, {short(check.value)} {check.unit}, needs {check.limit_text()}. Its value:\n")
+                        print(f"{head} Its value:\n")
                     return _explain(Namespace(**{**vars(asked), "value": judged}), document, design)
-                reason = Text(
-                    "is a check, not a value ({check}: {value}, needs {limit}. Source: {source})",
-                    check=check.name,
-                    value=Amount(check.value, check.unit),
-                    limit=check.limit_text(),
-                    source=check.source,
-                )
-                raise BadInput(document.place, [InputError(0, asked.value, "", reason)])
+                lines, taken = chains.of_check(check)
+                return _print_chain(asked, design, f"{head} {check.source}", lines, ", ".join(taken), ", ".join(check.moved_by))
         step = results.outcomes.get(asked.value.partition(".")[0])
         if step is not None and step.state != "solved":
             state = step.state.replace("not_asked", "not used").replace("_", " ")
@@ -74,7 +70,13 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         raise BadInput(document.place, [InputError(0, asked.value, "", Text("is not a value of this design; {hint}", hint=hint))])
     if asked.value.startswith("friction.scenarios."):
         return _scenario(asked, document, design)
-    lines = chain(results, asked.value)
+    value = values[asked.value]
+    head = f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}"
+    return _print_chain(asked, design, head, chain(results, asked.value), origin(results, asked.value))
+
+
+def _print_chain(asked: Namespace, design: Design, head: str, lines: list[Link], taken: str | None, moved: str = "") -> int:
+    """`taken`: the inputs of a number that no line gave; `moved`: those that move it."""
     from calc.sheet.expression import line_json, line_text
 
     if asked.json:
@@ -83,8 +85,7 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
         print(json.dumps([line_json(link.line) | {"inputs": list(link.inputs)} | _provenance(link.line) for link in lines],
             ensure_ascii=False, indent=1))  # fmt: skip
         return 0
-    value = values[asked.value]
-    print(f"{value.id} = {short(value.shown, 6)} {value.unit}   {value.label}\n")
+    print(f"{head}\n")
     for link in lines:
         formula, numbers, source = line_text(link.line)
         print(f"{formula}\n    {numbers}\n    {source}" + (f"   [{link.line.about}]" if link.line.about else ""))
@@ -93,8 +94,8 @@ def _explain(asked: Namespace, document: Document, design: Design) -> int:
     for n, line in enumerate(reference_lines(link.line.formula.source for link in lines)):
         print(line if n else f"\nSources\n{line}")
     if not lines:
-        taken = origin(results, asked.value)
-        print(f"taken from the inputs: {taken}" if taken else "no recorded formula returns this number itself")
+        other = f"moved by the inputs: {moved}" if moved else "no recorded formula returns this number itself"
+        print(f"taken from the inputs: {taken}" if taken else other)
     return 0
 
 
