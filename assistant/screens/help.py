@@ -129,7 +129,7 @@ class HelpScreen(Once, ModalScreen[None]):
         if about.kind == "choice":
             lines.append(Content(say(Text("Allowed: {allowed}.", allowed=about.allowed()))))
         if about.optional:
-            lines.append(Content(say(Text("May be left empty: the program then chooses, and says so."))))
+            lines.append(Content(say(Text("May be left empty: the program then chooses and says so, or leaves out what needs it."))))
         if reason := session.reason(place):
             lines.append(Content.styled(f"{self.app.signs.mark('invalid')} {say(reason)}", self.app.signs.style("invalid")))
         return lines

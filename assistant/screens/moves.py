@@ -21,6 +21,8 @@ from .pane_layout import VIEWS
 WRITING = Text("The calculation is still being written out.")
 FIRST, LAST = Text("This is the first step."), Text("This is the last step.")
 
+LAID_OUT = 0.1  # s after which a form that was just made has its size
+
 
 class Moves:
     def __init__(self, host: Host, background: BackgroundSolve) -> None:
@@ -105,6 +107,7 @@ class Moves:
         host.at_pane("inputs")
         await host.open_step(step, place)
         host.form.focus_place(place)
+        host.set_timer(LAID_OUT, host.form.bring_into_view)
 
     # --- between panes, and in them
     def move(self, by: int) -> None:

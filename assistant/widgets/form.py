@@ -174,9 +174,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if self._back or self._wanted is not None:
             self._back = False
             self.focus_place(self._wanted)
-            self.call_after_refresh(self._bring_into_view)
+            self.call_after_refresh(self.bring_into_view)
 
-    def _bring_into_view(self) -> None:
+    def bring_into_view(self) -> None:
         """What has the focus in a form that was just made: it had no place yet when it got the focus."""
         focused = self.screen.focused
         if focused is not None and focused in self.walk_children():

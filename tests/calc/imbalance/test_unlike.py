@@ -222,7 +222,7 @@ def test_an_input_that_moves_a_value_stands_in_its_chain():
     ("_kg = 150.0", "_kg = -1.0", ["engine.rotating_masses_kg: -1.0", "from 0 to 1·10⁶ kg"]),
     ("bore", "crank_radii_mm = [300.0]\nbore", ["engine.crank_radii_mm", "has 1 entries; needs one per cylinder, 2"]),
     ("bore", "crank_radii_mm = [280.0, 300.0]\nbore", ["engine.crank_radii_mm", "must begin with crank_radius_mm"]),
-    ("rod_length_mm = 1500", "crank_radii_mm = [300.0, 950.0]\nrod_length_mm = 900", ["engine.rod_length_mm: 900", "longer than crank"]),
+    ("rod_length_mm = 1500", "crank_radii_mm = [300.0, 950.0]\nrod_length_mm = 900", ["engine.crank_radii_mm: cylinder 2: 950 mm", "below rod_length_mm"]),
     ("bore", "crank_radii_mm = [300.0, 280.0]\ncylinder_offset_mm = 5.0\nbore", ["engine.cylinder_offset_mm", "must be 0 where"]),
     ("[imb", "crank_radii_mm = [300.0, 280.0]\n[engine.gas]\npeak_pressure_bar = 80.0\ncompression_ratio = 9.0\n[imb", ["of one stroke"]),
     ("_kg = 180.0", "_kg = 0.0", ["engine.reciprocating_masses_kg: 0.0", "above 0"]),
