@@ -7,6 +7,7 @@ go over the larger one.  A clamp of the next size up would open far enough where
 
 import tomllib
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import cache
 from typing import Any, cast
 
@@ -15,7 +16,7 @@ from ...sheet.arrays import each, many
 from ...sheet.check import Check, check
 from ...sheet.formula import formula
 from ...sheet.quantity import result, value
-from ...sheet.text import EMPTY, Amount, Text
+from ...sheet.text import EMPTY, Amount, Name, Text
 from ...sheet.trace import about
 from ...sheet.units import CubicMetrePerSecond, Metre, Radian
 from ...sheet.value import based_on
@@ -195,6 +196,11 @@ def checks(choice: DrainResult) -> Iterator[Check]:
         yield check(f"{id}.slope", Text("Slope of the passage to the drain, machine tilted"), choice.drain_slope, ">", 0.0, "°",
             Text("Finotti 2013, 3.2.2: the oil must leave while the machine works on a slope"),
             Text("A steeper passage: it must slope by more than the machine tilts."))  # fmt: skip
+
+
+def named(judged: Check, drain: str) -> Check:
+    """The check with the name of its drain, which the first has not."""
+    return replace(judged, name=Text("{what}, {drain}", what=judged.name, drain=Name(drain))) if drain else judged
 
 
 def notes(choice: DrainResult) -> Iterator[Text]:

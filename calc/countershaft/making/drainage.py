@@ -17,7 +17,7 @@ from ...sheet.text import Text
 from ...sheet.trace import about, trace
 from ...sheet.units import CubicMetrePerSecond, Metre, MetrePerSecond, MetrePerSecond2, Number, Radian, SquareMetrePerSecond
 from ..result import CountershaftResult
-from .drain import DrainResult
+from .drain import DrainResult, named
 
 if TYPE_CHECKING:
     from ...bearings.result import BearingsResult
@@ -57,7 +57,7 @@ def with_oil(outcome: Outcome[CountershaftResult], bearings: "BearingsResult | N
     with trace() as lines:
         drain = _with_oil(shaft.drain, bearings) if shaft.drain is not None else None
         further = {name: _with_oil(one, bearings) for name, one in (shaft.further_drains or {}).items()}
-    found = [made for one in (drain, *further.values()) if one is not None for made in _checks(one)]
+    found = [named(made, name) for name, one in {"": drain, **further}.items() if one is not None for made in _checks(one)]
     result = replace(shaft, drain=drain, further_drains=further or None)
     return replace(outcome, result=result, checks=(*outcome.checks, *found), lines=(*outcome.lines, *lines)) if found else outcome
 

@@ -173,7 +173,7 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     from . import drain
 
     chosen = {name: drain.solve(one) for name, one in asked}
-    to.checks += [check for one in chosen.values() for check in drain.checks(one)]
+    to.checks += [drain.named(check, name) for name, one in chosen.items() for check in drain.checks(one)]
     to.notes += dict.fromkeys(note for one in chosen.values() for note in drain.notes(one))
     return chosen
 
