@@ -178,7 +178,7 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
         )  # fmt: skip
     else:
         f = part.absent("friction", design.friction, (g, *late))
-    f = friction.with_rated_power(f, design.engine.rated_power if design.engine is not None else None)
+    f = friction.with_rated_power(f, h.rated_power(design))
 
     if c.result is not None and design.countershaft is not None:
         c = with_standing(c, design.countershaft, gear, h.shaft_drive(design, train, f))

@@ -36,6 +36,12 @@ def first_speed(design: Design) -> float | None:
     return design.engine.rated_speed if design.engine is not None else None
 
 
+def rated_power(design: Design) -> float | None:
+    """What the losses are a share of: None where the train turns at a speed of its own, at which the engine's power is not known."""
+    own_speed = design.gears is not None and design.gears.speed is not None
+    return design.engine.rated_power if design.engine is not None and not own_speed else None
+
+
 def takes_first_order(design: Design) -> bool:
     """Whether a shaft of the design turns at −1 times crank speed."""
     return design.countershaft is not None and design.countershaft.speed_ratio == -1

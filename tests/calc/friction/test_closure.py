@@ -17,6 +17,7 @@ from calc.sheet.expression import line_text
 from calc.sheet.value import link_of
 from calc.solve import solve
 
+from ...conftest import GAMMA
 from .pairs import CRANK_SPEED, SHAFT_POWER, closed, r753, recorded, shown, spur_pair
 
 RECORDED = recorded("friction_r753.json")
@@ -43,6 +44,8 @@ def test_the_losses_as_a_share_of_what_the_engine_gives(gamma_results):
     assert share == pytest.approx(outcome.result.total_loss / 50e3) == pytest.approx(228.7 / 50e3, rel=1e-3)
     assert link_of(share).arguments["P_e"].link == "engine.rated_power_kW"
     assert TRAIN.result.engine_share is None
+    own = design(read(GAMMA).with_value("gears.speed_rpm", 5200))  # at which the engine's power is not known
+    assert solve(own).outcomes["friction"].result.engine_share is None
 
 
 def test_every_mesh_passes_on_what_the_next_takes_in():
