@@ -82,7 +82,8 @@ def _mesh(mesh: MeshResult, gamma: Radian | None, T_1: NewtonMetre, s: Number, h
         F_tw = f.tangential_force(T_1=T_1, d_w1=d_w1)
         F_rw = f.radial_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
         F_bt = f.transverse_force(F_tw=F_tw, alpha_wt=mesh.working_pressure_angle)
-        F_a, on_1, on_2 = 0.0, 0.0, 0.0
+        F_a: Newton | None = None
+        on_1 = on_2 = 0.0
         if h:
             F_a = f.axial_force(F_tw=F_tw, beta_w=mesh.working_helix_angle)
             on_2 = f.thrust_on_driven(F_a=F_a, s=s, h=h)
@@ -94,7 +95,7 @@ def _mesh(mesh: MeshResult, gamma: Radian | None, T_1: NewtonMetre, s: Number, h
             back = f.back_to_driver(gamma=gamma)
     shares[mesh.driver].append(Share(F_1, F_bt, on_1, d_w1, gamma))
     shares[mesh.driven].append(Share(F_2, F_bt, on_2, d_w2, back))
-    return MeshForces(working_tangential_force=F_tw, working_radial_force=F_rw, axial_force=F_a if h else None)
+    return MeshForces(working_tangential_force=F_tw, working_radial_force=F_rw, axial_force=F_a)
 
 
 def _wheel(name: str, hand: str, parts: list[Share]) -> WheelForces:
