@@ -188,7 +188,11 @@ def natural_frequency(beam: Beam) -> RadPerSecond:
     V = np.linalg.qr(D @ V)[0]
     before = 0.0
     for _ in range(100):
-        C = np.linalg.inv(np.linalg.cholesky(V.T @ K @ V))
+        try:
+            C = np.linalg.inv(np.linalg.cholesky(V.T @ K @ V))
+        except np.linalg.LinAlgError:  # of a short stiff piece the higher shapes have shrunk to dust beside the first
+            V = np.linalg.qr(V)[0]
+            C = np.linalg.inv(np.linalg.cholesky(V.T @ K @ V))
         values, vectors = np.linalg.eigh(C @ (V.T @ M @ V) @ C.T)
         largest = float(values[-1])
         if abs(largest - before) <= SETTLED * abs(largest):
