@@ -23,7 +23,7 @@ class SaveError(OSError):
         super().__init__(text)
 
 
-ACCEPTED = "accepted."
+REASONS = ("accepted", "without", "locked")  # tables of reasons by ids, which have dots of their own
 
 
 class ChangedOnDisk(SaveError):
@@ -64,8 +64,9 @@ def fresh_text(data: Table) -> str:
 
 def _place(data: Any, key: str) -> Place:
     """A dotted key by names and indices; parts that are not there yet are taken as they are."""
-    if key.startswith(ACCEPTED):
-        return "accepted", key.removeprefix(ACCEPTED)  # an id, which has dots of its own
+    table, _, id = key.partition(".")
+    if id and table in REASONS:
+        return table, id
     found: list[str | int] = []
     here = data
     for part in key.split("."):

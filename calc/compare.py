@@ -22,7 +22,7 @@ EQUAL = Text("The two designs are equal: no input, verdict, check or value diffe
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
 LAST = (  # stand behind what is calculated with
-    "accepted", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date",
+    "accepted", "without", "locked", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date",
 )  # fmt: skip
 T = TypeVar("T")
 

@@ -54,6 +54,14 @@ class Design:
         "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
     )
 
+    without: tuple[tuple[str, str], ...] = reasons(
+        "Steps left out", help="Steps that this design does without, each with the reason: an idler shared with the pump, no shaft needed."
+    )
+    locked: tuple[tuple[str, str], ...] = reasons(
+        "Locked inputs",
+        help="Keys that no remedy and no search may change, each with the reason. Left out: the oil, which is the engine's.",
+    )
+
     measured: tuple[Measured, ...] = tables(
         "Measured", Measured, default=(), help="What was measured of this design; it stands beside what is predicted."
     )
@@ -90,6 +98,11 @@ class Design:
         for id, _ in self.accepted:
             if is_limit(id):
                 yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")
+        for step, _ in self.without:
+            if step not in {one.key for one in STEPS}:
+                yield f"without.{step}", Text("is no step; there are {steps}", steps=", ".join(one.key for one in STEPS))
+            elif getattr(self, step) is not None:
+                yield f"without.{step}", Text("is a step of this design: take the table out, or this line")
         for n, row in enumerate(self.measured):
             if row.step not in {step.key for step in STEPS}:
                 steps = ", ".join(step.key for step in STEPS)
