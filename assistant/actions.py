@@ -47,7 +47,9 @@ ACTIONS: tuple[Action, ...] = (
     Action("next", "f3,pagedown", "right_square_bracket", Text("Next"), Text("Next step"),
            Text("Goes to the step after. Page down scrolls inside a long list."), call=("turn_step", 1)),
     Action("view", "f4", "v", Text("View"), Text("Other view"),
-           Text("Narrow: inputs, checks, calculation, curve in turn. Wide: makes the pane large, and small again.")),
+           Text("Findings, calculation and curve in turn; on a narrow screen the inputs and the picture as well.")),
+    Action("enlarge", "shift+f4", "z", EMPTY, Text("Pane large and small"),
+           Text("Makes the pane that you are in fill the screen, and small again.")),
     Action("fix", "f5", "m", Text("Fix"), Text("Fix what fails"),
            Text("Applies the remedy that the message line offers: the nearest change by which the limits of the step hold. Undo takes it "
                 "back.")),
@@ -71,6 +73,8 @@ ACTIONS: tuple[Action, ...] = (
     Action("curve_back", "", "backspace", EMPTY, Text("Curve before"), Text("Shows the curve or table before."), call=("turn_curve", -1)),
     Action("curves", "shift+f9", "C", EMPTY, Text("List of curves and tables"),
            Text("Lists all curves and tables of the step, to be found by words.")),
+    Action("pixels", "", "P", EMPTY, Text("Curve in pixels"),
+           Text("Shows the curve as the report has it, where the terminal can show pixels (Kitty, iTerm2, WezTerm, Sixel).")),
     Action("read", "", "right", EMPTY, Text("Cursor to the right"),
            Text("On a curve: reads it off at a cursor, with the distance to its limits. ↑ ↓ choose the line, Esc takes the cursor away. "
                 "On a table that is too wide: further columns."), call=("read", 1)),

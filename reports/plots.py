@@ -11,7 +11,7 @@ import numpy as np
 from calc.sheet.number import short
 from calc.sheet.step import Curve
 
-from .arrows import arrows, draw_arrows
+from .arrows import Arrow, arrows, draw_arrows
 from .boxes import BLACK, Box, Colour, scaled
 from .fonts import clean
 from .paper import LEFT
@@ -150,11 +150,22 @@ def _is_point(curve: Curve, xs: Any, ys: Any) -> bool:
 
 def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float, height: float) -> None:
     """Draw a curve into a rectangle of the page."""
-    from matplotlib.ticker import MaxNLocator
-
     from .renderer import PageRenderer
 
     axes = plots.axes(width, height, curve)
+    drawn = filled(axes, curve)
+    if drawn:
+        draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
+    renderer = PageRenderer(pen.canvas, x, y, width, height)
+    axes.figure.draw(renderer)
+    renderer.finish()
+    _letter(pen, axes, curve, x - LEFT, y)
+
+
+def filled(axes: Any, curve: Curve) -> list[Arrow]:
+    """Put the lines, bars and limits of a curve into axes; gives its vectors, which are still to be drawn."""
+    from matplotlib.ticker import MaxNLocator
+
     drawn = arrows(curve)
     if drawn:
         axes.update_datalim([(p.imag, p.real) for a in drawn for p in (a.tail, a.tip)])
@@ -172,12 +183,7 @@ def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float,
         axes.axhline(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=2.5 if curve.bars else 0.9)
     axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
     axes.apply_aspect()
-    if drawn:
-        draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
-    renderer = PageRenderer(pen.canvas, x, y, width, height)
-    axes.figure.draw(renderer)
-    renderer.finish()
-    _letter(pen, axes, curve, x - LEFT, y)
+    return drawn
 
 
 def _lines(axes: Any, curve: Curve) -> None:

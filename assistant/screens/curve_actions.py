@@ -6,6 +6,8 @@ from calc.sheet.text import Text
 from .host import Host
 from .moves import Moves
 
+NO_PIXELS = Text("This terminal does not say that it shows pixels, as Kitty, iTerm2, WezTerm, foot and others do.")
+
 
 class CurveActions:
     def __init__(self, host: Host, moves: Moves) -> None:
@@ -36,6 +38,25 @@ class CurveActions:
                 self._moves.to_view("curve")
 
         host.app.push_screen(CurveList(f"{host.number} {host.app.say(host.step.title)}", pane.leaves, pane.leaf.id), choose)
+
+    def pixels(self) -> None:
+        """The curve as the report has it, on a terminal that shows pixels."""
+        import os
+
+        from textual.app import SuspendNotSupported
+
+        from ..pixels import protocol, show
+
+        host, curve = self._host, self._host.curve_pane.curve
+        how = protocol(os.environ)
+        if curve is None or not how:
+            host.app.tell(Text("This step has no curve.") if curve is None else NO_PIXELS)
+            return
+        try:
+            with host.app.suspend():
+                show(curve, how, host.app.say)
+        except SuspendNotSupported:
+            host.app.tell(NO_PIXELS)
 
     def read(self, by: int, fine: bool = False) -> None:
         """Move the cursor of a curve, or the columns of a table."""

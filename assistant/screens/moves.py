@@ -127,20 +127,19 @@ class Moves:
     def turn_pane(self, by: int) -> None:
         """The next pane that is shown; narrow, the panes follow each other."""
         host = self._host
-        names = [name for name in ("steps", *VIEWS) if name in VIEWS or host.pane_layout.wide]
+        names = list(VIEWS) if not host.pane_layout.wide else ["steps", *VIEWS] if host.pane_layout.large else list(host.pane_layout.shown)
         here = names.index(host.pane_layout.pane) if host.pane_layout.pane in names else 0
         self.to_view(names[(here + by) % len(names)])
 
     def view(self) -> None:
-        """Narrow: the next view.  Wide: this pane large, or all of them again."""
+        """Narrow: the next view.  Wide: findings, calculation and curve in turn."""
+        self.to_view(self._host.pane_layout.next_view())
+
+    def enlarge(self) -> None:
+        """This pane alone, or all of them again."""
         host = self._host
-        if host.pane_layout.wide:
-            host.pane_layout.large = not host.pane_layout.large
-            host.set_out()
-        else:
-            views = list(VIEWS)
-            here = views.index(host.pane_layout.pane) if host.pane_layout.pane in views else 0
-            self.to_view(views[(here + 1) % len(views)])
+        host.pane_layout.large = host.pane_layout.wide and not host.pane_layout.large
+        host.set_out()
 
     def to_view(self, name: str) -> None:
         host = self._host

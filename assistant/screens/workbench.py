@@ -36,6 +36,7 @@ from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.message_line import MessageLine
 from ..widgets.pane import Pane
+from ..widgets.picture import Picture
 from ..widgets.step_bar import StepBar
 from ..widgets.steps import Steps
 from ..widgets.table_heading import TableHeading
@@ -51,12 +52,14 @@ from .moves import Moves
 from .pane_layout import PANES, PaneLayout
 from .reading_actions import ReadingActions
 
+HUGE = 170  # cells of a screen that has room for the findings beside the picture
+
 
 class Workbench(Screen[None]):
     """What is shown, and when it is shown anew.  Its parts do the rest: what the keys do, and how the design is solved behind it."""
 
     app: BaseApp
-    HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide")]  # noqa: RUF012
+    HORIZONTAL_BREAKPOINTS = [(0, "-tiny"), (60, "-narrow"), (100, "-wide"), (HUGE, "-huge")]  # noqa: RUF012
     BINDINGS: ClassVar[list[BindingType]] = [Binding(a.binding, a.does, a.title, show=False, id=a.id) for a in ACTIONS if a.binding]
     AUTO_FOCUS = ""
     # a change of the focus is drawn by the two widgets; the whole screen need not be
@@ -83,7 +86,7 @@ class Workbench(Screen[None]):
     # --- the parts
     def compose(self) -> ComposeResult:
         # the classes that the width will give, before there is anything that would have to be styled anew
-        self.add_class("-wide" if self.app.size.width >= 100 else "-narrow" if self.app.size.width >= 60 else "-tiny")
+        self.add_class(next(name for least, name in reversed(self.HORIZONTAL_BREAKPOINTS) if self.app.size.width >= least))
         self.set_class(self.app.ascii, "-ascii")
         yield TopLine(self.session)
         yield StepBar(self.session)
@@ -91,9 +94,12 @@ class Workbench(Screen[None]):
             yield Pane(Text("Steps"), Steps(self.session), id="steps")
             yield Pane(self._form_title(), Container(Form(self.step, self.session), id="forms"), FieldHelp(), id="inputs")
             with Vertical(id="results"):
-                yield Pane(Text("Checks"), Checks(), id="checks")
-                yield Pane(Text("Calculation"), Calculation(), id="calculation")
-                yield CurvePane()
+                with Vertical(id="seen"):
+                    yield Pane(Text("Picture"), Picture(), id="picture")
+                    yield CurvePane()
+                with Vertical(id="judged"):
+                    yield Pane(Text("Findings"), Checks(), id="checks")
+                    yield Pane(Text("Calculation"), Calculation(), id="calculation")
         yield MessageLine(self.session)
         yield FooterLine()
 
@@ -337,7 +343,7 @@ class Workbench(Screen[None]):
 
     def at_pane(self, name: str) -> None:
         if name != self.pane_layout.pane and self.stands:
-            self.pane_layout.pane = name
+            self.pane_layout.at(name)
             self.set_out()
 
     def set_out(self) -> None:
