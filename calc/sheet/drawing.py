@@ -1,22 +1,39 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a drawing is made of, whatever it shows: lines, arcs, words and dimensions, each on a layer.
+"""What a drawing is made of, whatever it shows: lines, arcs, areas, words and dimensions, each on a layer.
 
-The sheet's first axis runs to the right, its second up, both in metres.
+The sheet's first axis runs to the right, its second up, both in metres.  `key`: the field of the design that a primitive shows (a key of
+a table stands for all its fields; several stand with spaces between them), which is lit while it is edited; `state`: the verdict of the
+part that it shows, "fail", "warn" or nothing.
 """
 
+import math
+from collections.abc import Iterable
+from functools import cached_property
+from typing import Literal
+
 from .record import record
+from .text import EMPTY, Text
 from .units import Metre, Radian
 
 Point = tuple[Metre, Metre]
+Box = tuple[Metre, Metre, Metre, Metre]  # left, bottom, right, top
+State = Literal["", "warn", "fail"]
+Side = Literal["left", "centre", "right"]
+
+# Layers of sketches that are drawn other than plain: context is faint, axes are faint chain lines, what is hidden is faint and dashed
+OUTLINE, CONTEXT, AXIS, HIDDEN, DIMENSIONS, WORDS = "OUTLINE", "CONTEXT", "AXIS", "HIDDEN", "DIMENSIONS", "TEXT"
 
 
 @record
 class Polyline:
-    """Straight lines from point to point; closed: back to the first."""
+    """Straight lines from point to point; closed: back to the first; `arrow`: the last point is the tip of an arrow."""
 
     layer: str
     points: tuple[Point, ...]
     closed: bool = False
+    key: str = ""
+    state: State = ""
+    arrow: bool = False
 
 
 @record
@@ -26,32 +43,106 @@ class Arc:
     layer: str
     centre: Point
     radius: Metre
-    start: Radian
-    end: Radian
+    start: Radian = 0.0
+    end: Radian = 2 * math.pi
+    key: str = ""
+    state: State = ""
+
+
+@record
+class Area:
+    """What is filled within closed outlines: what lies in two of them, as the hole of a ring, stays empty.  `shade`: how strongly."""
+
+    layer: str
+    outlines: tuple[tuple[Point, ...], ...]
+    shade: float = 0.25
+    key: str = ""
+    state: State = ""
 
 
 @record
 class Words:
-    """A line of text that begins at a place."""
+    """A line of text that begins at a place, has its middle there, or ends there (`side`: where the place is)."""
 
     layer: str
     at: Point
     text: str
-    height: Metre
+    height: Metre = 0.0
+    key: str = ""
+    state: State = ""
+    side: Side = "left"
 
 
 @record
 class Dimension:
-    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put aside by `shift`."""
+    """The distance of two points, to the right or (`upright`) upwards, on a line through `line`; its number is put aside by `shift`.
+
+    `label`: what stands there in place of the distance in millimetres.
+    """
 
     layer: str
     start: Point
     end: Point
     line: Point
-    height: Metre
+    height: Metre = 0.0
     upright: bool = False
     diameter: bool = False
     shift: Metre = 0.0
+    key: str = ""
+    state: State = ""
+    label: Text = EMPTY
 
 
-Primitive = Polyline | Arc | Words | Dimension
+Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
+Mark = Primitive | Area  # of sketches
+
+
+@record
+class Sketch:
+    """A picture of a few strokes.  `notes`: what is not to scale, in words ("gap × 400").  `turning`: it depends on the crank's angle.
+
+    `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands above each.
+    """
+
+    primitives: tuple[Mark, ...] = ()
+    notes: tuple[Text, ...] = ()
+    turning: bool = False
+    title: Text = EMPTY
+    beside: tuple["Sketch", ...] = ()
+
+    @cached_property
+    def box(self) -> Box:
+        """What the picture spans, its words taken as points; the pictures beside it do not count."""
+        points = [point for mark in self.primitives for point in reach(mark)]
+        if not points:
+            return 0.0, 0.0, 0.0, 0.0
+        xs, ys = zip(*points)
+        return min(xs), min(ys), max(xs), max(ys)
+
+
+def reach(mark: Mark) -> Iterable[Point]:
+    """Points that span a primitive."""
+    match mark:
+        case Polyline(points=points):
+            return points
+        case Arc(centre=(x, y), radius=r, start=start, end=end):
+            quarters = range(math.ceil(start / (math.pi / 2)), math.floor(end / (math.pi / 2)) + 1)
+            angles = (start, end, *(quarter * math.pi / 2 for quarter in quarters))
+            return [(x + r * math.cos(angle), y + r * math.sin(angle)) for angle in angles]
+        case Area(outlines=outlines):
+            return [point for outline in outlines for point in outline]
+        case Words(at=at):
+            return (at,)
+        case Dimension(start=start, end=end, line=(x, y), upright=upright):
+            return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
+
+
+def round_outline(centre: Point, radius: Metre, corners: int = 48) -> tuple[Point, ...]:
+    """The outline of a disc, for an area."""
+    turns = [2 * math.pi * n / corners for n in range(corners)]
+    return tuple((centre[0] + radius * math.cos(turn), centre[1] + radius * math.sin(turn)) for turn in turns)
+
+
+def rectangle(left: Metre, bottom: Metre, right: Metre, top: Metre) -> tuple[Point, ...]:
+    """Four corners, for a closed line or an area."""
+    return (left, bottom), (right, bottom), (right, top), (left, top)
