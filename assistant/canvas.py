@@ -6,8 +6,7 @@ part that fails has the colour of failure and its sign.
 """
 
 import math
-from collections.abc import Iterable, Sequence
-from itertools import pairwise
+from collections.abc import Iterable
 
 import numpy as np
 from rich.cells import cell_len
@@ -15,8 +14,8 @@ from textual.content import Content, Span
 
 from calc.languages import Language
 from calc.sheet.drawing import AXIS, CONTEXT, HIDDEN, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, Words, reach
-from calc.sheet.text import Amount
 
+from .arrangement import CENTRE, LEFT, RIGHT, Fit, Frame, Spread, arranged, words_of
 from .raster import LOWER, UPPER, Floats, Integers, Raster
 from .widgets.signs import Signs
 
@@ -26,15 +25,12 @@ STATES = {"": NORMAL, "warn": WARN, "fail": FAIL}
 PATTERNS: dict[str, tuple[float, ...]] = {AXIS: (8, 3, 1, 3), HIDDEN: (3, 3)}
 WITNESS = (1.0, 2.0)  # pattern of the lines from a part to its dimension
 HEAD, HEAD_ANGLE = 5.0, math.radians(25)  # dots; of an arrow
-LEAST = 18, 5  # columns and rows below which a picture beside another one is left out
-GAP = 3  # columns between pictures
 PAPER = {True: 0x1A, False: 0xE8}  # grey of the background, dark or light, that the fill of areas is mixed with
 INK = {FAINT: 0x80, NORMAL: 0xB0}
 SHIFTS = sorted(
     ((row, column) for row in range(-2, 3) for column in range(-6, 7)), key=lambda shift: (2 * abs(shift[0]) + abs(shift[1]), shift)
 )  # how a word may be moved, in rows and columns
 ON_A_LINE, BESIDE_A_WORD = 1.0, 2.0  # what each cell of a line under a word, and a word right beside it, is worth in `SHIFTS`
-RIGHT, CENTRE, LEFT = "left", "centre", "right"
 
 
 def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, lit: str = "") -> Content:
@@ -43,112 +39,12 @@ def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, l
         return Content("")
     canvas = Canvas(columns, rows, signs, say, lit)
     notes = " · ".join(dict.fromkeys(say(note) for one in (sketch, *sketch.beside) for note in one.notes))
-    below = 1 if notes and rows > LEAST[1] else 0
-    for one, left, top, wide, high in _frames(sketch, columns, rows - below, say):
-        canvas.picture(one, left, top, wide, high)
+    below = 1 if notes and rows > 4 else 0
+    for picture, frame in arranged([Spread(one, say) for one in (sketch, *sketch.beside)], columns, rows - below):
+        canvas.picture(picture, frame)
     if below:
         canvas.put(rows - 1, max(0, (columns - cell_len(notes)) // 2), notes, FAINT)
     return canvas.content()
-
-
-Frame = tuple[Sketch, int, int, int, int]  # left, top, columns, rows
-
-
-def _frames(sketch: Sketch, columns: int, rows: int, say: Language) -> list[Frame]:
-    """The pictures side by side or one above the other, whichever draws them larger; as many as there is room for."""
-    pictures = [sketch, *sketch.beside]
-    while True:
-        arrangements = [_row(pictures, columns, rows), _column(pictures, columns, rows)]
-        fitting = [frames for frames in arrangements if all(f[3] >= LEAST[0] and f[4] >= LEAST[1] for f in frames)]
-        if len(pictures) == 1:
-            return arrangements[0]
-        if fitting:
-            return max(fitting, key=lambda frames: math.prod(Fit(f[0], f[3], f[4], say).scale for f in frames))
-        pictures.pop()
-
-
-def _row(pictures: Sequence[Sketch], columns: int, rows: int) -> list[Frame]:
-    shapes = [min(max(_slimness(one), 0.6), 3.0) for one in pictures]
-    widths = _shared(columns - GAP * (len(pictures) - 1), shapes)
-    return [(one, sum(widths[:n]) + GAP * n, 0, widths[n], rows) for n, one in enumerate(pictures)]
-
-
-def _column(pictures: Sequence[Sketch], columns: int, rows: int) -> list[Frame]:
-    shapes = [1 / min(max(_slimness(one), 0.6), 3.0) for one in pictures]
-    heights = _shared(rows, shapes)
-    return [(one, 0, sum(heights[:n]), columns, heights[n]) for n, one in enumerate(pictures)]
-
-
-def _slimness(sketch: Sketch) -> float:
-    left, bottom, right, top = sketch.box
-    return (right - left) / (top - bottom) if top > bottom else 1.0
-
-
-def _shared(cells: int, weights: Sequence[float]) -> list[int]:
-    ends = [round(cells * sum(weights[:n]) / sum(weights)) for n in range(len(weights) + 1)]
-    return [end - start for start, end in pairwise(ends)]
-
-
-class Fit:
-    """Where metres lie in a frame of cells: the largest true scale at which the picture and its words are within."""
-
-    def __init__(self, sketch: Sketch, columns: int, rows: int, say: Language) -> None:
-        reaches: list[tuple[float, ...]] = [(*point, 0.3, 0.3, 0.15, 0.15) for mark in sketch.primitives for point in reach(mark)]
-        reaches += [reach for mark in sketch.primitives for reach in _word_reach(mark, say)]
-        x, y, left, right, up, down = np.array(reaches or [(0.0,) * 6]).T
-        rows -= bool(sketch.title)
-
-        def spans(scale: float) -> tuple[float, float, float, float]:
-            across, upwards = x * scale, y * scale / 2
-            return (across - left).min(), (across + right).max(), (upwards + up).max(), (upwards - down).min()
-
-        def fits(scale: float) -> bool:
-            first, last, top, bottom = spans(scale)
-            return bool(last - first <= columns and top - bottom <= rows)
-
-        extent = max(float(np.ptp(x)), float(np.ptp(y)))
-        low, high = 0.0, 2 * (columns + 2 * rows) / extent if extent else 1.0
-        for _ in range(24):
-            middle = (low + high) / 2
-            low, high = (middle, high) if fits(middle) else (low, middle)
-        self.scale = low  # columns per metre
-        first, last, top, bottom = spans(low)
-        self.x = (columns - (last - first)) / 2 - first
-        self.y = (rows - (top - bottom)) / 2 + top + bool(sketch.title)
-
-    def cell(self, at: Point) -> tuple[int, int]:
-        """Row and column of a place."""
-        return math.floor(self.y - at[1] * self.scale / 2), math.floor(self.x + at[0] * self.scale)
-
-    def dots(self, points: Iterable[Point]) -> Floats:
-        places = np.array(list(points), float).reshape(-1, 2)
-        return np.column_stack([2 * (self.x + places[:, 0] * self.scale), 4 * (self.y - places[:, 1] * self.scale / 2)])
-
-
-def _word_reach(mark: Mark, say: Language) -> Iterable[tuple[float, ...]]:
-    """A place, and how many cells its words reach from there to the left, right, up and down."""
-    match mark:
-        case Words(at=at, side=side):
-            wide = cell_len(_words(mark, say))
-            left: float = {RIGHT: 0.0, CENTRE: wide / 2, LEFT: wide}[side]
-            yield *at, left, wide - left, 0.5, 0.5
-        case Dimension(start=start, end=end, line=(x, y), upright=upright):
-            room = cell_len(_words(mark, say)) + 2
-            if upright:
-                left, right = (1.0, room) if x >= start[0] else (room, 1.0)
-                yield x, (start[1] + end[1]) / 2, left, right, 0.5, 0.5
-            else:
-                yield (start[0] + end[0]) / 2, y, room / 2, room / 2, 0.5, 0.5
-
-
-def _words(mark: Words | Dimension, say: Language) -> str:
-    """What a word or a dimension says, with the sign of failure or of a warning in front."""
-    if isinstance(mark, Words):
-        return say(mark.text)
-    if mark.label:
-        return say(mark.label)
-    length = mark.end[1] - mark.start[1] if mark.upright else mark.end[0] - mark.start[0]
-    return ("Ø " if mark.diameter else "") + say.part(Amount(abs(length) * 1000, "mm"))
 
 
 class Canvas:
@@ -167,14 +63,12 @@ class Canvas:
         return STATES[mark.state] if mark.state else FAINT if mark.layer in (CONTEXT, AXIS, HIDDEN) else NORMAL
 
     # --- pictures
-    def picture(self, sketch: Sketch, left: int, top: int, columns: int, rows: int) -> None:
+    def picture(self, picture: Spread, frame: Frame) -> None:
         """Draw one picture into its frame."""
-        fit = Fit(sketch, columns, rows, self.say)
-        fit.x, fit.y = fit.x + left, fit.y + top
-        frame = (top + bool(sketch.title), top + rows, left, left + columns)
+        sketch, fit = picture.sketch, Fit(picture, frame)
         if sketch.title:
             title = self.say(sketch.title)
-            self.put(top, left + max(0, (columns - cell_len(title)) // 2), title, FAINT)
+            self.put(fit.title, frame.left + max(0, (frame.columns - cell_len(title)) // 2), title, FAINT)
         paths: list[tuple[Floats, int, tuple[float, ...]]] = []
         for mark in sketch.primitives:
             paths += self._paths(mark, fit)
@@ -185,7 +79,7 @@ class Canvas:
         for mark in sorted(sketch.primitives, key=lambda mark: -self.role(mark)):
             if isinstance(mark, Words):
                 row, column = fit.cell(mark.at)
-                wide = cell_len(text := _words(mark, self.say))
+                wide = cell_len(text := words_of(mark, self.say))
                 start = {RIGHT: column, CENTRE: round(fit.x + mark.at[0] * fit.scale - wide / 2), LEFT: column - wide + 1}[mark.side]
                 self._place(text, row, start, self.role(mark), frame)
         for dimension in dimensions:
@@ -213,7 +107,7 @@ class Canvas:
             case Words():
                 pass
 
-    def _mark_states(self, sketch: Sketch, fit: Fit, frame: tuple[int, int, int, int]) -> None:
+    def _mark_states(self, sketch: Sketch, fit: Fit, frame: Frame) -> None:
         """The sign of each part that fails, or of which is warned, at its upper right: one for all marks of one field or part."""
         ends: dict[tuple[str, str], Point] = {}
         for mark in sketch.primitives:
@@ -242,9 +136,9 @@ class Canvas:
             line = ("|" if ascii else "↔") if left == right else f"|{inner}|" if ascii else f"├{inner}┤"
             self.put(r0, left, line, role, free=True)
 
-    def _number(self, mark: Dimension, fit: Fit, frame: tuple[int, int, int, int]) -> None:
+    def _number(self, mark: Dimension, fit: Fit, frame: Frame) -> None:
         """In a level line, or right of it where it is too short; beside an upright one."""
-        text, role = _words(mark, self.say), self.role(mark)
+        text, role = words_of(mark, self.say), self.role(mark)
         wide = cell_len(text)
         (r0, c0), (r1, c1) = (fit.cell((mark.line[0], p[1]) if mark.upright else (p[0], mark.line[1])) for p in (mark.start, mark.end))
         if mark.upright:
@@ -264,9 +158,9 @@ class Canvas:
                 self.text_roles[row, column] = role
             column += wide
 
-    def _place(self, text: str, row: int, column: int, role: int, frame: tuple[int, int, int, int]) -> None:
+    def _place(self, text: str, row: int, column: int, role: int, frame: Frame) -> None:
         """Write near a place where no other word stands, clear of lines if possible; not at all where there is no room."""
-        top, bottom, left, right = frame
+        top, bottom, left, right = frame.top, frame.top + frame.rows, frame.left, frame.left + frame.columns
         wide = cell_len(text)
         if wide > right - left:
             return
@@ -312,16 +206,15 @@ class Canvas:
         count = len(self.fills) + 1
         looks = (roles * count + front) * count + back
         spans, rows, at = [], [], 0
-        for row in range(self.rows):
-            look, code = looks[row], codes[row]
-            ends = [0, *(np.flatnonzero(np.diff(look)) + 1).tolist(), self.columns]
-            pieces = ["".join([chr(c) for c in code[a:b].tolist() if c >= 0]) for a, b in pairwise(ends)]
-            for piece, number in zip(pieces, look[ends[:-1]].tolist()):
+        for look, code in zip(looks, codes):
+            letters = code[code >= 0].astype("<u4").tobytes().decode("utf-32-le")
+            ends = np.concatenate([[0], np.flatnonzero(np.diff(look)) + 1, [self.columns]])
+            places = (at + np.concatenate([[0], np.cumsum(code >= 0)])[ends]).tolist()
+            for number, start, end in zip(look[ends[:-1]].tolist(), places, places[1:]):
                 if number:
-                    spans.append(Span(at, at + len(piece), self._style(number // count // count, number // count % count, number % count)))
-                at += len(piece)
-            rows.append("".join(pieces))
-            at += 1
+                    spans.append(Span(start, end, self._style(number // count**2, number // count % count, number % count)))
+            rows.append(letters)
+            at += len(letters) + 1
         return Content("\n".join(rows), spans)
 
     def _style(self, role: int, front: int, back: int) -> str:
