@@ -14,24 +14,26 @@ WORDS = {
 MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
     "then": "→", "recording": "●",
+    "todo": "○", "needs": "!", "waits": "◌", "ready": "✓", "folded": "▸", "unfolded": "▾",
 }  # fmt: skip
 ASCII = {
     "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o", "not_asked": ".",
     "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
     "then": "->", "recording": "@",
+    "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "+", "unfolded": "-",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background
 DARK = {
     "pass": "#56B4E9", "warn": "#E69F00", "fail": "#D55E00", "no_solution": "#D55E00", "invalid": "#E69F00", "not_verified": "#E69F00",
-    "lit": "#56B4E9",
+    "needs": "#E69F00", "ready": "#56B4E9", "accepted": "#56B4E9", "lit": "#56B4E9",
 }  # fmt: skip
 LIGHT = {
     "pass": "#0072B2", "warn": "#8A5A00", "fail": "#B04A00", "no_solution": "#B04A00", "invalid": "#8A5A00", "not_verified": "#8A5A00",
-    "lit": "#0072B2",
+    "needs": "#8A5A00", "ready": "#0072B2", "accepted": "#0072B2", "lit": "#0072B2",
 }  # fmt: skip
-BOLD = {"fail", "no_solution", "invalid", "lit"}
+BOLD = {"fail", "no_solution", "invalid", "needs", "lit"}
 MUTED = "dim"
 LINES_DARK = ("#56B4E9", "#E69F00", "#009E73", "#CC79A7", "#F0E442")
 LINES_LIGHT = ("#0072B2", "#8A5A00", "#007A5A", "#A04A7D", "#6E6700")

@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The first row: the file and its state, how many checks pass, warn and fail, and how long it took."""
-
-from collections import Counter
+"""The first row: the file and its state, what is open and how many steps are ready, and how long it took."""
 
 from textual.content import Content
 from textual.widget import Widget
 
+from calc.ready import OPEN, tally
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
 from ..session import Session
+from .steps import states_of
 from .wrap import fit
 
 FEWEST = 60  # columns in which everything can be seen
@@ -45,15 +45,14 @@ class TopLine(Widget):
         session, signs, say = self.session, self.app.signs, self.app.say
         width = self.size.width
         short = width < 100
-        counts = Counter(check.verdict for check in session.results.checks()) if session.results is not None else Counter()
         dim = "dim " if session.results is not None and not session.current else ""
         right: list[Content | tuple[str, str] | str] = []
-        for verdict in ("pass", "warn", "fail"):
-            if verdict == "pass" or counts[verdict]:
-                word = "" if short else f" {signs.word(verdict)}"
-                right += [(f"{counts[verdict]} {signs.mark(verdict)}{word}", dim + signs.style(verdict)), "  "]
-        if session.results is None:
-            right = []
+        if session.results is not None:
+            found = tally(states_of(session), session.results)
+            for state, words in found.words:
+                text = f"{getattr(found, state)} {signs.mark(state)}" if short and state in OPEN else say(words)
+                right += [(" " if short else " · ") if right else "", (text, dim + signs.style(state))]
+            right.append("  ")
         if not session.valid:
             time = say(Text("input is not valid"))
         elif session.failure:
@@ -62,8 +61,9 @@ class TopLine(Widget):
             time = f"{signs.mark('solving')} {say(Text('solving'))}"
         else:
             time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
-        if width < FEWEST:
-            time, right = say(Text("needs {n} columns", n=FEWEST)), []  # which must be seen
+        if width < FEWEST:  # which must be seen
+            words = (Text("The window is too small: it needs {n} columns", n=FEWEST), Text("needs {n} columns", n=FEWEST), Text("too small"))
+            return Content(next((f" {say(w)}" for w in words if len(say(w)) < width), fit(say(words[-1]), width)))
         if self.app.writing:
             right += [(say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))
