@@ -29,17 +29,17 @@ class Effect:
     unit: str
 
 
-def effects(document: Document, results: Results, checks: Iterable[Check]) -> dict[str, tuple[Effect, ...]]:
+def effects(document: Document, results: Results, checks: Iterable[Check], most: int = MOST) -> dict[str, tuple[Effect, ...]]:
     """For each check what the inputs do that move it most, in the order of use.  `document` is that of the results.
 
-    Of checks with one cause the worst says which inputs are moved.  Each is moved once, and only what depends on it is solved again.
+    Of checks with one cause the worst says which inputs are moved, and at most so many.  Each is moved once, and only what depends on it is solved again.
     """
     known = dict(quantities(document.data))
     wanted = list(checks)
     moved: dict[str, Moved] = {}
     for group in grouped(wanted):
         numbers = [key for key in _keys(group[0], known) if known[key].kind in KINDS and value_at(document.data, key) is not None]
-        for key in numbers[:MOST]:
+        for key in numbers[:most]:
             if key not in moved:
                 moved[key] = _moved(document, results, key, known[key])
     return {c.id: tuple(_effect(c, key, known[key], moved.get(key)) for key in _keys(c, known)) for c in wanted}
@@ -82,3 +82,14 @@ def _effect(check: Check, key: str, about: Quantity, moved: Moved) -> Effect:
 
 def _finite(number: float) -> float | None:
     return number if math.isfinite(number) else None
+
+
+def moved_by(document: Document, results: Results, key: str) -> tuple[tuple[Check, Effect], ...]:
+    """What one input moves: every check, with the effect of one unit more, the one first whose margin it moves most."""
+    about = dict(quantities(document.data)).get(key)
+    if about is None or about.kind not in KINDS or value_at(document.data, key) is None:
+        return ()
+    moved = _moved(document, results, key, about)
+    found = [(check, _effect(check, key, about, moved)) for check in results.checks()]
+    there = [(check, effect) for check, effect in found if effect.gain]
+    return tuple(sorted(there, key=lambda one: -abs((one[1].gain or 0.0) / (abs(one[0].nearest[1]) or 1.0))))
