@@ -64,6 +64,11 @@ ACTIONS: tuple[Action, ...] = (
     Action("explain", "", "x", EMPTY, Text("Explain"),
            Text("Walks back from the value, the check or the line that you are at, through its formulas to the inputs. So does Enter.")),
     Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that gives its value.")),
+    Action("accept", "", "a", EMPTY, Text("Accept a finding"),
+           Text("On a finding that is no limit: asks for the reason why it may stay open, which stands in the report; once more takes it "
+                "back.")),
+    Action("ready", "", "D", EMPTY, Text("Ready?"),
+           Text("Shows the whole drive with its main numbers, what is assumed and accepted, and what is left to do.")),
     Action("report", "f8", "p", Text("PDF"), Text("PDF report"), Text("Writes the calculation report beside the design file.")),
     Action("export", "", "E", EMPTY, Text("Export …"),
            Text("Writes a drawing of the shaft or the gears (.dxf), the values (.csv), all results (.json) or the report (.pdf).")),

@@ -38,11 +38,12 @@ from ..widgets.message_line import MessageLine
 from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.step_bar import StepBar
-from ..widgets.steps import Steps
+from ..widgets.steps import READY, Steps
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
 from ..widgets.upstream_values import Taken
+from .accept import AcceptActions
 from .background_solve import BackgroundSolve
 from .curve_actions import CurveActions
 from .edit_actions import EditActions
@@ -51,6 +52,8 @@ from .file_actions import FileActions
 from .moves import Moves
 from .pane_layout import PANES, PaneLayout
 from .reading_actions import ReadingActions
+from .ready import ReadyActions
+from .slopes import Slopes
 
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
 
@@ -74,7 +77,11 @@ class Workbench(Screen[None]):
         self.files = FileActions(self)
         self.curves = CurveActions(self, self.moves)
         self.readings = ReadingActions(self, self.moves, self.background)
-        self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings)
+        self.slopes = Slopes(self)
+        self.closing = ReadyActions(self, self.files)
+        self._actions = methods(
+            self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing
+        )  # fmt: skip
         self.feedback = EditFeedback(self)
         self._composing = False
         self._begin(session)
@@ -331,15 +338,25 @@ class Workbench(Screen[None]):
             elif inside:
                 self.form.focus_place(focus)
 
+    def show_finding(self) -> None:
+        """The message line speaks of the finding under the cursor, while the findings have the focus."""
+        line, checks = self.query_one(MessageLine), self.checks
+        line.finding = checks.key if checks.has_focus else ""
+        line.redraw()
+
     # --- focus and panes
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         pane = next((node.id for node in event.widget.ancestors_with_self if node.id in PANES), None)
         if pane is not None:
             self.at_pane(pane)
         self._show_help()
+        if isinstance(event.widget, Checks):
+            self.call_later(self.show_finding)
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.call_later(self._show_help)
+        if isinstance(event.widget, Checks) and self.stands:
+            self.call_later(self.show_finding)
 
     def at_pane(self, name: str) -> None:
         if name != self.pane_layout.pane and self.stands:
@@ -363,7 +380,13 @@ class Workbench(Screen[None]):
         else:
             self.query_one(FieldHelp).show("", "")
 
+    def on_checks_want_slopes(self, event: Checks.WantSlopes) -> None:
+        event.stop()
+        self.slopes.want(event.check)
+
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
+        if isinstance(event.source, Checks) and self.stands:
+            self.show_finding()
         if isinstance(event.source, Calculation) and self.stands:
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 
@@ -374,7 +397,9 @@ class Workbench(Screen[None]):
         source = event.source
         if not self.stands:
             return
-        if isinstance(source, Steps):
+        if event.key == READY:
+            self.closing.ready()
+        elif isinstance(source, Steps):
             self.at_pane("inputs")
             await self.open_step(next(s for s in STEPS if s.key == event.key))
         elif isinstance(source, Checks) and event.clicked:

@@ -1,19 +1,31 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The checks of a step: verdict, name, value, limit, margin.  What fails stands first."""
+"""The findings of a step: those of one cause in a row, the worst first; what is under the cursor is told in full; what holds is folded."""
 
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from textual import events
+from textual.binding import Binding, BindingType
 from textual.content import Content
+from textual.message import Message
 
-from calc.sheet.check import Check, severity
+from calc.headlines import share
+from calc.sheet.check import Check, grouped, severity
 from calc.sheet.number import short
+from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import COMMA, Amount, Name, Small, Text, plural
 
+from .bar import bar
 from .item_list import Item, ItemList
 from .wrap import pad, wrap
 
-MARGIN_WIDTH = 8  # cells at least
 VALUE, LIMIT, MARGIN = Text("Value"), Text("Limit"), Text("Margin")
-GAP = 2
+GAP = 2  # cells between columns
+SIGN = 2  # cells of the sign before a name
+NAMES = 26  # cells of a name at least, beside columns of numbers
+ADVICE, METHOD, HOLD = "advice", "method", "hold"  # the keys of the rows that fold
 
 
 def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
@@ -21,87 +33,295 @@ def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
     return sorted(checks, key=lambda c: severity(c)[:3])
 
 
+@dataclass(frozen=True)
+class Row:
+    """One finding, or the head of what is folded.  `others`: findings of the same cause that are folded behind it."""
+
+    key: str
+    check: Check | None = None
+    others: int = 0
+    inside: bool = False  # of a group, below its worst
+    head: Content | None = None
+
+
+@dataclass(frozen=True)
+class Columns:
+    """The cells of each column; without numbers only the margin stands behind the name."""
+
+    name: int
+    value: int
+    limit: int
+    margin: int
+
+    @property
+    def numbers(self) -> bool:
+        return self.value > 0
+
+
 class Checks(ItemList):
-    """The key of an item is the id of its check."""
+    """The key of an item is the id of its check, or the name of what is folded there."""
+
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("right", "unfold(True)", "Unfold", show=False),
+        Binding("left", "unfold(False)", "Fold", show=False),
+    ]
+
+    @dataclass
+    class WantSlopes(Message):
+        """It should be said how far the inputs move this check."""
+
+        source: "Checks"
+        check: Check
+
+        @property
+        def control(self) -> "Checks":
+            return self.source
 
     def __init__(self) -> None:
         super().__init__(id="checks-list")
         self.outcome: Outcome[object] | None = None
+        self.unfolded: set[str] = set()  # causes, and ADVICE, METHOD, HOLD
+        self.slopes: dict[str, Text] = {}  # id of a check → what moves it most
+        self._clicked_at = ""
 
     def show(self, outcome: Outcome[object] | None) -> None:
         if outcome is not self.outcome:
-            self.outcome = outcome
+            if outcome is None or self.outcome is None or outcome.key != self.outcome.key:
+                self.unfolded = set()
+            self.outcome, self.slopes = outcome, {}
             self.rebuild()
+
+    def show_slopes(self, id: str, words: Text) -> None:
+        """What moves a check most, as soon as it is known."""
+        self.slopes[id] = words
+        if id == self.key:
+            self.rebuild()
+
+    @property
+    def check(self) -> Check | None:
+        """The check under the cursor."""
+        return self._by_id(self.key)
+
+    @property
+    def group(self) -> list[Check]:
+        """What is open under the cursor: all findings of the cause where they are folded behind the worst, else the one."""
+        check = self.check
+        if check is None or self.outcome is None or (check.cause or check.id) in self.unfolded:
+            return [check] if check is not None else []
+        return [c for c in self.outcome.checks if c.open and c.kind in KINDS_SHOWN and cause(c) == cause(check)] or [check]
+
+    def _by_id(self, id: str) -> Check | None:
+        return next((c for c in self.outcome.checks if c.id == id), None) if self.outcome is not None else None
+
+    # --- folding
+    def go_to(self, key: str, *, top: bool = False) -> bool:
+        if (check := self._by_id(key)) is not None and self.items and all(item.key != key for item in self.items):
+            self.unfolded |= {fold_of(check), cause(check)}
+            self.rebuild()
+        return super().go_to(key, top=top)
+
+    def action_unfold(self, unfold: bool) -> None:
+        check = self.check
+        key = cause(check) if check is not None else self.key
+        if not unfold and check is not None and key not in self.unfolded:
+            key = fold_of(check)  # out of a row, its fold
+        if not key or (key in self.unfolded) is unfold:
+            return
+        head = (
+            key
+            if check is None or key == fold_of(check)
+            else next((row.key for row in self._rows_of() if row.check and cause(row.check) == key), "")
+        )
+        self.unfolded ^= {key}
+        if head and not unfold:
+            self.cursor = next((n for n, item in enumerate(self.items) if item.key == head), self.cursor)
+        self.rebuild()
+
+    def choose(self, clicked: bool = False) -> None:
+        """Enter folds and unfolds, or explains a check; a click chooses it, and one more does so too."""
+        if self.key in (ADVICE, METHOD, HOLD):
+            self.action_unfold(self.key not in self.unfolded)
+        elif not clicked or self.key == self._clicked_at:
+            super().choose(clicked)
+
+    def on_click(self, event: events.Click) -> None:
+        self._clicked_at = self.key  # before this click, which the list deals with next
+
+    def _move(self, index: int, *, top: bool = False) -> None:
+        self.cursor = index
+        self.rebuild()  # what is under the cursor is told in full
+        super()._move(self.cursor, top=top)
+
+    def rebuild(self) -> None:
+        super().rebuild()
+        if (check := self.check) is not None and check.moved_by and check.id not in self.slopes:
+            self.post_message(self.WantSlopes(self, check))
+
+    # --- content
+    def _rows_of(self) -> list[Row]:
+        """What is listed, in its order."""
+        assert self.outcome is not None
+        checks, signs, say = self.outcome.checks, self.app.signs, self.app.say
+        rows: list[Row] = []
+        found = [[c for c in group if c.open] for group in grouped(checks)]
+        shown = [group for group in found if group and group[0].kind in KINDS_SHOWN]
+        for group in shown:
+            mine = [c for c in group if c.kind in KINDS_SHOWN]
+            unfolded = cause(group[0]) in self.unfolded
+            rows.append(Row(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
+            rows += [Row(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
+        if not shown:
+            mark = signs.mark("ready")
+            rows.append(
+                Row("", head=Content.assemble((f"{mark} {say(Text('Nothing fails and no caution is open.'))}", signs.style("ready"))))
+            )
+        rows += [Row(c.id, c) for c in checks if c.verdict == "accepted"]
+        rows.append(Row("", head=Content("")))
+        folds = (
+            (ADVICE, [c for c in sorted_checks(checks) if c.open and c.kind == "advice"], "{n} piece of advice", "{n} pieces of advice"),
+            (METHOD, [c for c in sorted_checks(checks) if c.open and c.kind == "method"], "{n} on the method", "{n} on the method"),
+            (HOLD, [c for c in checks if c.verdict == "pass"], "{n} holds", "{n} hold"),
+        )
+        for key, mine, one, many in folds:
+            if mine:
+                unfolded = key in self.unfolded
+                words, state = say(plural(one, many, n=len(mine))), "pass" if key == HOLD else "note"
+                fold = signs.mark("unfolded" if unfolded else "folded")
+                rows.append(
+                    Row(key, head=Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")))
+                )
+                rows += [Row(c.id, c, inside=True) for c in mine] if unfolded else []
+        return rows
 
     def build(self, width: int) -> list[Item]:
         outcome, say = self.outcome, self.app.say
-        width = max(width, 30)  # what is too narrow is cut off
         if outcome is None:
             return []
         if not outcome.checks:
             texts = {"not_asked": Text("This design does not use this step."), "solved": Text("This step has no limits of its own.")}
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
-            return [Item("", [Content.styled(row, "dim") for row in wrap(text, width)])]
-        checks, indent = sorted_checks(outcome.checks), self._indent
-        value_width = max(len(say(VALUE)), *(len(say.number(short(c.value))) for c in checks))
-        limit_width = max(len(say(LIMIT)), *(len(say(c.limit_text())) for c in checks))
-        margin_width = max(MARGIN_WIDTH, *(len(say(c.margin_text())) for c in checks))
-        name_width = width - indent - value_width - limit_width - margin_width - 2 * GAP
-        roomy = name_width >= 12 and all(len(wrap(c.name, name_width)) <= 2 for c in checks)
-        if roomy:
-            start = " " * indent + say(Text("Check")).ljust(name_width)
-            head = f"{start}{'':{GAP}}{say(VALUE):>{value_width}}{'':{GAP}}{say(LIMIT):<{limit_width}}{say(MARGIN):>{margin_width}}"
-        else:
-            head = f"{'':<{indent}}{say(Text('Check, value and limit')):<{width - indent - margin_width}}{say(MARGIN):>{margin_width}}"
-        items = [Item("", [Content.styled(head, "dim")])]
-        for check in checks:
-            rows = self._wide(check, name_width, value_width, limit_width, margin_width) if roomy else self._two(check, width, margin_width)
-            value = Amount(check.value, check.unit)
-            judged = Text(
-                "{verdict}: {check} {value}, limit {limit}, margin {margin} [{source}]",
-                verdict=self.app.signs.word(check.verdict),
-                check=check.name,
-                value=value,
-                limit=check.limit_text(),
-                margin=check.margin_text(),
-                source=check.source,
-            )
-            items.append(Item(check.id, rows, say.part(value), say(judged)))
+            return [Item("", [Content.styled(row, "dim") for row in wrap(text, max(1, width))])]
+        rows = self._rows_of()
+        columns = self._columns([row for row in rows if row.check is not None], width)
+        keys = [row.key for row in rows if row.key]
+        chosen = self.key if self.key in keys else keys[0] if keys else ""
+        items = [Item("", [self._head(columns)])] if columns.numbers else []
+        for row in rows:
+            if row.check is None:
+                items.append(Item(row.key, [row.head or Content("")]))
+                continue
+            content = self._title_rows(row, columns)
+            if row.key == chosen:
+                content = [*content, *self._detail(row.check, width)]
+            items.append(Item(row.key, content, say.part(Amount(row.check.value, row.check.unit)), self._line(row.check)))
         return items
 
-    @property
-    def _verdicts(self) -> set[str]:
-        return {check.verdict for check in self.outcome.checks} if self.outcome is not None else set()
+    def _columns(self, rows: Sequence[Row], width: int) -> Columns:
+        say = self.app.say
+        checks = [row.check for row in rows if row.check is not None]
 
-    @property
-    def _indent(self) -> int:
-        """The cells of the verdict: a sign and the longest word."""
-        return 3 + max(len(self.app.signs.word(verdict)) for verdict in {"pass", "warn", "fail", *self._verdicts})
+        def widest(head: Text, cell: Callable[[Check], str]) -> int:
+            return max([len(say(head)), *(len(cell(check)) for check in checks)])
 
-    def _start(self, check: Check) -> tuple[str, str]:
-        signs = self.app.signs
-        return pad(f"{signs.mark(check.verdict)} {signs.word(check.verdict)}", self._indent), signs.style(check.verdict)
+        margin = widest(MARGIN, lambda c: say(c.margin_text()))
+        value, limit = widest(VALUE, lambda c: say.number(short(c.value))), widest(LIMIT, lambda c: say(c.limit_text()))
+        room = width - SIGN - value - limit - margin - 3 * GAP
+        if checks and room >= NAMES:
+            longest = max(len(self._title(row)) for row in rows)
+            return Columns(min(room, max(NAMES, longest + 2)), value, limit, margin)
+        return Columns(max(8, width - SIGN - GAP - margin), 0, 0, margin)
 
-    def _wide(self, check: Check, name_width: int, value_width: int, limit_width: int, margin_width: int) -> list[Content]:
-        """One row, where the names fit beside the numbers."""
-        (start, style), say = self._start(check), self.app.say
-        indent = self._indent
-        names = wrap(check.name, name_width)
-        loud = style if check.open else ""
-        first = Content.assemble(
-            (start, style), pad(names[0], name_width), " " * GAP, (f"{say.number(short(check.value)):>{value_width}}", loud), " " * GAP,
-            (f"{say(check.limit_text()):<{limit_width}}", "dim"), (f"{say(check.margin_text()):>{margin_width}}", style),
-        )  # fmt: skip
-        return [first, *(Content(" " * indent + name) for name in names[1:])]
+    def _head(self, columns: Columns) -> Content:
+        say = self.app.say
+        name, value = f"{say(Text('Finding')):<{columns.name}}", f"{say(VALUE):>{columns.value}}"
+        limit, margin = f"{say(LIMIT):<{columns.limit}}", f"{say(MARGIN):>{columns.margin}}"
+        return Content.styled(" " * SIGN + (" " * GAP).join([name, value, limit, margin]), "dim")
 
-    def _two(self, check: Check, width: int, margin_width: int) -> list[Content]:
-        """The name in one row, the numbers in the next."""
-        start, style = self._start(check)
-        indent = self._indent
-        room = width - indent - margin_width
-        names = wrap(check.name, room - 1)
-        loud = style if check.open else ""
-        first = Content.assemble((start, style), pad(names[0], room), (f"{self.app.say(check.margin_text()):>{margin_width}}", style))
-        limit, say = check.limit_text(), self.app.say
-        numbers = Content.assemble(" " * indent, (say.number(short(check.value)), loud), (f"   {say(limit)}", "dim"))
-        return [first, *(Content(" " * indent + name) for name in names[1:]), numbers]
+    def _title(self, row: Row) -> str:
+        assert row.check is not None
+        say = self.app.say
+        title = say(row.check.name)
+        if row.others:
+            return say(Text("{name} ({n} findings)", name=Name(title), n=row.others + 1))
+        return f"  {title}" if row.inside else title
+
+    def _title_rows(self, row: Row, columns: Columns) -> list[Content]:
+        """Sign and name, and its numbers where they have columns."""
+        assert row.check is not None
+        check, say, signs = row.check, self.app.say, self.app.signs
+        style = signs.style(check.verdict)
+        names = wrap(self._title(row), columns.name, 2 if row.inside else 0)
+        loud = "bold" if check.verdict in ("fail", "not_verified") else "" if check.open else "dim"
+        parts: list[Content | tuple[str, str] | str] = [(pad(signs.mark(check.verdict), SIGN), style), (pad(names[0], columns.name), loud)]
+        if columns.numbers:
+            parts += [" " * GAP, (f"{say.number(short(check.value)):>{columns.value}}", loud)]
+            parts += [" " * GAP, (f"{say(check.limit_text()):<{columns.limit}}", "dim")]
+        parts += [" " * GAP, (f"{say(check.margin_text()):>{columns.margin}}", style)]
+        return [Content.assemble(*parts), *(Content.styled(" " * SIGN + name, loud) for name in names[1:])]
+
+    def _detail(self, check: Check, width: int) -> list[Content]:
+        """What there is to know of a check: how far it is from its limit, why, what moves it, what would help, and where it comes from."""
+        say, signs = self.app.say, self.app.signs
+        room, indent = max(12, width - SIGN - 2), " " * (SIGN + 1)
+        held = Text("{value} of {limit}", value=Amount(check.value, digits=3), limit=Amount(check.nearest[1], check.unit, digits=3))
+        against = Text("{value}, needs {limit}", value=Amount(check.value, check.unit, digits=3), limit=check.limit_text())
+        style, ratio = signs.style(check.verdict), share(check)
+        first: list[Content | tuple[str, str] | str] = [indent, say(held if ratio is not None else against)]
+        if ratio is not None:
+            first += ["  ", bar(ratio, signs, style), "  ", (say(check.margin_text()), style)]
+        rows = [Content.assemble(*first)]
+
+        def tell(words: str, style: str = "") -> None:
+            rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
+
+        if check.verdict == "accepted":
+            tell(say(Text("accepted: {reason}", reason=check.accepted)))
+        if check.missing and check.open:
+            tell(say(Text("Not known: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))))
+        if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
+            tell(advice)
+        if check.open and check.remedies:
+            ways = Name("; ").join(one.words for one in check.remedies)
+            tell(say(Text("{key}: {ways}", key=self.app.shown_key("fix"), ways=ways)))
+        if check.moved_by:
+            inputs = COMMA.join(dict.fromkeys(self._label(key) for key in check.moved_by[:3]))
+            tell(say(Text("most: {inputs}", inputs=self.slopes.get(check.id, inputs))))
+        if check.source:
+            tell(say(check.source), "dim")
+        return rows
+
+    def _label(self, key: str) -> Text:
+        from calc.addresses import quantity_of
+        from calc.sheet.errors import BadInput
+
+        try:
+            return Small(quantity_of(self.app.session.data, key).label)
+        except BadInput:  # of a table
+            return Name(key.rpartition(".")[2].replace("_", " "))
+
+    def _line(self, check: Check) -> str:
+        """The whole of it, to be copied."""
+        judged = Text(
+            "{verdict}: {check} {value}, limit {limit}, margin {margin} [{source}]",
+            verdict=self.app.signs.word(check.verdict),
+            check=check.name,
+            value=Amount(check.value, check.unit),
+            limit=check.limit_text(),
+            margin=check.margin_text(),
+            source=check.source,
+        )
+        return self.app.say(judged)
+
+
+KINDS_SHOWN = ("limit", "caution")  # the kinds whose findings are not folded
+
+
+def cause(check: Check) -> str:
+    return check.cause or check.id
+
+
+def fold_of(check: Check) -> str:
+    """Where a check is folded: among advice, the method or what holds; empty where it is a finding of its own."""
+    if check.verdict == "pass":
+        return HOLD
+    return check.kind if check.open and check.kind in (ADVICE, METHOD) else ""

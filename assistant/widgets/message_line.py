@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What matters most now: why the input is not accepted, what a step waits for, or the worst check with its advice."""
+"""What matters most now: why an input is not accepted, what a step waits for, or a finding, that under the cursor or the worst."""
 
 from typing import TYPE_CHECKING
 
@@ -35,6 +35,7 @@ class MessageLine(Widget):
         super().__init__(id="message-line")
         self.session = session
         self.step = STEPS[0].key
+        self.finding = ""  # the check under the cursor, where the findings have the focus
         self.trouble = ""  # the step that fails
         self.remedy: Remedy | None = None  # its remedy, as soon as it is known
         self._shown: tuple[str, ...] = ()
@@ -51,9 +52,9 @@ class MessageLine(Widget):
         session, say = self.session, self.app.say
         reasons = session.reasons()
         if reasons:
-            here = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
-            place, reason = next(iter((here or reasons).items()))
-            step = "" if here else self._title(str(place[0]) if place else "")
+            mine = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
+            place, reason = next(iter((mine or reasons).items()))
+            step = "" if mine else self._title(str(place[0]) if place else "")
             text = Text("{key}: {reason}", key=key_at(place) or Text("the design"), reason=reason)
             if len(reasons) > 1:
                 text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))
@@ -65,6 +66,9 @@ class MessageLine(Widget):
         outcome = session.results.outcomes[self.step]
         if outcome.state in ("blocked", "no_solution"):
             return outcome.state, say(outcome.reason)
+        here = next((check for check in outcome.checks if check.id == self.finding), None)
+        if here is not None:
+            return here.verdict, self._check(here)
         checks = sorted_checks(outcome.checks)
         if checks and checks[0].verdict in URGENT:
             bad = sum(c.verdict in URGENT for c in checks)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The list of steps: sign, number and title, the state in words, and the value that decides with its bar; at the end, whether it is ready."""
+"""The list of steps: sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
 
 from textual.content import Content
 
 from calc.design import STEPS
 from calc.headlines import headline
-from calc.ready import StepState, ready, readiness
+from calc.ready import StepState, readiness, ready
 from calc.sheet.text import Text, plural
 
 from ..places import Place
@@ -16,6 +16,7 @@ from .signs import Signs
 from .wrap import fit
 
 READY = "ready"  # the key of the row behind the steps
+INDENT = "  "
 
 
 def states_of(session: Session) -> tuple[StepState, ...]:
@@ -45,7 +46,7 @@ class Steps(ItemList):
 
     def _step(self, n: int, state: StepState, width: int) -> list[Content]:
         signs: Signs = self.app.signs
-        say, here = self.app.say, state.key == self.current
+        say, here, room = self.app.say, state.key == self.current, width - len(INDENT)
         title = fit(f"{n} {say(STEPS[n - 1].title)}", width - 4)
         end = signs.mark("here") if here else ""
         gap = " " * max(1, width - 2 - len(title) - len(end) - 1)
@@ -53,15 +54,16 @@ class Steps(ItemList):
         loud = style if state.state in ("needs", "fail", "not_verified", "warn") else "dim"
         rows = [
             Content.assemble((signs.mark(state.state), style), " ", (title, "bold" if here else ""), gap, (end, "bold")),
-            Content.assemble("    ", (fit(say(state.words), width - 4), loud)),
+            Content.assemble(INDENT, (fit(say(state.words), room), loud)),
         ]
         results = self.session.results
         shown = headline(results, state.key) if results is not None and state.state in ("fail", "not_verified", "warn", "ready") else None
         if shown is not None:
-            rows.append(Content.assemble("    ", (fit(say(shown.text), width - 4), "")))
+            text = say(shown.text)
+            rows.append(Content(f"{INDENT}{fit(text if len(text) <= room else say(shown.brief), room)}"))
             if shown.share is not None and shown.check is not None:
                 verdict = signs.style(shown.check.verdict)
-                rows.append(Content.assemble("    ", bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)))
+                rows.append(Content.assemble(INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)))
         return rows
 
     def _ready(self, states: tuple[StepState, ...], width: int) -> list[Content]:
@@ -72,8 +74,6 @@ class Steps(ItemList):
         words = Text("every limit holds") if done else plural("{n} step left", "{n} steps left", n=left)
         style = signs.style(mark)
         return [
-            Content.assemble((signs.mark(mark), style), "   ", (say(Text("Ready")), "bold" if done else "")),
-            Content.assemble("    ", (fit(say(words), width - 4), style if done else "dim")),
+            Content.assemble((signs.mark(mark), style), " ", (say(Text("Ready")), "bold" if done else "")),
+            Content.assemble(INDENT, (fit(say(words), width - len(INDENT)), style if done else "dim")),
         ]
-
-

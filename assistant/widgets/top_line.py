@@ -62,8 +62,13 @@ class TopLine(Widget):
         else:
             time = say(Text("solved in {time}", time=Amount(session.seconds * 1000, "ms", form=".0f")))
         if width < FEWEST:  # which must be seen
-            words = (Text("The window is too small: it needs {n} columns", n=FEWEST), Text("needs {n} columns", n=FEWEST), Text("too small"))
-            return Content(next((f" {say(w)}" for w in words if len(say(w)) < width), fit(say(words[-1]), width)))
+            told = (
+                Text("The window is too small: it needs {n} columns.", n=FEWEST),
+                Text("needs {n} columns", n=FEWEST),
+                Text("too small"),
+            )
+            fitting = [f" {say(one)}" for one in told if len(say(one)) < width]
+            return Content(fitting[0] if fitting else fit(say(told[-1]), width))
         if self.app.writing:
             right += [(say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))

@@ -1,0 +1,227 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is left to do."""
+
+from collections.abc import Iterator, Mapping
+from typing import ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.content import Content
+from textual.screen import Screen
+from textual.widgets import Static
+
+from calc.design import STEPS
+from calc.headlines import main_numbers
+from calc.ready import StepState, ready
+from calc.sheet.check import Check
+from calc.sheet.quantity import Published
+from calc.sheet.text import COMMA, Amount, Name, Text, plural
+
+from ..base_app import BaseApp
+from ..session import Session
+from ..widgets.item_list import Item, ItemList
+from ..widgets.steps import states_of
+from ..widgets.wrap import fit, pad, wrap
+from .file_actions import FileActions
+from .host import Host
+from .once import Once
+
+REPORT, EXPORT = "report", "export"  # what the page gives beside the key of a step and the id of a check
+PICTURE = (90, 14)  # cells of the picture at most
+ASSUMED = "assumed"
+
+
+class Closing(ItemList):
+    """The key of an item is that of a step, the id of a check, or ASSUMED."""
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(id="closing")
+        self.session = session
+        self.unfolded = False
+
+    def choose(self, clicked: bool = False) -> None:
+        if self.key == ASSUMED:
+            self.unfolded = not self.unfolded
+            self.rebuild()
+        else:
+            super().choose(clicked)
+
+    def build(self, width: int) -> list[Item]:
+        parts = (self._picture(width), self._numbers(width), self._left(width), *self._said(width))
+        return [item for part in parts if part for item in (*part, Item("", [Content("")]))]
+
+    def _picture(self, width: int) -> list[Item]:
+        drawn = picture(self.session, min(width, PICTURE[0]), min(PICTURE[1], max(6, self.size.height // 2)), self.app)
+        return [Item("", drawn.split("\n"))] if drawn.plain.strip() else []
+
+    def _numbers(self, width: int) -> list[Item]:
+        """Words and values in as many columns as there is room for."""
+        if self.session.results is None:
+            return []
+        say = self.app.say
+        told = [(say(word), say(value)) for word, value in main_numbers(self.session.results)]
+        if not told:
+            return []
+        left, right = max(len(word) for word, _ in told) + 2, max(len(value) for _, value in told) + 4
+        columns = max(1, min(3, width // (left + right)))
+        deep = -(-len(told) // columns)
+        rows = []
+        for n in range(deep):
+            cells = [Content.assemble((pad(word, left), "dim"), (pad(value, right), "bold")) for word, value in told[n::deep]]
+            rows.append(Content(" ").join(cells))
+        return [Item("", rows)]
+
+    def _left(self, width: int) -> list[Item]:
+        """A row for every step that is not ready."""
+        states = states_of(self.session)
+        return [self._step(n, state, width) for n, state in enumerate(states, 1) if not state.done]
+
+    def _step(self, n: int, state: StepState, width: int) -> Item:
+        say, style = self.app.say, self.app.signs.style(state.state)
+        title, words = f"{n} {say(STEPS[n - 1].title)}", say(state.words)
+        row = Content.assemble((f"{self.app.signs.mark(state.state)} ", style), pad(title, 20), (fit(words, max(4, width - 22)), style))
+        return Item(state.key, [row], line=f"{title}: {words}")
+
+    def _said(self, width: int) -> Iterator[list[Item]]:
+        """What stands behind the verdict: left out, accepted, not verified, measured, assumed."""
+        session, say = self.session, self.app.say
+        outcomes = session.results.outcomes.values() if session.results is not None else ()
+        checks = [check for outcome in outcomes for check in outcome.checks]
+        without = [(step, Text("{step}: {reason}", step=_title(step), reason=reason)) for step, reason in session.design.without]
+        yield self._part(Text("left out ({n})", n=len(without)), without, width)
+        accepted = [(c.id, Text("{check}: {reason}", check=c.name, reason=c.accepted)) for c in checks if c.verdict == "accepted"]
+        yield self._part(Text("accepted ({n})", n=len(accepted)), accepted, width)
+        unknown = [(c.id, Text("{check}: {keys} is missing", check=c.name, keys=_keys(c))) for c in checks if c.verdict == "not_verified"]
+        yield self._part(Text("not verified ({n})", n=len(unknown)), unknown, width)
+        values = session.values()
+        measured = [
+            (row.step, Text("{what}: {value}", what=label_of(values, row.value), value=Amount(row.is_, row.unit)))
+            for row in session.design.measured
+        ]
+        yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
+        notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
+        if notes:
+            fold = self.app.signs.mark("unfolded" if self.unfolded else "folded")
+            head = Content.styled(f"{say(plural('assumed ({n})', 'assumed ({n})', n=len(notes)))} {fold}", "bold")
+            rows = [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)] if self.unfolded else []
+            yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
+
+    def _part(self, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
+        if not rows:
+            return []
+        head = Item("", [Content.styled(self.app.say(title), "bold")])
+        return [head, *(Item(id, [Content(lead + row) for lead, row in _bulleted(self.app.say(text), width)]) for id, text in rows)]
+
+
+def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
+    for n, row in enumerate(wrap(text, max(8, width - 4))):
+        yield ("    " if n else "  · "), row
+
+
+def label_of(values: Mapping[str, Published], id: str) -> Text:
+    return values[id].label if id in values else Name(id)
+
+
+def _title(step: str) -> Text:
+    return next((one.title for one in STEPS if one.key == step), Name(step))
+
+
+def _keys(check: Check) -> Text:
+    return COMMA.join(Name(key) for key in check.missing)
+
+
+def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
+    """The drive as its shaft in its bearings, else as its engine; nothing where neither is solved."""
+    from importlib import import_module
+
+    for step in ("countershaft", "engine"):
+        results = session.results
+        if results is not None and results.outcomes[step].state == "solved":
+            try:
+                sketch = import_module(f"calc.{step}.sketch").sketch(session.design, results)
+                drawn: Content = import_module("assistant.canvas").draw(sketch, columns, rows, app.signs, app.say)
+            except ImportError:
+                continue
+            return drawn
+    return Content("")
+
+
+class ReadyScreen(Once, Screen[str | None]):
+    """Gives the key of a step or the id of a check to go to, REPORT or EXPORT, or None."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q", "give('')", "Close", show=False),
+        Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
+        Binding("e", f"give('{EXPORT}')", "Export", show=False),
+        Binding("enter", "choose", "Go there", show=False),
+        Binding("down,j", "move(1)", "Down", show=False),
+        Binding("up,k", "move(-1)", "Up", show=False),
+    ]
+
+    def __init__(self, session: Session) -> None:
+        super().__init__()
+        self.session = session
+
+    def compose(self) -> ComposeResult:
+        yield Static(id="ready-title")
+        yield Closing(self.session)
+        keys = Text("{report} report · e export · Enter goes there · Esc goes on editing", report=self.app.shown_key("report"))
+        yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
+
+    def on_mount(self) -> None:
+        self.query_one(Closing).focus()
+
+    def on_resize(self) -> None:
+        """The design and its verdict at both ends of the first row."""
+        say, signs, states = self.app.say, self.app.signs, states_of(self.session)
+        done = ready(states)
+        if done:
+            corners = self.session.results is not None and any(c.id.endswith("_corner") for c in self.session.results.checks())
+            words = Text("every limit holds, at every corner of the tolerances") if corners else Text("every limit holds")
+        else:
+            left = sum(not state.done for state in states)
+            words = plural("{n} step is left", "{n} steps are left", n=left)
+        mark = "ready" if done else "todo"
+        title = f" {say(Text('Ready'))}: {self.session.design.name}" if done else f" {self.session.design.name}"
+        end = Content.assemble((f"{signs.mark(mark)} {say(words)} ", signs.style(mark)))
+        start = Content.styled(fit(title, max(8, self.size.width - end.cell_length - 2)), "bold")
+        gap = max(1, self.size.width - start.cell_length - end.cell_length)
+        self.query_one("#ready-title", Static).update(Content.assemble(start, " " * gap, end))
+
+    def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
+        event.stop()
+        self.dismiss(event.key)
+
+    def action_give(self, what: str) -> None:
+        self.dismiss(what or None)
+
+    def action_choose(self) -> None:
+        self.query_one(Closing).choose()
+
+    def action_move(self, by: int) -> None:
+        self.query_one(Closing).move(by)
+
+
+class ReadyActions:
+    """Show the closing page, and go where it says."""
+
+    def __init__(self, host: Host, files: FileActions) -> None:
+        self._host, self._files = host, files
+
+    def ready(self) -> None:
+        self._host.app.push_screen(ReadyScreen(self._host.session), self._go)
+
+    async def _go(self, to: str | None) -> None:
+        host = self._host
+        if to == REPORT:
+            self._files.report()
+        elif to == EXPORT:
+            self._files.export()
+        elif to is not None:
+            step, _, check = to.partition(".")
+            host.at_pane("checks" if check else "inputs")
+            await host.open_step(next(one for one in STEPS if one.key == step), stay=bool(check))
+            if check:
+                host.checks.focus()
+                host.call_after_refresh(host.checks.go_to, to)
