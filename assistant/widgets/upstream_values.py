@@ -55,7 +55,7 @@ class Taken(ItemList):
             labels = wrap(label, label_width - 1)
             origin = f"{self.app.signs.mark('from')} {NUMBERS[owner]}"
             value = f"{text} {unit}".rstrip()
-            room = min(18, width - label_width - len(origin) - 1)
+            room = max(1, min(18, width - label_width - len(origin) - 1))
             first = f"{labels[0]:<{label_width}}{fit(value, room):<{room}} {origin}"
             found.append(Item(id, [Content.styled(row, "dim") for row in (first, *labels[1:])], value, f"{label} {value}"))
         if found:
