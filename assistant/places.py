@@ -3,9 +3,11 @@
 
 from typing import Any
 
-from calc.addresses import Table, changed
+from calc.addresses import Table, address, changed, quantity_of
 from calc.design import Design
+from calc.sheet.errors import BadInput
 from calc.sheet.quantity import Quantity, keys
+from calc.sheet.text import Name, Small, Text
 
 Place = tuple[str | int, ...]
 
@@ -81,3 +83,17 @@ def owner(where: Place) -> type:
         if isinstance(part, str):
             cls = keys(cls)[part].about.table or cls
     return cls
+
+
+def label_of(data: Table, key: str) -> Text:
+    """What the form calls the input of a dotted key, in the middle of a sentence; and of what, where it is one of several."""
+    try:
+        words, where = Small(quantity_of(data, key).label), address(data, key)
+    except BadInput:  # the key of a table
+        return Name(key.rpartition(".")[2].replace("_", " "))
+    numbered = next((n for n in range(len(where) - 1, 0, -1) if isinstance(where[n], int)), None)
+    if numbered is None:
+        return words
+    element = content_at(data, where[: numbered + 1])
+    name = element.get("name") if isinstance(element, dict) else None
+    return Text("{label} of {place}", label=words, place=str(name or int(where[numbered]) + 1))

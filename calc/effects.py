@@ -32,7 +32,8 @@ class Effect:
 def effects(document: Document, results: Results, checks: Iterable[Check], most: int = MOST) -> dict[str, tuple[Effect, ...]]:
     """For each check what the inputs do that move it most, in the order of use.  `document` is that of the results.
 
-    Of checks with one cause the worst says which inputs are moved, and at most so many.  Each is moved once, and only what depends on it is solved again.
+    Of checks with one cause the worst says which inputs are moved, `most` of them.  Each is moved once, and only what depends on it is
+    solved again.
     """
     known = dict(quantities(document.data))
     wanted = list(checks)

@@ -140,8 +140,8 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
         value = values.get(id)
         return Amount(value.shown, value.unit, digits=digits) if value is not None else None
 
-    def extreme(end: str, which: Callable[[list[float]], float]) -> Amount | None:
-        found = [value for id, value in values.items() if end in id.rpartition(".")[2] and id.count(".") == 2]
+    def extreme(which: Callable[[list[float]], float], *names: str) -> Amount | None:
+        found = [value for id, value in values.items() if id.rpartition(".")[2] in names and id.count(".") <= 2]
         return Amount(which([value.shown for value in found]), found[0].unit, digits=3) if found else None
 
     found: list[tuple[Text, Text | Amount | None]] = [(Text("couple"), _imbalance(results, values))]
@@ -149,15 +149,19 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass
         found.append((Text("shaft"), size))
-    found += [(Text("slope"), extreme("slope", max)), (Text("first critical speed"), shown("countershaft.first_critical_speed"))]
+    found += [
+        (Text("slope"), extreme(max, "slope_front", "slope_rear")),
+        (Text("first critical speed"), shown("countershaft.first_critical_speed")),
+    ]
     front, rear = values.get("bearings.front.film_edge"), values.get("bearings.rear.film_edge")
     if front is not None and rear is not None:
         films = Text("{front} / {rear}", front=Amount(front.shown, digits=3), rear=Amount(rear.shown, rear.unit, digits=3))
         found.append((Text("films at the edge"), films))
-    found += [
-        (Text("oil leaves with"), extreme("outlet_temperature", max)), (Text("backlash"), _backlash(values)),
-        (Text("S_H"), extreme("safety_contact", min)), (Text("S_F"), extreme("safety_bending", min)),
-    ]  # fmt: skip
+    wheels = [wheel.name for wheel in design.gears.wheels] if design.gears is not None else []
+    found.append((Text("oil leaves with"), extreme(max, "outlet_temperature")))
+    found.append((Text("backlash"), _backlash(values)))
+    found.append((Text("S_H"), extreme(min, "safety_contact")))
+    found.append((Text("S_F"), extreme(min, *(f"safety_bending_{name}" for name in wheels))))
     if (loss := shown("friction.total_loss")) is not None:
         rpm = Amount(design.engine.rated_speed * 60, "rpm", form=".0f") if design.engine is not None else None
         found.append((Text("loss"), Text("{loss} at {speed}", loss=loss, speed=rpm) if rpm is not None else loss))

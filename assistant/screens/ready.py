@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The closing page: the drive in one picture and ten numbers, what is assumed, accepted and not verified, and what is left to do."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import ClassVar
 
 from textual.app import ComposeResult
@@ -11,13 +11,13 @@ from textual.screen import Screen
 from textual.widgets import Static
 
 from calc.design import STEPS
-from calc.headlines import main_numbers
-from calc.ready import StepState, ready
+from calc.headlines import headline, main_numbers
+from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
-from calc.sheet.quantity import Published
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
 
 from ..base_app import BaseApp
+from ..places import label_of
 from ..session import Session
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
@@ -62,13 +62,17 @@ class Closing(ItemList):
         told = [(say(word), say(value)) for word, value in main_numbers(self.session.results)]
         if not told:
             return []
-        left, right = max(len(word) for word, _ in told) + 2, max(len(value) for _, value in told) + 4
-        columns = max(1, min(3, width // (left + right)))
-        deep = -(-len(told) // columns)
+        for count in (3, 2, 1):
+            deep = -(-len(told) // count)
+            columns = [told[n : n + deep] for n in range(0, len(told), deep)]
+            cells = [(max(len(word) for word, _ in column) + 2, max(len(value) for _, value in column) + 4) for column in columns]
+            if sum(left + right for left, right in cells) <= width:
+                break
         rows = []
         for n in range(deep):
-            cells = [Content.assemble((pad(word, left), "dim"), (pad(value, right), "bold")) for word, value in told[n::deep]]
-            rows.append(Content(" ").join(cells))
+            row = [(*column[n], *size) for column, size in zip(columns, cells) if n < len(column)]
+            pieces = [piece for word, value, left, right in row for piece in ((pad(word, left), "dim"), (pad(value, right), "bold"))]
+            rows.append(Content.assemble(*pieces))
         return [Item("", rows)]
 
     def _left(self, width: int) -> list[Item]:
@@ -78,8 +82,12 @@ class Closing(ItemList):
 
     def _step(self, n: int, state: StepState, width: int) -> Item:
         say, style = self.app.say, self.app.signs.style(state.state)
-        title, words = f"{n} {say(STEPS[n - 1].title)}", say(state.words)
-        row = Content.assemble((f"{self.app.signs.mark(state.state)} ", style), pad(title, 20), (fit(words, max(4, width - 22)), style))
+        title, words, results = f"{n} {say(STEPS[n - 1].title)}", say(state.words), self.session.results
+        decides = headline(results, state.key) if results is not None and state.state in OPEN else None
+        row = Content.assemble(
+            (f"{self.app.signs.mark(state.state)} ", style), pad(title, 20), (pad(words, 24), style),
+            (fit(say(decides.text), max(4, width - 46)), "dim") if decides is not None else "",
+        )  # fmt: skip
         return Item(state.key, [row], line=f"{title}: {words}")
 
     def _said(self, width: int) -> Iterator[list[Item]]:
@@ -91,13 +99,22 @@ class Closing(ItemList):
         yield self._part(Text("left out ({n})", n=len(without)), without, width)
         accepted = [(c.id, Text("{check}: {reason}", check=c.name, reason=c.accepted)) for c in checks if c.verdict == "accepted"]
         yield self._part(Text("accepted ({n})", n=len(accepted)), accepted, width)
-        unknown = [(c.id, Text("{check}: {keys} is missing", check=c.name, keys=_keys(c))) for c in checks if c.verdict == "not_verified"]
-        yield self._part(Text("not verified ({n})", n=len(unknown)), unknown, width)
+        unknown: dict[str, list[Check]] = {}  # the keys that are not given → what can not be judged without them
+        for check in checks:
+            if check.verdict == "not_verified":
+                unknown.setdefault(", ".join(check.missing), []).append(check)
+        lacking = [
+            (mine[0].id, plural("{input} is not given: {check}", "{input} is not given: {check} and {more} more", n=len(mine),
+                                input=self._labels(mine[0].missing), check=mine[0].name, more=len(mine) - 1))
+            for mine in unknown.values()
+        ]  # fmt: skip
+        yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
         values = session.values()
         measured = [
-            (row.step, Text("{what}: {value}", what=label_of(values, row.value), value=Amount(row.is_, row.unit)))
+            (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),
+                            value=Amount(row.is_, row.unit)))
             for row in session.design.measured
-        ]
+        ]  # fmt: skip
         yield self._part(Text("measured ({n})", n=len(measured)), measured, width)
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
         if notes:
@@ -105,6 +122,9 @@ class Closing(ItemList):
             head = Content.styled(f"{say(plural('assumed ({n})', 'assumed ({n})', n=len(notes)))} {fold}", "bold")
             rows = [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)] if self.unfolded else []
             yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
+
+    def _labels(self, keys: tuple[str, ...]) -> Text:
+        return COMMA.join(label_of(self.session.data, key) for key in keys)
 
     def _part(self, title: Text, rows: list[tuple[str, Text]], width: int) -> list[Item]:
         if not rows:
@@ -118,16 +138,8 @@ def _bulleted(text: str, width: int) -> Iterator[tuple[str, str]]:
         yield ("    " if n else "  · "), row
 
 
-def label_of(values: Mapping[str, Published], id: str) -> Text:
-    return values[id].label if id in values else Name(id)
-
-
 def _title(step: str) -> Text:
     return next((one.title for one in STEPS if one.key == step), Name(step))
-
-
-def _keys(check: Check) -> Text:
-    return COMMA.join(Name(key) for key in check.missing)
 
 
 def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:

@@ -6,12 +6,12 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
-from calc.addresses import address, quantity_of, value_at
+from calc.addresses import quantity_of, value_at
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 
-from ..places import content_at
+from ..places import label_of
 from .host import Host
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def of_check(data: "Table", check: Check, effects: "tuple[Effect, ...]") -> Text
 
 def _effect(data: "Table", check: Check, effect: "Effect") -> Text:
     """What an input does to the value that is judged, or, where it leaves that alone, to its limit."""
-    unit, words = quantity_of(data, effect.key).unit, label(data, effect.key)
+    unit, words = quantity_of(data, effect.key).unit, label_of(data, effect.key)
     if effect.slope:
         return slope(words, effect.slope, check.unit, unit)
     gain = effect.gain or 0.0
@@ -129,18 +129,6 @@ def slope(what: Text, slope: float, unit: str, of: str) -> Text:
         size = 10.0 ** -math.floor(math.log10(abs(slope)))
     per = Name(of) if size == 1 and of else Amount(size, of)
     return Text("{what} {slope} per {per}", what=what, slope=Amount(float(f"{slope * size:.2g}"), unit, form="+.3g"), per=per)
-
-
-def label(data: "Table", key: str) -> Text:
-    """What the form calls an input, and of what, where it is one of several."""
-    words = Small(quantity_of(data, key).label)
-    place = address(data, key)
-    numbered = next((n for n in range(len(place) - 1, 0, -1) if isinstance(place[n], int)), None)
-    if numbered is None:
-        return words
-    element = content_at(data, place[: numbered + 1])
-    name = element.get("name") if isinstance(element, dict) else None
-    return Text("{label} of {place}", label=words, place=str(name or int(place[numbered]) + 1))
 
 
 def _size(data: "Table", key: str) -> float:

@@ -15,8 +15,9 @@ from calc.sheet.check import Check, grouped, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
-from calc.sheet.text import COMMA, Amount, Name, Small, Text, plural
+from calc.sheet.text import COMMA, Amount, Name, Text, plural
 
+from ..places import label_of
 from .bar import bar
 from .item_list import Item, ItemList
 from .wrap import pad, wrap
@@ -291,13 +292,7 @@ class Checks(ItemList):
         return rows
 
     def _label(self, key: str) -> Text:
-        from calc.addresses import quantity_of
-        from calc.sheet.errors import BadInput
-
-        try:
-            return Small(quantity_of(self.app.session.data, key).label)
-        except BadInput:  # of a table
-            return Name(key.rpartition(".")[2].replace("_", " "))
+        return label_of(self.app.session.data, key)
 
     def _line(self, check: Check) -> str:
         """The whole of it, to be copied."""
