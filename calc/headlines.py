@@ -63,8 +63,8 @@ def of_check(check: Check) -> Headline:
     """`film 7.41 of 9 µm`."""
     word, limit = WORDS.get(check.id.rpartition(".")[2], check.name), check.nearest[1]
     if not limit:
-        text = Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=3))
-        return Headline(text, text, None, check)
+        long, brief = (Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2))
+        return Headline(long, brief, None, check)
     long, brief = (
         Text(template, word=word, value=Amount(check.value, digits=digits), limit=Amount(limit, check.unit, digits=digits))
         for template, digits in (("{word} {value} of {limit}", 3), ("{word} {value}/{limit}", 2))

@@ -71,7 +71,7 @@ def _state(key: str, data: Table, left_out: Table, wrong: int, outcome: Outcome[
 
 KINDS = (
     ("fail", "{n} limit fails", "{n} limits fail"),
-    ("not_verified", "{n} limit not verified", "{n} limits not verified"),
+    ("not_verified", "{n} not verified", "{n} not verified"),
     ("warn", "{n} caution", "{n} cautions"),
 )
 

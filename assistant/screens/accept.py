@@ -97,7 +97,7 @@ class AcceptActions:
             self._apply([f"accepted.{check.id}="], Text("Open again: {check}.", check=check.name))
         elif check.kind == "limit":
             why = Text(
-                "{check} is a limit, which nobody can accept: what fails must be changed. {key} offers what would help.",
+                "{check} is a limit, which nobody can accept: change what is near it or beyond. {key} offers what would help.",
                 check=check.name,
                 key=host.app.shown_key("fix"),
             )

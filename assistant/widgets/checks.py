@@ -109,7 +109,10 @@ class Checks(ItemList):
         check = self.check
         if check is None or self.outcome is None or (check.cause or check.id) in self.unfolded:
             return [check] if check is not None else []
-        return [c for c in self.outcome.checks if c.open and c.kind in KINDS_SHOWN and cause(c) == cause(check)] or [check]
+        return [
+            check,
+            *(c for c in self.outcome.checks if c is not check and c.open and c.kind in KINDS_SHOWN and cause(c) == cause(check)),
+        ]
 
     def _by_id(self, id: str) -> Check | None:
         return next((c for c in self.outcome.checks if c.id == id), None) if self.outcome is not None else None
@@ -242,6 +245,8 @@ class Checks(ItemList):
         assert row.check is not None
         say = self.app.say
         title = say(row.check.name)
+        if row.check.verdict == "accepted":
+            return say(Text("{check}: accepted, {reason}", check=Name(title), reason=row.check.accepted))
         if row.others:
             return say(Text("{name} ({n} findings)", name=Name(title), n=row.others + 1))
         return f"  {title}" if row.inside else title
@@ -257,7 +262,7 @@ class Checks(ItemList):
         if columns.numbers:
             parts += [" " * GAP, (f"{say.number(short(check.value)):>{columns.value}}", loud)]
             parts += [" " * GAP, (f"{say(check.limit_text()):<{columns.limit}}", "dim")]
-        parts += [" " * GAP, (f"{say(check.margin_text()):>{columns.margin}}", style)]
+        parts += [" " * GAP, (f"{say(check.margin_text()):>{columns.margin}}", style if check.open else "dim")]
         return [Content.assemble(*parts), *(Content.styled(" " * SIGN + name, loud) for name in names[1:])]
 
     def _detail(self, check: Check, width: int) -> list[Content]:
@@ -275,8 +280,6 @@ class Checks(ItemList):
         def tell(words: str, style: str = "") -> None:
             rows.extend(Content.styled(indent + row, style) for row in wrap(words, room))
 
-        if check.verdict == "accepted":
-            tell(say(Text("accepted: {reason}", reason=check.accepted)))
         if check.missing and check.open:
             tell(say(Text("Not known: {keys}.", keys=COMMA.join(self._label(key) for key in check.missing))))
         if advice := say(check.advice).removeprefix(say(sentence(check.remedies))).strip():
