@@ -7,6 +7,7 @@ import json
 import shutil
 import signal
 import time
+from base64 import b64decode
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -16,7 +17,7 @@ from aiohttp import ClientSession, ClientWebSocketResponse, WSMsgType
 
 CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
 LIMIT = 60.0  # seconds for anything that a page has to come to
-SWITCHES = """--headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-component-update --disable-sync
+SWITCHES = """--headless --no-sandbox --disable-gpu --no-first-run --disable-background-networking --disable-component-update --disable-sync --disable-quic
 --disable-dev-shm-usage --remote-debugging-port=0 --window-size=1200,800""".split()
 # The page keeps its terminal to itself; it is caught as it takes on its first part, and read by its own buffer.
 CATCH = """Object.defineProperty(Object.prototype, "fitAddon", {configurable: true, set(part) {
@@ -80,6 +81,17 @@ class Page:
                 return text
             await asyncio.sleep(0.1)
         raise AssertionError(f"it never came to that; {self.faults}\n{text}")
+
+    async def box(self, selector: str) -> list[float]:
+        """Left, top, right and bottom of a part of the page, in its pixels."""
+        found = await self.value(
+            f"(() => {{ const r = document.querySelector('{selector}').getBoundingClientRect();"
+            " return JSON.stringify([r.left, r.top, r.right, r.bottom]); })()"
+        )
+        return list(json.loads(found))
+
+    async def picture(self, path: Path) -> None:
+        path.write_bytes(b64decode((await self.tell("Page.captureScreenshot"))["data"]))
 
     async def type(self, text: str) -> None:
         await self.tell("Input.insertText", text=text)

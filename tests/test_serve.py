@@ -3,6 +3,7 @@
 
 import asyncio
 import os
+import re
 import shlex
 import shutil
 import signal
@@ -14,6 +15,7 @@ import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.error import HTTPError
+from urllib.parse import urljoin
 from urllib.request import Request, urlopen
 
 import pytest
@@ -109,16 +111,18 @@ def test_the_server_answers_its_own_page_only_and_ends_by_an_interrupt(served: t
     process, address = served
     with urlopen(address, timeout=30) as answer:
         page = answer.read().decode("utf-8")
-    assert "https://" not in page and 'url("' + address + "/static/fonts/" in page
-    font = page.partition('src: url("')[2].partition('"')[0]
-    assert asked(font) == 200
+    assert "https://" not in page
+    for part in re.findall(r'(?:href|src)="([^"]*)"|src: url\("([^"]*)"\)', page):  # the style sheet, the program of the page, its fonts
+        assert asked(urljoin(address, "".join(part))) == 200
+    assert f"{address}/static/css/xterm.css" in page
     upgrade = {
         "Connection": "Upgrade",
         "Upgrade": "websocket",
         "Sec-WebSocket-Version": "13",
         "Sec-WebSocket-Key": "AAAAAAAAAAAAAAAAAAAAAA==",
     }
-    assert asked(f"{address}/ws", Origin="https://example.org", **upgrade) == 403
+    for stranger in ({"Origin": "https://example.org"}, {"Origin": "null"}, {"Origin": address.rpartition(":")[0]}, {}):
+        assert asked(f"{address}/ws", **stranger, **upgrade) == 403
     assert asked(address, Host="example.org") == 403  # a name that was made to point here
     assert asked(address, Origin=address) == 200
     process.send_signal(signal.SIGINT)
@@ -136,7 +140,6 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
     async with browser(tmp_path) as page:
         await page.open(address)
         await page.until(lambda text: "my design.toml" in text and "solved in" in text and "Bore" in text)
-        await page.value("document.querySelector('.xterm-helper-textarea').focus()")
         for _ in range(4):  # engine, layout, cylinders, strokes: bore
             await page.press("Tab")
         await page.type("95,5")
@@ -155,3 +158,32 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
         assert await asyncio.to_thread(process.wait, 30) == 0
     told = (tmp_path / "told").read_text(encoding="utf-8")
     assert told.splitlines() == [f"The guided session is at {address} (Ctrl+C ends it)"]
+
+
+def _filled(box: list[float], size: tuple[int, int]) -> bool:
+    """Whether what is left of a window is less than a cell."""
+    left, top, right, bottom = box
+    return (left, top) == (0, 0) and 0 <= size[0] - right < 12 and 0 <= size[1] - bottom < 24
+
+
+@posix
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+@pytest.mark.parametrize(("width", "height"), [(1280, 800), (1920, 1080)])
+async def test_a_page_is_filled_as_a_terminal_is(
+    served: tuple[subprocess.Popen[str], str], tmp_path: Path, width: int, height: int
+) -> None:
+    """Letters, rules and colours stand where a terminal has them, from edge to edge, also after the window has changed."""
+    _, address = served
+    async with browser(tmp_path) as page:
+        for size in ((width, height), (width - 300, height - 200)):
+            await page.tell("Emulation.setDeviceMetricsOverride", width=size[0], height=size[1], deviceScaleFactor=1, mobile=False)
+            if not page.asked:
+                await page.open(address)
+            await page.until(lambda text: "my design.toml" in text and "solved in" in text and "Bore" in text)
+            end = time.monotonic() + 30
+            while not _filled(await page.box(".xterm-screen"), size):
+                assert time.monotonic() < end, await page.box(".xterm-screen")
+                await asyncio.sleep(0.1)
+            assert await page.value("document.activeElement.className") == "xterm-helper-textarea"
+            assert await page.value("getComputedStyle(document.querySelector('.xterm-viewport')).position") == "absolute"
+        assert not page.faults

@@ -21,10 +21,28 @@ if TYPE_CHECKING:
     from textual_serve.server import Server
 
 HOST = "127.0.0.1"
-FONT = """<style>
-      @font-face {{ font-family: "Roboto Mono"; font-weight: 100 700; src: url("{url}fonts/RobotoMono-VariableFont_wght.ttf"); }}
-    </style>"""
-OUTSIDE = re.compile(r'<link\b[^>]*href="https?://[^>]*>')  # the page would ask a font host for what lies beside it
+OUTSIDE = re.compile(r'<link\b[^>]*href="https://[^>]*>')  # the page would ask a font host for what lies beside it
+# The font is there before the terminal counts its columns by it; keys go to the terminal from the first one on, and after every click.
+PAGE = """<style>
+      @font-face { font-family: "Roboto Mono"; font-weight: 100 700; src: url("/static/fonts/RobotoMono-VariableFont_wght.ttf"); }
+      @font-face {
+        font-family: "Roboto Mono"; font-weight: 100 700; font-style: italic;
+        src: url("/static/fonts/RobotoMono-Italic-VariableFont_wght.ttf");
+      }
+      html, body { height: 100%; overflow: hidden; background: #121212 !important; }
+    </style>
+    <script>
+      addEventListener("DOMContentLoaded", () => {
+        const begin = window.onload;
+        const focus = () => document.querySelector(".xterm-helper-textarea")?.focus();
+        window.onload = async (event) => {
+          await Promise.all(["", "bold ", "italic "].map((style) => document.fonts.load(style + "16px 'Roboto Mono'")));
+          begin(event);
+          focus();
+        };
+        addEventListener("focus", focus);
+      });
+    </script>"""
 ENDING = 10.0  # seconds that the open sessions have to put their edits aside
 
 
@@ -91,7 +109,7 @@ def _server(command: str, port: int) -> "Server":
 
         async def handle_index(self, request: web.Request) -> web.Response:
             page: Any = await super().handle_index(request)
-            page.text = OUTSIDE.sub(FONT.format(url=f"{self.public_url}/static/"), page.text)
+            page.text = OUTSIDE.sub(lambda _: PAGE, page.text)
             return cast(web.Response, page)
 
         async def handle_websocket(self, request: web.Request) -> web.WebSocketResponse:
@@ -115,7 +133,8 @@ def _server(command: str, port: int) -> "Server":
         """There is no login; so a page of another site that is open in the same browser must not reach the session."""
         own = {f"{name}:{port}" for name in (HOST, "localhost")} | ({HOST, "localhost"} if port == 80 else set())
         origin = request.headers.get("Origin")
-        if request.host not in own or (origin is not None and origin.removeprefix("http://") not in own):
+        stranger = origin is not None and origin not in {f"http://{name}" for name in own}
+        if request.host not in own or stranger or (origin is None and request.path == "/ws"):  # a browser names the origin of a socket
             raise web.HTTPForbidden(text="Only the page of this program may talk to it.")
         return cast(web.StreamResponse, await handler(request))
 
