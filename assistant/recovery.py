@@ -20,6 +20,7 @@ from .saving import SaveError, differences, edited_text, fresh_text, write_atomi
 
 FOLDER = "contralbero"
 RECENT = 10  # designs that are offered to be opened again
+KEPT = 8  # sessions on one file whose unsaved edits are kept; older ones go
 
 
 def state_dir() -> Path:
@@ -37,13 +38,15 @@ def state_dir() -> Path:
 class Edits:
     """A design with edits that were never saved: its tables, when they were kept, and the hash of the file that they started from.
 
-    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.
+    `typed`: entries that are not accepted, and so no part of the tables, as they stand in their fields.  `session`: who made them; two
+    sessions on one file keep what is theirs.
     """
 
     data: Table
     time: datetime
     sha256: str
     typed: dict[Place, str] = field(default_factory=dict)
+    session: str = ""
 
     def state(self) -> State:
         """The state that they make; an entry that has no field any more is left out."""
@@ -103,11 +106,15 @@ class Memory:
 
     def last(self) -> Path | None:
         """The design that was open last, if it is still there."""
-        return next((path for path in self._opened()[:1] if _is_file(path)), None)
+        return next((path for path in self._opened()[:1] if self._there(path)), None)
 
     def recent(self) -> list[Path]:
         """The designs that were open last and are still there, the last first."""
-        return [path for path in self._opened() if _is_file(path)][:RECENT]
+        return [path for path in self._opened() if self._there(path)][:RECENT]
+
+    def _there(self, path: Path) -> bool:
+        """A design that was never saved has no file, but edits that are kept."""
+        return is_file(path) or bool(self._files(path))
 
     def remember(self, path: Path) -> None:
         """Nothing depends on this being kept."""
@@ -117,29 +124,41 @@ class Memory:
             self._write(self.folder / "last", "\n".join(map(str, paths[: 3 * RECENT])))  # some may be back later: a drive
 
     # --- unsaved edits
-    def _file(self, path: Path) -> Path:
-        name = hashlib.sha256(str(path.absolute()).encode()).hexdigest()[:16]
-        return self.folder / "unsaved" / f"{name}.toml"
+    def _file(self, path: Path, session: str) -> Path:
+        name = hashlib.sha256(str(path.absolute()).encode("utf-8", "surrogateescape")).hexdigest()[:16]
+        return self.folder / "unsaved" / (f"{name}-{session}.toml" if session else f"{name}.toml")
+
+    def _files(self, path: Path) -> list[Path]:
+        """Of all sessions on a design, the last first."""
+        one = self._file(path, "")
+        try:
+            return sorted(one.parent.glob(f"{one.stem}*.toml"), key=lambda file: file.stat().st_mtime_ns, reverse=True)
+        except OSError:  # one has just been taken away
+            return []
 
     def keep(self, path: Path, edits: Edits) -> None:
-        """Put the edits of a design aside.  Raises SaveError."""
-        head = {"path": str(path.absolute()), "sha256": edits.sha256, "time": edits.time.isoformat(timespec="seconds")}
+        """Put the edits of a session on a design aside.  Raises SaveError."""
+        head = {
+            "path": str(path.absolute()), "sha256": edits.sha256, "time": edits.time.isoformat(timespec="seconds"),
+            "session": edits.session,
+        }  # fmt: skip
         typed = [{"place": list(where), "text": text} for where, text in edits.typed.items()]
-        self._write(self._file(path), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
+        self._write(self._file(path, edits.session), fresh_text({"unsaved": head, "typed": typed, "design": edits.data}))
+        for old in self._files(path)[KEPT:]:
+            with contextlib.suppress(OSError):
+                old.unlink()
 
-    def kept(self, path: Path) -> Edits | None:
-        """The edits that were put aside for a design; a file that is damaged counts as none."""
-        try:
-            found = tomllib.loads(self._file(path).read_text(encoding="utf-8"))
-            head = found["unsaved"]
-            typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
-            return Edits(found["design"], datetime.fromisoformat(head["time"]), str(head["sha256"]), typed)
-        except (OSError, ValueError, KeyError, TypeError, AttributeError):
-            return None
+    def kept(self, path: Path) -> list[Edits]:
+        """The edits that were put aside for a design, the last first; a file that is damaged counts as none."""
+        return [edits for file in self._files(path) if (edits := _read(file)) is not None]
 
-    def drop(self, path: Path) -> None:
+    def keeps(self, path: Path, session: str) -> bool:
+        """Whether the edits of a session are there."""
+        return is_file(self._file(path, session))
+
+    def drop(self, path: Path, session: str) -> None:
         with contextlib.suppress(OSError):
-            self._file(path).unlink(missing_ok=True)
+            self._file(path, session).unlink(missing_ok=True)
 
     # --- settings
     def keys(self) -> dict[str, str]:
@@ -188,7 +207,17 @@ class Memory:
         write_atomic(file, text.encode("utf-8"), backup=False)
 
 
-def _is_file(path: Path) -> bool:
+def _read(file: Path) -> Edits | None:
+    try:
+        found = tomllib.loads(file.read_text(encoding="utf-8"))
+        head = found["unsaved"]
+        typed = {tuple(entry["place"]): str(entry["text"]) for entry in found.get("typed", [])}
+        return Edits(found["design"], datetime.fromisoformat(head["time"]), str(head["sha256"]), typed, str(head.get("session", "")))
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        return None
+
+
+def is_file(path: Path) -> bool:
     try:
         return path.is_file()
     except (OSError, ValueError):  # a name that the system does not know

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
+from secrets import token_hex
 from typing import TYPE_CHECKING, Any
 
 from calc.addresses import Table
@@ -22,8 +23,8 @@ from calc.shipped import DESIGNS, EXAMPLE
 from .draft import Draft
 from .editing import Editing
 from .history import State
-from .recovery import Edits, Memory, not_accepted
-from .saving import ChangedOnDisk, SaveError, free_name, write_atomic
+from .recovery import Edits, Memory, is_file, not_accepted
+from .saving import ChangedOnDisk, SaveError, free_name, fresh_text, write_atomic
 from .solving import Answer, Job, run
 
 if TYPE_CHECKING:
@@ -49,7 +50,10 @@ class Session(Editing):
         self._values: tuple[Any, dict[str, Published]] = (None, {})
         self._raw = raw
         self.opened = self.saved = self.document.data  # as it was read, and as its file is now
+        self.id = token_hex(4)  # of what it keeps aside
         self._kept: Edits | None = None
+        self._taken: Edits | None = None  # edits of an earlier session that were put back, until they are kept as this one's
+        self._unwritten = False  # there is no file yet
         self._stamp: tuple[int, int] | None = None  # when the file was changed and how long it is, as far as it was looked at
 
     # --- opening
@@ -63,6 +67,8 @@ class Session(Editing):
         told = EMPTY
         if path is not None:
             path = path.expanduser()
+            if not is_file(path) and (begun := cls._begun(path, memory, now)) is not None:
+                return begun
             try:
                 session = cls._read(path, memory, now)
             except BadInput:
@@ -83,30 +89,60 @@ class Session(Editing):
         read(path)  # the size and the kind of the file are judged there
         return cls(path.read_bytes(), path, memory=memory, now=now)
 
+    @classmethod
+    def begin(cls, data: Table, path: Path, *, memory: Memory | None = None, now: Callable[[], datetime] = datetime.now) -> "Session":
+        """A design that has no file before it is saved.  Raises BadInput where the tables are no design."""
+        session = cls(fresh_text(data).encode("utf-8"), path, memory=memory, now=now)
+        session._unwritten = True
+        session.memory.remember(path)
+        return session
+
+    @classmethod
+    def _begun(cls, path: Path, memory: Memory, now: Callable[[], datetime]) -> "Session | None":
+        """A design that was kept, and never saved."""
+        for kept in memory.kept(path):
+            try:
+                session = cls.begin(kept.data, path, memory=memory, now=now)
+            except BadInput:
+                continue
+            session._taken = kept
+            if kept.typed:
+                session._step(kept.state(), None)
+            session.message = Text("{name} was never saved: this is how it was at {when}.", name=path.name, when=session.when(kept))
+            return session
+        return None
+
+    def when(self, kept: Edits) -> str:
+        return kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
+
+    def put_aside(self) -> list[Edits]:
+        """Unsaved edits of other sessions on this file, the last first."""
+        return [kept for kept in self.memory.kept(self.home) if kept.session != self.id and (kept.data != self.saved or kept.typed)]
+
     def _put_back(self) -> None:
         """Edits that were kept when the program ended before they were saved."""
-        kept = self.memory.kept(self.home)
-        if kept is None or (kept.data == self.saved and not kept.typed):
+        kept = next(iter(self.put_aside()), None)
+        if kept is None:
             return
-        when = kept.time.strftime("%H:%M" if kept.time.date() == self.now().date() else "%d.%m. %H:%M")
         if kept.sha256 != self.document.sha256:
             self.message = Text(
                 "Edits of {when} were not saved, but the file has changed since; they are kept: “Put back unsaved edits” in the palette.",
-                when=when,
+                when=self.when(kept),
             )
             return
-        if self.restore():
-            self.message = Text("Edits of {when} that were not saved are back. Undo returns to the file.", when=when)
+        if self.restore(kept):
+            self.message = Text("Edits of {when} that were not saved are back. Undo returns to the file.", when=self.when(kept))
 
-    def restore(self) -> bool:
-        """Put back the edits that were kept, as one step of the undo."""
-        kept = self.memory.kept(self.home)
+    def restore(self, kept: Edits | None = None) -> bool:
+        """Put back edits that were kept, the last or these, as one step of the undo."""
+        kept = kept or next(iter(self.put_aside()), None)
         if kept is None or (state := kept.state()) == self._state:
             return False
         try:
             design(replace(self.document, data=kept.data))
         except BadInput:
             return False
+        self._taken = kept
         self._step(state, None)
         return True
 
@@ -127,7 +163,7 @@ class Session(Editing):
 
     @property
     def dirty(self) -> bool:
-        return bool(self._state.texts) or self._state.data != self.saved
+        return self._unwritten or bool(self._state.texts) or self._state.data != self.saved
 
     @property
     def read_only(self) -> bool:
@@ -228,9 +264,8 @@ class Session(Editing):
         raw = self.bytes()
         write_atomic(path, raw)
         with self._keeping:
-            self.memory.drop(self.home)
-            self.memory.drop(path)
-            self.path, self._raw, self._kept, self._stamp = path, raw, None, None
+            self._drop()
+            self.path, self._raw, self._stamp, self._unwritten = path, raw, None, False
             self.document = parse(raw, str(path))
             self.saved = self._valid = self.document.data
             self.history.state = State(self.document.data, {})
@@ -277,25 +312,40 @@ class Session(Editing):
         with self._keeping:
             state, data = self._state, self._valid
             typed = not_accepted(data, state)
-            if data == self.saved and not typed:
+            if data == self.saved and not typed and not self._unwritten:
                 if self._kept is not None:
-                    self.memory.drop(self.home)
-                    self._kept, self.autosaved = None, None
+                    self._drop()
+                    self.autosaved = None
                 return
-            edits = Edits(data, self.now(), self.document.sha256, typed)
-            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed):
+            edits = Edits(data, self.now(), self.document.sha256, typed, self.id)
+            if self._kept is not None and (data, typed) == (self._kept.data, self._kept.typed) and self.memory.keeps(self.home, self.id):
                 return
             try:
                 self.memory.keep(self.home, edits)
             except SaveError as error:
                 self.autosave_failure = error.text
                 return
+            self._drop_taken()
             self._kept, self.autosaved, self.autosave_failure = edits, edits.time, EMPTY
+
+    def _drop(self) -> None:
+        """Nothing is left to be kept: it stands in the file, or was taken back."""
+        self._drop_taken()
+        if self._kept is not None:
+            self.memory.drop(self.home, self.id)
+            self._kept = None
+
+    def _drop_taken(self) -> None:
+        """What was put back is this session's now; what its own has added since, if it still goes on, stays."""
+        if self._taken is not None and self._taken in self.memory.kept(self.home):
+            self.memory.drop(self.home, self._taken.session)
+        self._taken = None
 
     @property
     def safe(self) -> bool:
         """Nothing is lost if the program ends now."""
-        return not self.dirty or (self._kept is not None and self._kept.state() == self._state and not self.autosave_failure)
+        kept = self._kept is not None and self._kept.state() == self._state and self.memory.keeps(self.home, self.id)
+        return not self.dirty or (kept and not self.autosave_failure)
 
 
 def _shipped(path: Path) -> bool:

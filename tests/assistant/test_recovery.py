@@ -4,6 +4,7 @@
 import asyncio
 import threading
 import time
+import tomllib
 from datetime import datetime
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from textual.messages import ExitApp
 
 from assistant.recovery import RECENT, Edits, Memory, Settings, state_dir
 from assistant.screens.edit_feedback import KEEP
-from assistant.session import Session
+from assistant.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput
 
 from .conftest import Screen
@@ -44,7 +45,7 @@ def test_saving_forgets_the_kept_edits(session: Session) -> None:
     session.edit(BORE, "95")
     session.autosave()
     session.save()
-    assert session.memory.kept(session.home) is None
+    assert session.memory.kept(session.home) == []
 
 
 def test_undoing_everything_forgets_the_kept_edits(session: Session) -> None:
@@ -52,7 +53,7 @@ def test_undoing_everything_forgets_the_kept_edits(session: Session) -> None:
     session.autosave()
     session.undo()
     session.autosave()
-    assert session.memory.kept(session.home) is None
+    assert session.memory.kept(session.home) == []
 
 
 def test_edits_of_another_version_are_not_put_back_by_themselves(session: Session) -> None:
@@ -93,12 +94,52 @@ def test_a_part_that_is_not_complete_and_has_no_entry_is_not_called_safe(session
     assert session.dirty and not session.safe
 
 
+def test_two_sessions_on_one_file_keep_each_its_own(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    other = reopened(session)  # beside the first, which goes on
+    assert other.value(BORE) == 95.0
+    other.edit(BORE, "96")
+    other.autosave()
+    assert not session.safe  # its own is gone: the other one has it
+    session.edit("engine.rod_length_mm", "170")
+    session.autosave()
+    assert session.safe and other.safe
+    found = {(kept.data["engine"]["bore_mm"], kept.data["engine"]["rod_length_mm"]) for kept in session.memory.kept(session.home)}
+    assert found == {(95.0, 170.0), (96.0, 163.0)}
+    other.save()
+    (mine,) = session.memory.kept(session.home)
+    assert mine.session == session.id
+    later = reopened(session)
+    assert later.value(BORE) == 96.0 and "changed since" in later.message and later.put_aside() == [mine]
+    assert later.restore(mine) and later.value("engine.rod_length_mm") == 170.0
+
+
+def test_a_design_that_was_begun_is_kept_and_has_no_file_before_it_is_saved(tmp_path: Path, memory: Memory) -> None:
+    path = tmp_path / "own.toml"
+    begun = Session.begin(
+        {"schema": 1, "name": "own", "engine": dict(tomllib.loads(EXAMPLE.read_text("utf-8"))["engine"])}, path, memory=memory
+    )
+    assert begun.dirty and not begun.safe and memory.last() is None
+    begun.edit(BORE, "81")
+    begun.edit("engine.rod_length_mm", "12x")
+    begun.autosave()
+    assert begun.safe and not path.exists() and memory.last() == path
+    other = Session.open(None, memory=memory)
+    assert other.path == path and other.dirty and other.value(BORE) == 81.0 and other.text("engine.rod_length_mm") == "12x"
+    other.undo()
+    other.save()
+    assert tomllib.loads(path.read_text("utf-8"))["engine"]["bore_mm"] == 81.0 and not other.dirty
+    path.unlink()
+    assert memory.kept(path) == [] and memory.last() is None
+
+
 def test_an_entry_that_was_mended_is_no_more_kept(session: Session) -> None:
     session.edit(BORE, "12x")
     session.autosave()
     session.edit(BORE, "94")
     session.autosave()
-    assert session.memory.kept(session.home) is None
+    assert session.memory.kept(session.home) == []
 
 
 def test_kept_entries_that_have_no_field_are_left_out(session: Session) -> None:
@@ -129,7 +170,7 @@ def test_edits_are_kept_while_others_are_made_and_saved(session: Session) -> Non
         other.join()
     assert ends == [""] * 60 and session.valid
     session.save()
-    assert session.memory.kept(session.home) is None
+    assert session.memory.kept(session.home) == []
     assert list(session.home.parent.glob(".*")) == []
 
 
@@ -142,9 +183,9 @@ async def test_edits_are_kept_in_the_middle_of_typing(screen: Screen, light: Ses
             typed += "x"
             await type_in(pilot, "x")
             await asyncio.sleep(0.1)  # oftener than KEEP
-            found = light.memory.kept(light.home)
-            if found is not None and found.data["engine"]["name"] not in kept:
-                kept.append(found.data["engine"]["name"])
+            for found in light.memory.kept(light.home):
+                if found.data["engine"]["name"] not in kept:
+                    kept.append(found.data["engine"]["name"])
         assert len(kept) == 2 and len(kept[0]) < len(kept[1]) <= len(typed)
 
 
@@ -155,8 +196,8 @@ async def test_edits_are_kept_however_the_program_ends(screen: Screen, light: Se
         await type_in(pilot, "95")
         await until(pilot, lambda: light.value("engine.bore_mm") == 95.0)
         pilot.app.post_message(ExitApp())
-    kept = light.memory.kept(light.home)
-    assert kept is not None and kept.data["engine"]["bore_mm"] == 95.0
+    (kept,) = light.memory.kept(light.home)
+    assert kept.data["engine"]["bore_mm"] == 95.0
 
 
 def test_a_state_folder_that_can_not_be_written_is_said(session: Session, tmp_path: Path) -> None:
