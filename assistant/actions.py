@@ -104,6 +104,8 @@ ACTIONS: tuple[Action, ...] = (
     Action("save", "ctrl+s", "w", Text("Save"), Text("Save"),
            Text("Saves the design; the file as it was stays as .bak. The example is saved under its name in the current folder.")),
     Action("save_as", "f12", "W", EMPTY, Text("Save as …"), Text("Saves the design under another name and goes on with that file.")),
+    Action("new", "ctrl+n", "N", EMPTY, Text("New, or another design …"),
+           Text("The start page: begin with an engine, open a design, go on with a recent one. Unsaved edits of this one are kept.")),
     Action("open", "ctrl+o", "o", EMPTY, Text("Open …"), Text("Opens another design.")),
     Action("reload", "", "L", EMPTY, Text("Read the file anew"),
            Text("Takes what another program has written into the file, or drops all unsaved edits. Undo takes it back.")),
@@ -131,7 +133,7 @@ ACTIONS: tuple[Action, ...] = (
            call=("copy", "line")),
     Action("quit", "ctrl+q", "q", Text("Quit"), Text("Quit"),
            Text("Ends the program. Unsaved edits are kept and come back with the next start.")),
-    *(Action(f"step_{n}", "", str(n), EMPTY, Text("Step {n}: {title}", n=n, title=step.title),
+    *(Action(f"step_{n}", f"alt+{n}", str(n), EMPTY, Text("Step {n}: {title}", n=n, title=step.title),
              Text("Goes to step {n}, {title}.", n=n, title=step.title), call=("to_step", n))
       for n, step in enumerate(STEPS, 1)),
 )  # fmt: skip
@@ -163,6 +165,8 @@ def key_name(key: str) -> str:
     shown = KEY_NAMES.get(name, name.upper() if name[:1] == "f" and name[1:].isdigit() else name)
     if "ctrl" in modifiers:
         shown = f"^{shown}"
+    if "alt" in modifiers:
+        shown = Text("Alt+{key}", key=shown)
     return Text("Shift+{key}", key=shown) if "shift" in modifiers else shown
 
 

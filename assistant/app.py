@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol, runtime_checkable
 
 os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
 
@@ -22,7 +22,7 @@ from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
 from .base_app import BaseApp
-from .recovery import Settings
+from .recovery import Memory, Settings
 from .screens.workbench import Workbench
 from .session import Session
 from .widgets.item_list import ItemList
@@ -33,6 +33,13 @@ def _palette() -> Any:
     from .screens.palette import Palette
 
     return Palette
+
+
+@runtime_checkable
+class Speaking(Protocol):
+    """A screen that can be shown anew in another language."""
+
+    async def speak(self) -> None: ...
 
 
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
@@ -47,7 +54,8 @@ class Search(CommandPalette):
 
 
 class ContralberoApp(BaseApp):
-    """One main screen over one session, which may be exchanged for another design."""
+    """One main screen over one session, which may be exchanged for another design.  Without a session: the start page, for a file that is
+    `missing` where one was asked for."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
@@ -55,10 +63,19 @@ class ContralberoApp(BaseApp):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
 
     def __init__(
-        self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+        self,
+        session: Session | None,
+        *,
+        ascii: bool = False,
+        key_map: dict[str, str] | None = None,
+        settings: Settings | None = None,
+        memory: Memory | None = None,
+        missing: Path | None = None,
     ) -> None:
         settings = settings or Settings()
         super().__init__(session, ascii=ascii, key_map=key_map, settings=settings)
+        self.memory = session.memory if session is not None else memory or Memory()
+        self.missing = missing
         if settings.theme in self.available_themes:
             self.theme = settings.theme
         self._theme_kept = self.theme
@@ -71,8 +88,19 @@ class ContralberoApp(BaseApp):
         self.set_interval(LOOK, self.look)
 
     def get_default_screen(self) -> Screen[None]:
-        """The main screen from the start: there is no other one below it that would be styled and painted for nothing."""
-        return Workbench(self.session)
+        """The first screen from the start: there is no other one below it that would be styled and painted for nothing."""
+        if self._session is not None:
+            return Workbench(self._session)
+        from .screens.start import Start
+
+        return Start(self.memory, self.missing)
+
+    def begin(self, *, engines: bool = False) -> None:
+        """The start page, over the design that is open."""
+        from .screens.start import Start
+
+        if not isinstance(self.screen, Start):
+            self.push_screen(Start(self.memory, engines=engines))
 
     def _theme_changed(self, theme: Any) -> None:
         self.signs = Signs(self.ascii, theme.dark, not self.no_color, self.say)
@@ -82,14 +110,14 @@ class ContralberoApp(BaseApp):
                 shown.rebuild()
         if theme.name != self._theme_kept:
             self._theme_kept = theme.name
-            self.session.memory.set_setting("theme", theme.name)
+            self.memory.set_setting("theme", theme.name)
 
     def on_app_focus(self) -> None:
         self.look()
 
     def look(self) -> None:
         """Say, once, that another program has changed the file."""
-        if self.session.look():
+        if self._session is not None and self.session.look():
             text = Text(
                 "{name} was changed by another program: {key} takes it over, and undo would return.",
                 name=self.session.name,
@@ -100,23 +128,29 @@ class ContralberoApp(BaseApp):
     async def speak(self, code: str) -> None:
         """Go on in another language."""
         self.say = language(code)
-        self.session.memory.set_setting("language", code)
+        self.memory.set_setting("language", code)
         self.signs = Signs(self.ascii, self.current_theme.dark, not self.no_color, self.say)
-        if isinstance(self.screen, Workbench):
-            await self.screen.speak()
+        for screen in self.screen_stack:
+            if isinstance(screen, Speaking):
+                await screen.speak()
 
     def pop_screen(self) -> AwaitComplete:
         """The main screen stays, also where a key that repeats closes the palette twice."""
         return super().pop_screen() if len(self.screen_stack) > 1 else AwaitComplete()
 
     async def enter(self, session: Session) -> None:
-        """Go on with another design; unsaved edits of this one are kept aside."""
-        self.session.autosave()
-        if self.session.recording is not None:
-            self.tell(Text("The recording is given up: it was one of the design before."), "warning")
-        self.session = session
+        """Go on with a design, or with another one; unsaved edits of this one are kept aside."""
+        before, self._session = self._session, session
+        if before is not None:
+            before.autosave()
+            if before.recording is not None:
+                self.tell(Text("The recording is given up: it was one of the design before."), "warning")
+        while len(self.screen_stack) > 1:
+            await self.pop_screen()
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
+        else:
+            await self.switch_screen(Workbench(session))
 
     def action_command_palette(self) -> None:
         """The palette, asking in the user's language."""
@@ -141,10 +175,14 @@ class ContralberoApp(BaseApp):
 
     def on_unmount(self) -> None:
         """However the program ends, a closed page of a browser too: edits are kept aside."""
-        self.session.autosave()
+        if self._session is not None:
+            self._session.autosave()
 
     async def action_quit(self) -> None:
         """Edits are kept aside; only where that fails, or something would be lost, is there something to ask."""
+        if self._session is None:
+            self.exit(0)
+            return
         self.session.autosave()
         if self.session.safe and self.session.recording is None and not self.writing:
             self.exit(0)
@@ -169,16 +207,15 @@ class ContralberoApp(BaseApp):
 
 
 def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
-    """Open a design, or the last one, or the example; gives the exit code."""
+    """Open a design, or the start page; gives the exit code."""
     import gc
-
-    from .recovery import Memory
 
     gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
     sys.setswitchinterval(0.001)  # a key waits no longer than that for the thread that solves
     memory = Memory()
+    missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None
     try:
-        session = Session.open(path, memory=memory)
+        session = Session.open(path, memory=memory) if path is not None and missing is None else None
     except BadInput as bad:
         print(bad, file=sys.stderr)
         return 2
@@ -186,7 +223,8 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     settings = memory.settings()
     if lang is not None:  # this time; the session's palette changes it for good
         settings = replace(settings, language=lang)
-    app = ContralberoApp(session, ascii=ascii or not encoding.startswith("utf"), key_map=memory.keys(), settings=settings)
+    plain = ascii or not encoding.startswith("utf")
+    app = ContralberoApp(session, ascii=plain, key_map=memory.keys(), settings=settings, memory=memory, missing=missing)
     result = app.run()
     return app.return_code or result or 0
 

@@ -19,10 +19,11 @@ from .widgets.signs import Signs
 
 
 class BaseApp(App[int]):
-    """`ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what the user chose in earlier sessions."""
+    """`session`: none before one is begun.  `ascii`: plain signs.  `key_map`: other keys for some actions, by their ids.  `settings`: what
+    the user chose in earlier sessions."""
 
     def __init__(
-        self, session: Session, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+        self, session: Session | None, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
     ) -> None:
         self.ascii = ascii
         settings = settings or Settings()
@@ -30,13 +31,23 @@ class BaseApp(App[int]):
         self.signs = Signs(ascii, say=self.say)
         self.key_map = {new: keys for id, keys in (key_map or {}).items() if (new := OLD_IDS.get(id, id)) in BY_ID}
         super().__init__()
-        self.session = session
+        self._session = session
         self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
         self.writing = EMPTY  # a file that is being written, and how far it is
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
 
+    @property
+    def session(self) -> Session:
+        """The design that is open."""
+        assert self._session is not None, "no design is open"
+        return self._session
+
     async def enter(self, session: Session) -> None:
         """Go on with another design."""
+        raise NotImplementedError
+
+    def begin(self, *, engines: bool = False) -> None:
+        """The start page, over the design that is open; at its engines."""
         raise NotImplementedError
 
     def shown_key(self, id: str) -> str:

@@ -106,13 +106,13 @@ class Memory:
 
     def last(self) -> Path | None:
         """The design that was open last, if it is still there."""
-        return next((path for path in self._opened()[:1] if self._there(path)), None)
+        return next((path for path in self._opened()[:1] if self.there(path)), None)
 
     def recent(self) -> list[Path]:
         """The designs that were open last and are still there, the last first."""
-        return [path for path in self._opened() if self._there(path)][:RECENT]
+        return [path for path in self._opened() if self.there(path)][:RECENT]
 
-    def _there(self, path: Path) -> bool:
+    def there(self, path: Path) -> bool:
         """A design that was never saved has no file, but edits that are kept."""
         return is_file(path) or bool(self._files(path))
 

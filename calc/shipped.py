@@ -3,7 +3,9 @@
 
 import json
 import tomllib
+from copy import deepcopy
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, TypedDict
 
@@ -61,6 +63,11 @@ def engine_design(name: str) -> str:
     return _text(title, Text("{row}. Data: {row2}. {said}", row=row["what"], row2=row["source"], said=said), body + shaft)
 
 
+def engine_table(name: str) -> "Table":
+    """A shipped engine as the tables of a design have it."""
+    return deepcopy(_engine(_rows()[name]))
+
+
 def _text(name: str, note: str, tables: str) -> str:
     """The text of a whole design."""
     return f"{_lines({'schema': 1, 'name': name, 'note': note})}\n{tables}"
@@ -74,6 +81,7 @@ def _engine(row: _Row) -> "Table":
     return engine
 
 
+@cache
 def _rows() -> dict[str, _Row]:
     return tomllib.loads((TABLES / "engines.toml").read_text(encoding="utf-8"))
 

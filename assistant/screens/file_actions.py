@@ -12,6 +12,7 @@ from calc.sheet.text import EMPTY, Name, Text
 
 from ..draft import Draft
 from ..recording import Recording
+from ..recovery import Edits
 from ..saving import ChangedOnDisk, SaveError, write_atomic
 from ..session import Session
 from .edit_actions import rebuilt
@@ -66,8 +67,9 @@ class FileActions:
     # --- opening
     def open(self) -> None:
         from .open_dialog import OpenDialog
+        from .save_dialog import folder_of
 
-        self._host.app.push_screen(OpenDialog(self._session), self._opened)
+        self._host.app.push_screen(OpenDialog(self._session.memory, folder_of(self._session), self._session.path), self._opened)
 
     async def _opened(self, session: Session | None) -> None:
         if session is not None:
@@ -82,11 +84,15 @@ class FileActions:
             return
         await self._opened(session)
 
-    def restore(self) -> None:
-        """Put back edits that were kept aside for another version of the file."""
+    def new(self) -> None:
+        """The start page, at its engines."""
+        self._host.app.begin(engines=True)
+
+    def restore(self, kept: Edits | None = None) -> None:
+        """Put back edits that were kept aside, by another session or for another version of the file: the last, or these."""
         host = self._host
-        if self._session.restore():
-            host.edited()
+        if self._session.restore(kept):
+            rebuilt(host)
         else:
             host.app.tell(Text("No unsaved edits are kept for this design."))
 

@@ -7,10 +7,10 @@ from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 from calc.shipped import DESIGNS
 
+from ..recovery import Memory
 from ..session import Session
 from .compare_with import errors_text
 from .path_dialog import PathDialog
-from .save_dialog import folder_of
 
 
 class OpenDialog(PathDialog[Session | None]):
@@ -19,13 +19,12 @@ class OpenDialog(PathDialog[Session | None]):
     TITLE_TEXT = Text("Open a design")
     HINT = Text("Enter opens, ↓ goes to the list, Esc goes back. Unsaved edits of this design are kept.")
 
-    def __init__(self, session: Session) -> None:
-        folder = folder_of(session)
+    def __init__(self, memory: Memory, folder: Path, here: Path | None = None) -> None:
         super().__init__(f"{str(folder).rstrip('/')}/", folder)
-        self.session = session
+        self.memory, self.here = memory, here  # the design that is open
 
     def offered(self) -> list[tuple[Text, list[Path]]]:
-        recent = [path for path in self.session.memory.recent() if path != self.session.path]
+        recent = [path for path in self.memory.recent() if path != self.here]
         return [(Text("Opened last"), recent), (Text("Examples"), sorted(DESIGNS.glob("*.toml")))]
 
     def take(self, path: Path) -> None:
@@ -34,7 +33,7 @@ class OpenDialog(PathDialog[Session | None]):
             self.say(Text("This is a folder; give the name of a design file in it."))
             return
         try:
-            session = Session.open(path, memory=self.session.memory, now=self.session.now)
+            session = Session.open(path, memory=self.memory)
         except BadInput as bad:
             self.say(errors_text(bad, path.name))
             return

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Finding a title by words that are typed: in any order, in parts, with or without accents."""
+
+import unicodedata
+from collections.abc import Sequence
+
+START, BEGINNING, INSIDE, ELSEWHERE = (
+    1.0,
+    0.8,
+    0.5,
+    0.25,
+)  # a word that begins the title, a word of it, stands in it; or in what else is known
+EXACT = 0.5  # more for a title that is nothing but the words
+
+
+def folded(text: str) -> str:
+    """The text as it is compared: small letters without accents, each in the place of its own."""
+    return "".join((unicodedata.normalize("NFKD", letter)[:1] or letter).lower()[:1] for letter in text)
+
+
+def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[tuple[int, int]]]:
+    """How well folded words find a title, 0 where one of them stands nowhere; and where they stand in it.
+
+    `others`: folded texts that find it too: its key, its name in another language.
+    """
+    plain = folded(title)
+    total, spans = 0.0, []
+    for word in words:
+        at = _place(word, plain)
+        if at is not None:
+            total += START if at == 0 else BEGINNING if not plain[at - 1].isalnum() else INSIDE
+            spans.append((at, at + len(word)))
+        elif any(word in other for other in others):
+            total += ELSEWHERE
+        else:
+            return 0.0, []
+    exact = EXACT if plain == " ".join(words) else 0.0
+    return (total / len(words) if words else ELSEWHERE) + exact - min(len(title), 200) * 1e-4, spans
+
+
+def _place(word: str, text: str) -> int | None:
+    """Where a word stands in a text, at the beginning of another if it can be had."""
+    first, at = None, text.find(word)
+    while at >= 0:
+        if at == 0 or not text[at - 1].isalnum():
+            return at
+        first = at if first is None else first
+        at = text.find(word, at + 1)
+    return first

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Asks what the file of a design that is begun is to be called."""
+
+from pathlib import Path
+
+from calc.sheet.text import EMPTY, Text
+
+from ..beginnings import own_file
+from .save_dialog import TargetDialog
+
+
+class NewDialog(TargetDialog):
+    """Gives the path of a file that is not there yet."""
+
+    HINT = Text("Enter begins, Esc goes back. Nothing is written before you save; what you do is kept all the same.")
+
+    def __init__(self, id: str, engine: str) -> None:
+        self.TITLE_TEXT = Text("A design with the engine {engine}: its name", engine=engine)
+        super().__init__(own_file(id, Path.cwd()))
+
+    def wrong(self, path: Path) -> Text:
+        return Text("{name} is there already: open it, or give another name.", name=path.name) if path.exists() else EMPTY

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first screen: how to begin.  Words that are typed find an engine or a design; Enter begins with the row under the cursor."""
+
+from pathlib import Path
+from typing import TYPE_CHECKING, ClassVar
+
+from textual import events
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Horizontal
+from textual.content import Content
+from textual.screen import Screen
+from textual.widgets import Input, OptionList, Static
+from textual.widgets.option_list import Option
+
+from calc.sheet.errors import BadInput
+from calc.sheet.text import EMPTY, Text
+from calc.shipped import EXAMPLE
+
+from ..base_app import BaseApp
+from ..beginnings import Beginning, engine_only, groups
+from ..matching import folded, match
+from ..recovery import Memory
+from ..session import Session
+from ..widgets.begin_detail import BeginDetail
+from ..widgets.wrap import fit, pad
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+SPACES = 3  # cells before a row
+TITLE, SIZE = 20, 17  # cells of the columns
+
+
+class Ways(OptionList, can_focus=False):
+    """The rows; the place to type keeps the focus."""
+
+
+class Start(Screen[None]):
+    """`missing`: a file that was asked for and is not there, which an engine may begin.  `engines`: the cursor begins there."""
+
+    app: BaseApp
+    HORIZONTAL_BREAKPOINTS = [(0, "-narrow"), (100, "-wide")]  # noqa: RUF012
+    VERTICAL_BREAKPOINTS = [(0, "-low"), (16, "-high")]  # noqa: RUF012
+    AUTO_FOCUS = "#words"
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("down", "move(1)", "Down", show=False, priority=True),
+        Binding("up", "move(-1)", "Up", show=False, priority=True),
+        Binding("pagedown", "page(1)", "A screenful down", show=False, priority=True),
+        Binding("pageup", "page(-1)", "A screenful up", show=False, priority=True),
+        Binding("ctrl+o", "open", "Open", show=False, priority=True),
+        Binding("escape", "leave", "Back", show=False, priority=True),
+    ]
+
+    def __init__(self, memory: Memory, missing: Path | None = None, *, engines: bool = False) -> None:
+        super().__init__()
+        self.memory, self.missing, self.engines = memory, missing, engines
+        self._groups: list[tuple[Text, list[Beginning]]] = []
+        self._rows: list[Beginning | None] = []  # None: a heading
+
+    def compose(self) -> ComposeResult:
+        self.set_class(self.app.ascii, "-ascii")
+        say = self.app.say
+        self._groups = groups(self.memory, self.missing)
+        asks = Text("{name} is not there yet: which engine is it for?", name=self.missing.name) if self.missing is not None else None
+        yield Static(
+            Content.assemble((" Contralbero", "bold"), f"   {say(asks or Text('from an engine to a drive that holds'))}"), id="start-title"
+        )
+        yield Input(placeholder=say(Text("type to find an engine or a design: inline 3, boxer, own …")), compact=True, id="words")
+        with Horizontal(id="start-body"):
+            yield Ways(id="ways", compact=True)
+            yield BeginDetail(self.memory)
+        leaves = Text("ends") if len(self.app.screen_stack) < 2 else Text("goes back")
+        hint = Text("Enter begins   ↑ ↓ choose   ^o opens a file   Esc {leaves}", leaves=leaves)
+        yield Static(Content.styled(f" {say(hint)}", "dim"), id="start-keys")
+
+    def on_mount(self) -> None:
+        self.fill()
+
+    def on_resize(self, event: events.Resize) -> None:
+        self.call_after_refresh(self.fill)
+
+    async def speak(self) -> None:
+        """Show everything in the language that the program speaks now."""
+        await self.recompose()
+        self.fill()
+        self.query_one("#words").focus()
+
+    # --- the rows
+    @property
+    def ways(self) -> Ways:
+        return self.query_one(Ways)
+
+    @property
+    def here(self) -> Beginning | None:
+        """The row under the cursor."""
+        at = self.ways.highlighted
+        return self._rows[at] if at is not None and at < len(self._rows) else None
+
+    def fill(self) -> None:
+        """The rows that the words find, the best first where there are words."""
+        if not self.query(Ways):
+            return
+        before, say = self.here, self.app.say
+        words = folded(self.query_one("#words", Input).value).split()
+        self._rows = []
+        options: list[Option] = []
+        width, tall = self.ways.size.width - SPACES - 1, self.ways.size.height > sum(len(rows) + 2 for _, rows in self._groups)
+        for heading, rows in self._groups:
+            found = sorted(self._found(words, rows), key=lambda pair: -round(pair[0], 1)) if words else [(0.0, row) for row in rows]
+            if found:
+                if options and tall:
+                    self._rows.append(None)
+                    options.append(Option(" ", disabled=True))
+                self._rows += [None, *(row for _, row in found)]
+                options.append(Option(Content.styled(f" {say(heading)}", "bold $primary not dim"), disabled=True))
+                options += [Option(self._row(row, width)) for _, row in found]
+        self.ways.clear_options()
+        self.ways.add_options(options)
+        stays = not words and before is not None and before in self._rows
+        first = next((n for n, row in enumerate(self._rows) if row is not None and (not self.engines or row.kind == "engine")), None)
+        self.ways.highlighted = self._rows.index(before) if stays else first
+        if not options:
+            self.query_one(BeginDetail).tell(Text("Nothing is called so."))
+
+    def _found(self, words: list[str], rows: list[Beginning]) -> "Iterator[tuple[float, Beginning]]":
+        say = self.app.say
+        for row in rows:
+            score, _ = match(words, row.title, folded(f"{say(row.about)} {row.about} {row.id}"))
+            if score:
+                yield score, row
+
+    def _row(self, row: Beginning, width: int) -> Content:
+        """In columns where there is room: title, what it is, size."""
+        say, signs = self.app.say, self.app.signs
+        mark = Content.styled(f" {signs.mark('edited')} ", "dim") if row.edited else Content(" " * SPACES)
+        size = f"{say(row.size):>{SIZE}}" if row.size and width >= TITLE + 24 + SIZE else ""
+        room = width - TITLE - len(size) - 1
+        if room < 8:
+            return mark + Content(fit(say(row.title), max(1, width)))
+        return Content.assemble(mark, pad(say(row.title), TITLE), (" " + pad(say(row.about), room), "dim"), (size, "dim"))
+
+    def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
+        event.stop()
+        if self.here is not None:
+            self.query_one(BeginDetail).show(self.here)
+
+    # --- keys
+    def on_input_changed(self, event: Input.Changed) -> None:
+        event.stop()
+        self.fill()
+
+    def action_move(self, by: int) -> None:
+        ways = self.ways
+        if by > 0:
+            ways.action_cursor_down()
+        else:
+            ways.action_cursor_up()
+
+    def action_page(self, by: int) -> None:
+        for _ in range(max(1, self.ways.size.height - 2)):
+            at = self.ways.highlighted
+            self.action_move(by)
+            if (self.ways.highlighted or 0) * by < (at or 0) * by:  # it has come round
+                self.ways.highlighted = at
+                break
+
+    def action_leave(self) -> None:
+        """Esc takes the words away first."""
+        words = self.query_one("#words", Input)
+        if words.value:
+            words.value = ""
+        elif len(self.app.screen_stack) > 1:
+            self.dismiss()
+        else:
+            self.app.exit(0)
+
+    def on_input_submitted(self, event: Input.Submitted) -> None:
+        event.stop()
+        self._begin(self.here)
+
+    def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
+        event.stop()
+        self._begin(self._rows[event.option_index])
+
+    # --- beginning
+    def _begin(self, row: Beginning | None) -> None:
+        if row is None:
+            return
+        if row.kind == "open":
+            self.action_open()
+        elif row.kind == "engine":
+            self.begin_engine(row)
+        else:
+            self._open(EXAMPLE if row.kind == "example" else Path(row.id))
+
+    def begin_engine(self, row: Beginning) -> None:
+        """Ask for a name, where none is known yet."""
+
+        def begin(path: Path | None) -> None:
+            if path is not None:
+                self._enter(Session.begin(engine_only(row.id, path), path.absolute(), memory=self.memory))
+
+        if self.missing is not None:
+            begin(self.missing)
+            return
+        from .new_dialog import NewDialog
+
+        self.app.push_screen(NewDialog(row.id, row.title), begin)
+
+    def action_open(self) -> None:
+        from .open_dialog import OpenDialog
+
+        self.app.push_screen(OpenDialog(self.memory, Path.cwd()), self._enter)
+
+    def _open(self, path: Path) -> None:
+        try:
+            self._enter(Session.open(path, memory=self.memory))
+        except BadInput as bad:
+            self.query_one(BeginDetail).tell(bad.errors[0].text(bad.place) or EMPTY)
+
+    def _enter(self, session: Session | None) -> None:
+        if session is not None:
+            self.app.call_later(self.app.enter, session)
