@@ -150,7 +150,8 @@ class ContralberoApp(BaseApp):
         if isinstance(self.screen, Workbench):
             await self.screen.enter(session)
         else:
-            await self.switch_screen(Workbench(session))
+            self.add_mode("work", lambda: Workbench(session))  # a first screen can not be exchanged
+            await self.switch_mode("work")
 
     def action_command_palette(self) -> None:
         """The palette, asking in the user's language."""
