@@ -1,12 +1,124 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The picture of the step."""
+"""The picture of a step: its sketch, drawn anew for each result, size and edited field, and turned with the crank where it can be."""
 
+import math
+from collections.abc import Callable
+from importlib import import_module
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.binding import Binding, BindingType
 from textual.content import Content
+from textual.timer import Timer
 from textual.widget import Widget
+
+from calc.design import STEPS, Design
+from calc.sheet.drawing import Sketch
+from calc.sheet.text import Text
+
+from ..base_app import BaseApp
+from .signs import Signs
+
+if TYPE_CHECKING:
+    from calc.engine.inputs import EngineInputs
+    from calc.languages import Language
+    from calc.solve import Results
+
+STEP, PRESSED = 20, 10  # degrees that the crank turns by itself at a time, and by a key
+RATE = 10.0  # times a second
+KEPT = 40  # drawings; a whole turn
+TITLES = {step.key: step.title for step in STEPS}
+UNDRAWN = Text("This step has no picture.")
+WAITS = Text("The picture waits for the results of the step {step}.")
+FAILED = Text("The picture of this step cannot be drawn.")
 
 
 class Picture(Widget, can_focus=True):
-    """Stands empty until the step has a sketch."""
+    """`degrees`: the crank angle of sketches that turn."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("left", f"turn(-{PRESSED})", "Turn back", show=False),
+        Binding("right", f"turn({PRESSED})", "Turn", show=False),
+    ]
+
+    def __init__(self, id: str | None = "picture-drawing") -> None:
+        super().__init__(id=id)
+        self.step, self.lit = "", ""
+        self.design: Design | None = None
+        self.results: Results | None = None
+        self.degrees = 0
+        self.turns = False  # whether the sketch depends on the crank's angle
+        self._drawn: dict[tuple[object, ...], Content] = {}
+        self._clock: Timer | None = None
+
+    # --- what is shown
+    def show(self, step_key: str, design: Design | None, results: "Results | None", lit_key: str = "") -> None:
+        """The sketch of a step; what the field of `lit_key` changes is lit."""
+        if results is not self.results or design is not self.design:
+            self._drawn.clear()
+        if (step_key, design, results, lit_key) != (self.step, self.design, self.results, self.lit):
+            self.step, self.design, self.results, self.lit = step_key, design, results, lit_key
+            self.refresh()
 
     def render(self) -> Content:
-        return Content("")
+        columns, rows = self.content_size
+        key = (self.step, columns, rows, self.lit, self.degrees if self.turns else 0, self.app.signs, self.app.theme)
+        if (made := self._drawn.get(key)) is None:
+            made = self._draw(columns, rows)
+            if len(self._drawn) >= KEPT:
+                self._drawn.clear()
+            self._drawn[key] = made
+        return made
+
+    def _draw(self, columns: int, rows: int) -> Content:
+        from ..canvas import draw
+
+        signs, say = self.app.signs, self.app.say
+        try:
+            sketch = sketch_of(self.step, self.design, self.results, math.radians(self.degrees))
+            self.turns = isinstance(sketch, Sketch) and sketch.turning
+            if isinstance(sketch, Sketch):
+                return draw(sketch, columns, rows, signs, say, self.lit)
+        except Exception:  # a picture that cannot be drawn never stops the work that it shows
+            self.turns, sketch = False, FAILED
+        return Content.styled(say(sketch), signs.style("muted"))
+
+    # --- turning
+    def action_turn(self, by: int) -> None:
+        if self.turns:
+            self.degrees = (self.degrees + by) % 360
+            self.refresh()
+
+    def on_focus(self) -> None:
+        if self.app.animation_level != "none":
+            self._clock = self._clock or self.set_interval(1 / RATE, lambda: self.action_turn(STEP))
+            self._clock.resume()
+
+    def on_blur(self) -> None:
+        if self._clock is not None:
+            self._clock.pause()
+
+
+def sketch_of(step: str, design: Design | None, results: "Results | None", angle: float) -> Sketch | Text:
+    """The sketch of a step at a crank angle, or what it waits for."""
+    if not step or design is None or find_spec(f"calc.{step}.sketch") is None:
+        return UNDRAWN
+    outcome = results.outcomes.get(step) if results is not None else None
+    if getattr(design, step) is None or outcome is None or outcome.result is None:
+        return Text(WAITS.template, step=TITLES[step])
+    make: Callable[..., Sketch] = import_module(f"calc.{step}.sketch").sketch
+    sketch = make(design, results)
+    return make(design, results, angle=angle) if sketch.turning and angle else sketch
+
+
+def icon_lines(engine: "EngineInputs", columns: int, rows: int, signs: Signs, say: "Language") -> Content:
+    """Crank and banks of an engine in a few cells, for a list of engines; nothing where they cannot be drawn."""
+    from calc.engine.sketch import icon
+
+    from ..canvas import draw
+
+    try:
+        return draw(icon(engine), columns, rows, signs, say)
+    except (ArithmeticError, ValueError):
+        return Content("\n" * (rows - 1))

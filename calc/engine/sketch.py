@@ -6,7 +6,6 @@ The crank turns clockwise, cylinder 1 stands at its TDC.  In the row the second 
 
 import math
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
 
 from ..sheet.drawing import (
     AXIS,
@@ -25,15 +24,12 @@ from ..sheet.drawing import (
     rectangle,
 )  # fmt: skip
 from ..sheet.record import record
+from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Name, Text
 from ..sheet.units import Metre, Radian
 from .crank import Crank, crank, firing
 from .firing import Firing
 from .inputs import EngineInputs
-
-if TYPE_CHECKING:
-    from ..design import Design
-    from ..solve import Results
 
 BORE, RADIUS, ROD, PITCH = "engine.bore_mm", "engine.crank_radius_mm", "engine.rod_length_mm", "engine.cylinder_pitch_mm"
 THROWS, ORDER, BANKS = "engine.crank_angles_deg", "engine.firing_order", "engine.bank_angle_deg"
@@ -57,10 +53,9 @@ class Throw:
     dead: tuple[Metre, Metre]  # of its pin along the axis at bottom and top dead centre
 
 
-def sketch(design: "Design", results: "Results | None" = None) -> Sketch:
+def sketch(design: Designed, results: Solved | None = None) -> Sketch:
     """The engine of a design, cylinder 1 at TDC."""
-    engine = design.engine
-    assert engine is not None
+    engine: EngineInputs = design.engine
     throws, placed = _throws(engine)
     notes = [Text("lengths in mm")]
     beside: tuple[Sketch, ...] = ()

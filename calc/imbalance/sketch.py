@@ -7,18 +7,14 @@ The arms of a picture are newtons or newton metres in place of metres; it says h
 import cmath
 import math
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from ..sheet.drawing import CONTEXT, HIDDEN, OUTLINE, WORDS, Mark, Point, Polyline, Sketch, State, Words
 from ..sheet.record import record
+from ..sheet.step import Designed, Solved
 from ..sheet.text import Amount, Text
 from ..sheet.units import Radian
 from .curves import DRAWN, KINDS
 from .result import ImbalanceResult
-
-if TYPE_CHECKING:
-    from ..design import Design
-    from ..solve import Results
 
 SHARE = "imbalance.crank_balance_fraction"
 CORNERS = 72  # of a locus
@@ -46,7 +42,7 @@ class Pair:
         return abs(self.forward) + abs(self.backward)
 
 
-def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
+def sketch(design: Designed, results: Solved, angle: Radian = 0.0) -> Sketch:
     """The forces and couples of orders 1 and 2 that there are, with the crank at an angle after TDC of cylinder 1."""
     result = results.outcomes["imbalance"].solution
     assert isinstance(result, ImbalanceResult)
@@ -66,7 +62,7 @@ def sketch(design: "Design", results: "Results", angle: Radian = 0.0) -> Sketch:
     return Sketch(first.primitives, (turned,), turning=True, title=first.title, beside=tuple(others))
 
 
-def _shaft(design: "Design", results: "Results", kind: str, order: int) -> tuple[Pair | None, State]:
+def _shaft(design: Designed, results: Solved, kind: str, order: int) -> tuple[Pair | None, State]:
     """What the counter-shaft supplies of an order, if it turns like it, and the verdict of what it leaves."""
     from ..countershaft import formulas as f
     from ..countershaft.result import CountershaftResult
@@ -106,9 +102,8 @@ def _picture(bare: Pair, crank: Pair, shaft: Pair | None, state: State, angle: R
         y = reach * (0.75 - 0.5 * n)
         peak = Amount(pair.peak if pair.peak > NOTHING * reach else 0.0, digits=3)
         yield Polyline(layer, ((right, y), (right + 0.2 * reach, y)), key=key, state=verdict)
-        yield Words(
-            CONTEXT if layer in (CONTEXT, HIDDEN) else WORDS, (right + 0.28 * reach, y), Text(label.template, peak=peak), key=key, state=verdict
-        )  # fmt: skip
+        words = CONTEXT if layer in (CONTEXT, HIDDEN) else WORDS
+        yield Words(words, (right + 0.28 * reach, y), Text(label.template, peak=peak), key=key, state=verdict)
 
 
 def _point(vector: complex) -> Point:

@@ -2,10 +2,10 @@
 """A step of the design, what solving it gives, and the curves and tables that screen and paper draw."""
 
 import cmath
-from collections.abc import Callable, Container, Iterable, Iterator
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping
 from dataclasses import replace
 from functools import cached_property
-from typing import Generic, Literal, TypeVar
+from typing import Any, Generic, Literal, Protocol, TypeVar
 
 from .arrays import Array
 from .check import Check, step_verdict
@@ -186,6 +186,30 @@ class Outcome(Generic[R]):
     def values(self) -> Iterator[Published]:
         if self.result is not None:
             yield from published(self.result, self.key)
+
+
+class Designed(Protocol):
+    """A design as the sketches of its steps know it: the inputs of each step, None where there are none."""
+
+    @property
+    def engine(self) -> Any: ...
+    @property
+    def imbalance(self) -> Any: ...
+    @property
+    def countershaft(self) -> Any: ...
+    @property
+    def bearings(self) -> Any: ...
+    @property
+    def gears(self) -> Any: ...
+    @property
+    def friction(self) -> Any: ...
+
+
+class Solved(Protocol):
+    """What solving a design gave, the same way: the outcome of each step by its key."""
+
+    @property
+    def outcomes(self) -> Mapping[str, Outcome[Any]]: ...
 
 
 def accepted(outcomes: Iterable[Outcome[object]], reasons: tuple[tuple[str, str], ...]) -> dict[str, Outcome[object]]:
