@@ -118,7 +118,7 @@ class Fit:
         self.scale = picture.largest(frame.columns, frame.rows)  # columns per metre
         left, right, top, bottom = picture.edges(self.scale)
         self.x = frame.left + (frame.columns - (right - left)) / 2 - left
-        above = math.floor((frame.rows - (top - bottom) - picture.title) / 2)
+        above = max(0, math.floor((frame.rows - (top - bottom) - picture.title) / 2))
         self.title = frame.top + above  # the row of the title
         self.y = self.title + picture.title + top
 

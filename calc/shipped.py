@@ -15,6 +15,7 @@ from .sheet.text import Text
 if TYPE_CHECKING:
     from .addresses import Table
     from .design import Design
+    from .engine.inputs import EngineInputs
 
 DESIGNS = Path(__file__).parent.parent / "designs"
 EXAMPLE = DESIGNS / "r753ie4_gamma.toml"
@@ -43,6 +44,20 @@ class ShippedEngine:
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
     return {name: ShippedEngine(str(_engine(row)["name"]), row["what"], row["source"]) for name, row in _rows().items()}
+
+
+def engine_inputs(name: str) -> "EngineInputs":
+    """The inputs of a shipped engine, without a design around them."""
+    from .design_file import design, parse
+
+    row = _rows()[name]
+    if "design" in row:
+        text = (DESIGNS / row["design"]).read_text(encoding="utf-8")
+    else:
+        text = _text(str(row["engine"]["name"]), "", f"[engine]\n{_lines(row['engine'])}")
+    engine = design(parse(text.encode("utf-8"), name)).engine
+    assert engine is not None, name
+    return engine
 
 
 def engine_design(name: str) -> str:

@@ -49,7 +49,7 @@ class Picture(Widget, can_focus=True):
         self.results: Results | None = None
         self.degrees = 0
         self.turns = False  # whether the sketch depends on the crank's angle
-        self._drawn: dict[tuple[object, ...], Content] = {}
+        self._drawn: dict[tuple[object, ...], tuple[Content, bool]] = {}
         self._clock: Timer | None = None
 
     # --- what is shown
@@ -62,27 +62,27 @@ class Picture(Widget, can_focus=True):
             self.refresh()
 
     def render(self) -> Content:
-        columns, rows = self.content_size
-        key = (self.step, columns, rows, self.lit, self.degrees if self.turns else 0, self.app.signs, self.app.theme)
-        if (made := self._drawn.get(key)) is None:
-            made = self._draw(columns, rows)
+        columns, rows = self.size
+        key = (self.step, columns, rows, self.lit, self.degrees, self.app.signs)
+        if key not in self._drawn:
             if len(self._drawn) >= KEPT:
                 self._drawn.clear()
-            self._drawn[key] = made
+            self._drawn[key] = self._draw(columns, rows)
+        made, self.turns = self._drawn[key]
         return made
 
-    def _draw(self, columns: int, rows: int) -> Content:
+    def _draw(self, columns: int, rows: int) -> tuple[Content, bool]:
+        """The picture, and whether it turns with the crank."""
         from ..canvas import draw
 
         signs, say = self.app.signs, self.app.say
         try:
             sketch = sketch_of(self.step, self.design, self.results, math.radians(self.degrees))
-            self.turns = isinstance(sketch, Sketch) and sketch.turning
             if isinstance(sketch, Sketch):
-                return draw(sketch, columns, rows, signs, say, self.lit)
+                return draw(sketch, columns, rows, signs, say, self.lit), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
-            self.turns, sketch = False, FAILED
-        return Content.styled(say(sketch), signs.style("muted"))
+            sketch = FAILED
+        return Content.styled(say(sketch), signs.style("muted")), False
 
     # --- turning
     def action_turn(self, by: int) -> None:

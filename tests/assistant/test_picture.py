@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The picture of a step on the screen: it follows the step, waits in words, turns by keys, and never stops the session."""
+
+import pytest
+from textual.app import ComposeResult
+
+from assistant.base_app import BaseApp
+from assistant.recovery import Memory
+from assistant.session import Session
+from assistant.widgets import picture
+from assistant.widgets.picture import Picture, icon_lines
+from assistant.widgets.signs import Signs
+from calc.design_file import load
+from calc.languages import language
+from calc.shipped import engine_inputs, engines
+from calc.solve import solve
+
+from ..conftest import GAMMA
+
+
+class Stage(BaseApp):
+    """Only the picture."""
+
+    def compose(self) -> ComposeResult:
+        yield Picture()
+
+
+@pytest.fixture
+async def shown(tmp_path):
+    """The picture, and a way to see what stands in it."""
+    app = Stage(Session.open(GAMMA, memory=Memory(tmp_path)))
+    app.animation_level = "none"
+    async with app.run_test(size=(60, 18)) as pilot:
+        yield app.query_one(Picture), pilot
+
+
+@pytest.fixture(scope="module")
+def gamma():
+    _, design = load(GAMMA)
+    return design, solve(design)
+
+
+async def test_it_shows_each_step_and_says_what_it_waits_for(shown, gamma):
+    drawing, _ = shown
+    design, results = gamma
+    drawing.show("engine", design, results)
+    engine = drawing.render()
+    assert "fires 1-3-2" in engine.plain
+    drawing.show("engine", design, results, "engine.bore_mm")
+    assert drawing.render().spans != engine.spans
+    drawing.show("imbalance", design, None)
+    assert drawing.render().plain == "The picture waits for the results of the step Imbalance."
+
+
+async def test_keys_turn_what_turns(shown, gamma):
+    drawing, pilot = shown
+    drawing.show("imbalance", *gamma)
+    before = drawing.render().plain
+    drawing.focus()
+    await pilot.press("right", "right")
+    assert "crank at 20°" in drawing.render().plain and drawing.render().plain != before
+    await pilot.press("left", "left", "left")
+    assert "crank at 350°" in drawing.render().plain
+    drawing.show("engine", *gamma)
+    drawing.render()
+    await pilot.press("right")
+    assert drawing.degrees == 350
+
+
+async def test_a_fault_in_a_sketch_is_one_quiet_line(shown, gamma, monkeypatch):
+    def broken(*_):
+        raise ZeroDivisionError
+
+    monkeypatch.setattr(picture, "sketch_of", broken)
+    drawing, _ = shown
+    drawing.show("engine", *gamma)
+    assert drawing.render().plain == "The picture of this step cannot be drawn."
+
+
+async def test_it_turns_by_itself_only_with_the_focus_and_animations(shown, gamma):
+    drawing, pilot = shown
+    drawing.show("imbalance", *gamma)
+    drawing.render()
+    drawing.blur()
+    await pilot.pause()
+    pilot.app.animation_level = "full"
+    drawing.focus()
+    await pilot.pause(0.5)
+    turned = drawing.degrees
+    assert turned > 0 and turned % 20 == 0
+    drawing.blur()
+    await pilot.pause()
+    turned = drawing.degrees
+    await pilot.pause(0.3)
+    assert drawing.degrees == turned
+
+
+@pytest.mark.parametrize("name", engines())
+def test_every_shipped_engine_has_its_icon(name):
+    icon = icon_lines(engine_inputs(name), 16, 5, Signs(), language("en"))
+    lines = icon.plain.split("\n")
+    assert [len(line) for line in lines] == [16] * 5
+    assert sum(letter != " " for line in lines for letter in line) > 15
