@@ -157,12 +157,16 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         if x_low == x_high:
             x_low, x_high = x_low - (abs(x_low) or 1.0) / 2, x_high + (abs(x_high) or 1.0) / 2
         height = max(2, self.size.height - self.margin_bottom - 2)
-        y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
+        grounded = curve.bars and y_low == 0.0
+        even_low, even_high, y_ticks = even_ticks(y_low, y_high, height, grounded=grounded)
         self.margin_left = 2 + max(map(len, self._y_formatter.get_labels_for_ticks(y_ticks)), default=4)
         width = max(4, self.size.width - self.margin_left - 2)
         if curve.equal:
             x_low, x_high, y_low, y_high = _round(x_low, x_high, y_low, y_high, width, height)
-            y_ticks = ticks(y_low, y_high, max(2, round(height * 0.6)))
+            even_low, even_high, y_ticks = even_ticks(y_low, y_high, height)
+            wider = (x_high - x_low) / 2 * ((even_high - even_low) / (y_high - y_low) - 1)
+            x_low, x_high = x_low - wider, x_high + wider
+        y_low, y_high = even_low, even_high
         places = [x for x in places_of(curve) if x_low <= x <= x_high] if curve.bars else []
         round_ = axis(curve.x_label)[1] == "°" and not curve.equal
         self.set_xticks(places if 0 < len(places) <= width // 3 else ticks(x_low, x_high, max(2, width // 7), degrees=round_))
@@ -355,6 +359,35 @@ def ticks(low: float, high: float, most: int, *, degrees: bool = False) -> list[
     first = math.ceil(low / step - 1e-9)
     last = math.floor(high / step + 1e-9)
     return [n * step for n in range(first, last + 1)]
+
+
+def even_ticks(low: float, high: float, rows: int, *, grounded: bool = False) -> tuple[float, float, list[float]]:
+    """Limits that are hardly wider, with which the ticks stand equally many rows apart, and the ticks.
+
+    `grounded`: the lower limit stays, else each tick is in the middle of its row.
+    """
+    span = high - low
+    if not span > 0:
+        return low, high, [low]
+    power = 10.0 ** math.floor(math.log10(span / rows))
+    best: tuple[float, float, float, float] | None = None  # how much wider, step, rows apart, lower limit
+    for step in (n * power * ten for ten in (1, 10) for n in (1, 2, 2.5, 5)):
+        for apart in range(int(rows * step / span + 1e-9), 1, -1):
+            row = step / apart
+            first = math.ceil(low / step - 1e-9) * step
+            start = low if grounded else first - (math.ceil((first - low) / row - 0.5 - 1e-9) + 0.5) * row
+            spare = math.floor((start + rows * row - high) / row + 1e-9)
+            if spare >= 0:
+                start -= 0.0 if grounded else spare // 2 * row
+                wider = rows * row / span
+                if rows >= 2 * apart and (best is None or wider < 0.9 * best[0]):
+                    best = wider, step, row, start
+                break
+    if best is None:
+        return low, high, ticks(low, high, max(2, rows // 2))
+    _, step, row, start = best
+    end = start + rows * row * (1 - 1e-9)  # so that rounding puts no tick of a grounded scale into the row below
+    return start, end, [n * step for n in range(math.ceil(start / step - 1e-9), math.floor(end / step + 1e-9) + 1)]
 
 
 def _round(x_low: float, x_high: float, y_low: float, y_high: float, width: int, height: int) -> tuple[float, float, float, float]:

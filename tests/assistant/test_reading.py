@@ -3,13 +3,16 @@
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
+from textual.geometry import Region
 from textual.pilot import Pilot
+from textual_plot.plot_widget import map_coordinate_to_pixel
 
 from assistant.widgets.curve_pane import CurvePane
-from assistant.widgets.plot import Plot, ticks
+from assistant.widgets.plot import Plot, even_ticks, ticks
 from assistant.widgets.reading import Digits, Reader, Reading, axis, step_of
 from assistant.widgets.sight import Cursor, Sight
 from calc.sheet.step import Curve, Series
@@ -123,6 +126,15 @@ def test_points_and_bars_are_gone_through_one_by_one() -> None:
     assert square.moved(Cursor(0.0), 1).place == 1.0 and square.other(Cursor(4.0), 1) == Cursor(1.0, 1)
     assert square.nearest(1.1, 1.9, 0.1, 0.2) == Cursor(1.0, 1)
     assert reader(FILM).nearest(1000.0, 12.0, 1.0, 1.0) == Cursor(1000.0, 1)
+
+
+@pytest.mark.parametrize("rows", [6, 9, 12, 17, 30])
+@pytest.mark.parametrize("low, high", [(4.4, 12.1), (-0.37, 0.91), (0.0, 1234.0), (990.0, 991.7)])
+def test_ticks_stand_equally_many_rows_apart(low: float, high: float, rows: int) -> None:
+    start, end, places = even_ticks(low, high, rows, grounded=low == 0)
+    at = [map_coordinate_to_pixel(0, y, 0, 1, start, end, Region(0, 0, 1, rows))[1] for y in places]
+    assert len({below - above for below, above in pairwise(at)}) == 1 and at[0] - at[1] >= 2
+    assert start <= low and high <= end + 1e-6 * (high - low) and end - start < 1.8 * (high - low)
 
 
 def test_angles_have_ticks_at_parts_of_a_turn() -> None:
