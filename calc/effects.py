@@ -86,11 +86,11 @@ def _finite(number: float) -> float | None:
 
 
 def moved_by(document: Document, results: Results, key: str) -> tuple[tuple[Check, Effect], ...]:
-    """What one input moves: every check, with the effect of one unit more, the one first whose margin it moves most."""
+    """What one input moves: every check, with the effect of one unit more; first those whose margin it moves most, of what there is."""
     about = dict(quantities(document.data)).get(key)
     if about is None or about.kind not in KINDS or value_at(document.data, key) is None:
         return ()
     moved = _moved(document, results, key, about)
     found = [(check, _effect(check, key, about, moved)) for check in results.checks()]
     there = [(check, effect) for check, effect in found if effect.gain]
-    return tuple(sorted(there, key=lambda one: -abs((one[1].gain or 0.0) / (abs(one[0].nearest[1]) or 1.0))))
+    return tuple(sorted(there, key=lambda one: -abs((one[1].gain or 0.0) / (abs(one[0].nearest[0]) or 1.0))))

@@ -95,14 +95,19 @@ def _engine(results: "Results", values: Values) -> Text | None:
 
 
 def _imbalance(results: "Results", values: Values) -> Text | None:
-    """What the crank asks for, and what the shaft leaves of it."""
-    for kind in ("couple", "force"):
+    balance = _balance(values)
+    return balance[1] if balance is not None else None
+
+
+def _balance(values: Values) -> tuple[Text, Text] | None:
+    """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
+    for kind, word in (("couple", Text("couple")), ("force", Text("force"))):
         before, after = values.get(f"imbalance.required_{kind}"), values.get(f"countershaft.residual_order_1_{kind}")
         if before is not None and before.shown:
             if after is None:
-                return Text("{value}", value=Amount(before.shown, before.unit, digits=3))
+                return word, Text("{value}", value=Amount(before.shown, before.unit, digits=3))
             left = Amount(after.shown, before.unit, form=".0f" if before.shown >= 10 * after.shown else ".3g")
-            return Text("{before} → {after}", before=Amount(before.shown, digits=3), after=left)
+            return word, Text("{before} → {after}", before=Amount(before.shown, digits=3), after=left)
     return None
 
 
@@ -144,7 +149,9 @@ def main_numbers(results: "Results") -> tuple[tuple[Text, Text], ...]:
         found = [value for id, value in values.items() if id.rpartition(".")[2] in names and id.count(".") <= 2]
         return Amount(which([value.shown for value in found]), found[0].unit, digits=3) if found else None
 
-    found: list[tuple[Text, Text | Amount | None]] = [(Text("couple"), _imbalance(results, values))]
+    found: list[tuple[Text, Text | Amount | None]] = []
+    if (balance := _balance(values)) is not None:
+        found.append(balance)
     if (mass := shown("countershaft.mass")) is not None and design.countershaft is not None:
         outer = design.countershaft.outer_radius
         size = Text("{mass}, Ø{diameter}", mass=mass, diameter=Amount(outer * 2e3, "mm", digits=3)) if outer else mass

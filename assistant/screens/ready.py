@@ -59,7 +59,7 @@ class Closing(ItemList):
         if self.session.results is None:
             return []
         say = self.app.say
-        told = [(say(word), say(value)) for word, value in main_numbers(self.session.results)]
+        told = [(say(word), say(value).replace("→", self.app.signs.mark("then"))) for word, value in main_numbers(self.session.results)]
         if not told:
             return []
         for count in (3, 2, 1):

@@ -113,10 +113,10 @@ def _effect(data: "Table", check: Check, effect: "Effect") -> Text:
 
 
 def of_input(data: "Table", key: str, moved: "tuple[tuple[Check, Effect], ...]") -> Text:
-    """`film at the edge, front +0.45 µm per mm`: the limits that an input moves most."""
+    """`film at the edge, front +0.45 µm per mm`: what an input moves most of the limits that it is meant for."""
     seen: dict[str, tuple[Check, Effect]] = {}
     for check, effect in moved:
-        if check.kind == "limit":
+        if check.kind == "limit" and effect.slope and any(f"{key}.".startswith(f"{one}.") for one in check.moved_by):
             seen.setdefault(check.cause or check.id, (check, effect))
     unit = quantity_of(data, key).unit
     return SEMICOLON.join(slope(Small(check.name), one.slope or 0.0, check.unit, unit) for check, one in list(seen.values())[:MOST])

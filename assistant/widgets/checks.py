@@ -120,26 +120,23 @@ class Checks(ItemList):
     # --- folding
     def go_to(self, key: str, *, top: bool = False) -> bool:
         if (check := self._by_id(key)) is not None and self.items and all(item.key != key for item in self.items):
-            self.unfolded |= {fold_of(check), cause(check)}
+            self.unfolded |= {fold_of(check)}
             self.rebuild()
         return super().go_to(key, top=top)
 
     def action_unfold(self, unfold: bool) -> None:
-        check = self.check
-        key = cause(check) if check is not None else self.key
-        if not unfold and check is not None and key not in self.unfolded:
-            key = fold_of(check)  # out of a row, its fold
-        if not key or (key in self.unfolded) is unfold:
-            return
-        head = (
-            key
-            if check is None or key == fold_of(check)
-            else next((row.key for row in self._rows_of() if row.check and cause(row.check) == key), "")
-        )
-        self.unfolded ^= {key}
-        if head and not unfold:
-            self.cursor = next((n for n, item in enumerate(self.items) if item.key == head), self.cursor)
-        self.rebuild()
+        """Of what is under the cursor; folded, the cursor stays on what stands for it."""
+        here, check = self.key, self.check
+        fold = fold_of(check) if check is not None else here
+        if fold and (fold in self.unfolded) is not unfold:
+            self.unfolded ^= {fold}
+            self.rebuild()
+            if self.key != here:
+                self.go_to(next(item.key for item in self.items if item.key == fold or self._inside(item.key, fold)))
+
+    def _inside(self, id: str, fold: str) -> bool:
+        check = self._by_id(id)
+        return check is not None and fold_of(check) == fold
 
     def choose(self, clicked: bool = False) -> None:
         """Enter folds and unfolds, or explains a check; a click chooses it, and one more does so too."""
@@ -175,10 +172,8 @@ class Checks(ItemList):
             rows.append(Row(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
             rows += [Row(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
         if not shown:
-            mark = signs.mark("ready")
-            rows.append(
-                Row("", head=Content.assemble((f"{mark} {say(Text('Nothing fails and no caution is open.'))}", signs.style("ready"))))
-            )
+            words = f"{signs.mark('ready')} {say(Text('Nothing fails and no caution is open.'))}"
+            rows.append(Row("", head=Content.styled(words, signs.style("ready"))))
         rows += [Row(c.id, c) for c in checks if c.verdict == "accepted"]
         rows.append(Row("", head=Content("")))
         folds = (
@@ -212,7 +207,7 @@ class Checks(ItemList):
         items = [Item("", [self._head(columns)])] if columns.numbers else []
         for row in rows:
             if row.check is None:
-                items.append(Item(row.key, [row.head or Content("")]))
+                items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
                 continue
             content = self._title_rows(row, columns)
             if row.key == chosen:
@@ -319,7 +314,7 @@ def cause(check: Check) -> str:
 
 
 def fold_of(check: Check) -> str:
-    """Where a check is folded: among advice, the method or what holds; empty where it is a finding of its own."""
+    """What unfolds a check: advice, the method or what holds; of a finding its cause."""
     if check.verdict == "pass":
         return HOLD
-    return check.kind if check.open and check.kind in (ADVICE, METHOD) else ""
+    return check.kind if check.open and check.kind in (ADVICE, METHOD) else cause(check)

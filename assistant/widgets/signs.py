@@ -21,7 +21,7 @@ ASCII = {
     "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
     "then": "->", "recording": "@",
-    "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "+", "unfolded": "-",
+    "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "...", "unfolded": ":",
 }  # fmt: skip
 
 # Okabe and Ito: told apart by nearly everybody; the darker ones for a light background

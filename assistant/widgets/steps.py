@@ -59,8 +59,8 @@ class Steps(ItemList):
         results = self.session.results
         shown = headline(results, state.key) if results is not None and state.state in ("fail", "not_verified", "warn", "ready") else None
         if shown is not None:
-            text = say(shown.text)
-            rows.append(Content(f"{INDENT}{fit(text if len(text) <= room else say(shown.brief), room)}"))
+            long, brief = (say(text).replace("→", signs.mark("then")) for text in (shown.text, shown.brief))
+            rows.append(Content(f"{INDENT}{long if len(long) <= room else fit(brief, room)}"))
             if shown.share is not None and shown.check is not None:
                 verdict = signs.style(shown.check.verdict)
                 rows.append(Content.assemble(INDENT, bar(shown.share, signs, verdict), (f" {say(shown.check.margin_text())}", verdict)))

@@ -8,11 +8,13 @@ import pytest
 from textual.widgets import Input
 
 from assistant.actions import ACTIONS, BY_ID, key_name, methods
+from assistant.screens.accept import AcceptActions
 from assistant.screens.curve_actions import CurveActions
 from assistant.screens.edit_actions import EditActions
 from assistant.screens.file_actions import FileActions
 from assistant.screens.moves import Moves
 from assistant.screens.reading_actions import ReadingActions
+from assistant.screens.ready import ReadyActions
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.footer_line import FooterLine
@@ -21,7 +23,7 @@ from calc.sheet.step import Curve
 from .conftest import Screen
 from .driving import rows, settled, strike, until, work
 
-PARTS = [Moves, EditActions, FileActions, CurveActions, ReadingActions]
+PARTS = [Moves, EditActions, FileActions, CurveActions, ReadingActions, AcceptActions, ReadyActions]
 ALLOWED_IN_A_FIELD = {"up", "down", "enter", "escape", "shift+up", "shift+down", "pageup", "pagedown"}
 
 

@@ -18,7 +18,8 @@ from .driving import go_to, message, rows, settled, strike, told, type_in, until
 
 
 def shown(pilot: Any, check: str) -> str:
-    """The line of a check in the list of this step."""
+    """The line of a check in the list of this step, which is unfolded where the check is folded."""
+    work(pilot).query_one(Checks).go_to(check)
     return next(item.line for item in work(pilot).query_one(Checks).items if item.key == check)
 
 

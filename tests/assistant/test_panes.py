@@ -254,7 +254,7 @@ async def test_letters_act_after_escape(screen: Screen) -> None:
 
 async def test_copying(screen: Screen) -> None:
     async with screen() as pilot:
-        await pilot.press("f6", "y")
+        await pilot.press("f6", "right", "down", "y")  # the advice is folded
         assert pilot.app.clipboard == "0.3282"
         await pilot.press("Y")
         assert pilot.app.clipboard.startswith("note: Crank ratio λ 0.3282, limit 0.22 to 0.3")

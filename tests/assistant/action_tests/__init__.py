@@ -75,9 +75,13 @@ async def give(pilot: Pilot[int], kind: type[PathDialog[Any]], path: Path) -> No
 
 
 async def to_checks(pilot: Pilot[int]) -> Checks:
+    """The findings, with the cursor on a piece of advice, which is folded at first."""
     work(pilot).action_to_view("checks")
     await still(pilot)
-    return work(pilot).query_one(Checks)
+    checks = work(pilot).query_one(Checks)
+    checks.go_to(FIRST_CHECK)
+    await still(pilot)
+    return checks
 
 
 async def to_curve(pilot: Pilot[int]) -> CurvePane:

@@ -2,8 +2,12 @@
 """Editing, moving between fields, copying."""
 
 from textual.pilot import Pilot
+from textual.widgets import Input
 
+from assistant.screens.accept import Accept
 from assistant.screens.explain import Explain
+from assistant.screens.workbench import Workbench
+from calc.design import STEPS
 
 from ..driving import go_to, screen_rows, strike, told, type_in, until, work
 from . import FIRST_CHECK, SECOND, SHARE, Do, back, deed, edited, over, still, text, to_checks
@@ -59,18 +63,17 @@ async def down(pilot: Pilot[int], do: Do) -> None:
     checks = await to_checks(pilot)
     await do()
     await pilot.pause()
-    assert checks.key == checks.items[2].key and "▸✓ pass First-order couple turning" in text(pilot) and checks.has_focus
+    assert checks.key == "hold" and "▸✓ 7 hold" in text(pilot) and checks.has_focus
 
 
 @deed
 async def up(pilot: Pilot[int], do: Do) -> None:
     checks = await to_checks(pilot)
-    await strike(pilot, "down", "down")
-    assert checks.key == checks.items[3].key
-    await do()
+    await strike(pilot, "down")
+    assert checks.key == "hold"
     await do()
     await pilot.pause()
-    assert checks.key == FIRST_CHECK and f"▸• note {SECOND}" in text(pilot) and checks.has_focus
+    assert checks.key == FIRST_CHECK and f"▸•   {SECOND}" in text(pilot) and checks.has_focus
 
 
 @deed
@@ -102,6 +105,32 @@ async def leave(pilot: Pilot[int], do: Do) -> None:
     assert "[0.4      ]" in text(pilot)  # nothing is taken back
     await strike(pilot, "3")
     await until(pilot, lambda: work(pilot).number == 3)  # a letter is a key again
+
+
+# --- findings
+@deed
+async def accept(pilot: Pilot[int], do: Do) -> None:
+    """A caution is accepted with a reason, and opened again; a limit is not."""
+    session, checks = work(pilot).session, await to_checks(pilot)
+    await work(pilot).open_step(STEPS[2], stay=True)
+    checks.go_to("countershaft.bolts.pressure")
+    await still(pilot)
+    await do()
+    asked = await over(pilot, Accept)
+    await strike(pilot, "enter")
+    await until(pilot, lambda: "A reason is needed" in text(pilot))
+    asked.query_one(Input).value = "agreed with the foundry"
+    await strike(pilot, "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+    await still(pilot)
+    assert session.design.accepted == (("countershaft.bolts.pressure", "agreed with the foundry"),)
+    assert "accepted, agreed" in text(pilot) and checks.key == "countershaft.bolts.pressure"
+    await do()
+    await still(pilot)
+    assert not session.design.accepted and "Open again" in told(pilot)
+    checks.go_to("countershaft.residual")
+    await do()
+    await until(pilot, lambda: "is a limit, which nobody can accept" in told(pilot))
 
 
 # --- copying

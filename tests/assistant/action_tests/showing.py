@@ -10,6 +10,7 @@ from textual.pilot import Pilot
 from assistant.screens.ask import Ask
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
+from assistant.screens.ready import ReadyScreen
 from assistant.screens.selection import Choosing
 from assistant.screens.workbench import Workbench
 from assistant.session import Session
@@ -101,7 +102,7 @@ async def pane(pilot: Pilot[int], do: Do) -> None:
     for title in ("Checks", "Calculation"):
         await do()
         await still(pilot)
-        assert titles(pilot) == [title] and re.search(r"▸(• note|2\.1 )", text(pilot))
+        assert titles(pilot) == [title] and re.search(r"▸(• |2\.1 )", text(pilot))
 
 
 @deed
@@ -120,10 +121,24 @@ async def trouble(pilot: Pilot[int], do: Do) -> None:
     await do()
     await until(pilot, lambda: work(pilot).number == 3)  # step 2 has advice only
     await still(pilot)
-    assert titles(pilot) == ["Checks"] and "▸▲ warn Couple beyond the" in text(pilot)
+    assert titles(pilot) == ["Checks"] and "▸▲ Couple beyond the" in text(pilot)
     await do()
     await still(pilot)
-    assert "▸▲ warn Pressure" in text(pilot) and isinstance(pilot.app.focused, Checks)
+    assert "▸▲ Pressure" in text(pilot) and isinstance(pilot.app.focused, Checks)
+
+
+@deed
+async def ready(pilot: Pilot[int], do: Do) -> None:
+    """The closing page tells the numbers and what is left; Enter goes there, Esc back."""
+    await do()
+    await over(pilot, ReadyScreen)
+    assert re.search(r"couple +573 → 0 N·m", text(pilot)) and re.search(r"3 Counter-shaft +2 cautions", text(pilot))
+    assert "4 steps are left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
+    await back(pilot)
+    await do()
+    await over(pilot, ReadyScreen)
+    await strike(pilot, "enter")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number == 3)
 
 
 @deed

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The findings of a step: in groups, folded, told in full under the cursor; and how it looks in any width."""
+
+import pytest
+
+from assistant.screens.slopes import of_check, of_input
+from assistant.session import Session
+from assistant.widgets.bar import bar
+from assistant.widgets.checks import Checks
+from assistant.widgets.message_line import MessageLine
+from assistant.widgets.signs import Signs
+from calc.effects import effects, moved_by
+
+from .conftest import Screen, solved
+from .driving import settled, strike, until, work
+
+EDGE, DOUBLE = "bearings.front.film_edge", "bearings.front.film_double_load"
+
+
+def rows(checks: Checks) -> dict[str, str]:
+    return {item.key: " ".join(row.plain for row in item.rows) for item in checks.items if item.key}
+
+
+async def test_findings_are_grouped_and_told_under_the_cursor(screen: Screen, session: Session) -> None:
+    async with screen(session=session) as pilot:
+        await strike(pilot, "escape", "4", "f7")
+        await settled(pilot)
+        checks = work(pilot).query_one(Checks)
+        await until(pilot, lambda: "per mm" in rows(checks)[EDGE])  # the slopes follow
+        shown = rows(checks)
+        assert list(shown) == [EDGE, DOUBLE, "bearings.rear.film_double_load", "bearings.rear.slope_given", "advice", "method", "hold"]
+        assert "(4 findings)" in shown[EDGE] and "7.41 of 9 µm" in shown[EDGE] and "most: length +0.4 µm per mm" in shown[EDGE]
+        assert "6.04 of" not in shown[DOUBLE]
+        await strike(pilot, "down")
+        assert checks.key == DOUBLE and "6.04 of 7.46 µm" in rows(checks)[DOUBLE] and "7.41 of" not in rows(checks)[EDGE]
+        assert "twice the load, front" in work(pilot).query_one(MessageLine).message()[1]  # it speaks of what is under the cursor
+        await strike(pilot, "up", "right", "down")
+        assert checks.key.startswith(EDGE) and checks.key != EDGE
+        await strike(pilot, "left")
+        assert checks.key == EDGE and len(rows(checks)) == len(shown)
+        await strike(pilot, "end", "enter")
+        assert rows(checks)["hold"].endswith("▾") and sum("✓" in row for row in rows(checks).values()) > 50
+
+
+@pytest.mark.parametrize("width", [12, 30, 48, 80, 120, 200])
+async def test_columns_never_collide(screen: Screen, session: Session, width: int) -> None:
+    """In rows with numbers there are two cells between all of them, and no row is wider than the list."""
+    async with screen(session=session, size=(120, 40)) as pilot:
+        await strike(pilot, "escape", "5")
+        await settled(pilot)
+        await solved(pilot)
+        checks = work(pilot).query_one(Checks)
+        checks.unfolded = {"advice", "method", "hold"}
+        items = checks.build(width)
+        for item in items:
+            for row in item.rows if width >= 30 else ():
+                assert row.cell_length <= width, row.plain
+        if width >= 120:
+            found = {check.id: check for check in checks.outcome.checks} if checks.outcome is not None else {}
+            say = work(pilot).app.say
+            for item in items[1:]:
+                if check := found.get(item.key):
+                    assert f"  {say(check.limit_text())}  " in item.rows[0].plain + "  "
+
+
+@pytest.mark.parametrize("size", [(20, 10), (12, 5), (5, 3)])
+async def test_a_window_that_is_too_small_says_so(screen: Screen, session: Session, size: tuple[int, int]) -> None:
+    async with screen(session=session, size=size) as pilot:
+        for key in ("escape", "f7", "down", "right", "f6", "D", "down", "escape", "f4", "6"):
+            await strike(pilot, key)
+            await settled(pilot)
+        top = pilot.app.screen._compositor.render_strips()[0].text
+        assert "needs 60" in top or "too small" in top or size[0] < 10
+
+
+async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Session) -> None:
+    """The last row of the steps; it says on its page what is left."""
+    async with screen(session=session, size=(120, 40)) as pilot:
+        await strike(pilot, "escape", "shift+f6", "end")
+        await settled(pilot)
+        await strike(pilot, "enter")
+        await until(pilot, lambda: type(pilot.app.screen).__name__ == "ReadyScreen")
+
+
+def test_slopes_are_told_in_labels_and_units(session: Session) -> None:
+    """What moves the limit says so; one unit that does next to nothing is told for more of it."""
+    session.solve()
+    results = session.results
+    assert results is not None
+    check = next(check for check in results.checks() if check.id == EDGE)
+    found = effects(session.document, results, [check], 5)[EDGE]
+    assert str(of_check(session.data, check, found)) == "length +0.4 µm per mm; roughness Ra, journal: limit +7.5 µm per µm"
+    moved = str(of_input(session.data, "bearings.front.length_mm", moved_by(session.document, results, "bearings.front.length_mm")))
+    assert moved.startswith("film at the edge, front +0.4 µm per mm; ")
+
+
+def test_a_bar_is_full_at_the_limit_and_marks_it_beyond() -> None:
+    signs, plain = Signs(), Signs(ascii=True)
+    assert bar(1, signs).plain == "▇" * 8 and bar(0.5, signs).plain == "▇▇▇▇▁▁▁▁" and bar(0, signs).plain == "▁" * 8
+    assert bar(2, signs).plain == "▇▇▇▇│▇▇▇" and bar(0.5, plain).plain == "####...." and bar(50, plain).plain == "#|######"
+    assert all(len(bar(share / 100, signs).plain) == 8 for share in range(400))
