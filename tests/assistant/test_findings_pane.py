@@ -9,6 +9,7 @@ from assistant.widgets.bar import bar
 from assistant.widgets.checks import Checks
 from assistant.widgets.message_line import MessageLine
 from assistant.widgets.signs import Signs
+from assistant.widgets.steps import READY, Steps
 from calc.effects import effects, moved_by
 
 from .conftest import Screen, solved
@@ -76,8 +77,10 @@ async def test_a_window_that_is_too_small_says_so(screen: Screen, session: Sessi
 async def test_a_step_is_left_for_the_closing_page(screen: Screen, session: Session) -> None:
     """The last row of the steps; it says on its page what is left."""
     async with screen(session=session, size=(120, 40)) as pilot:
-        await strike(pilot, "escape", "shift+f6", "end")
+        steps = work(pilot).query_one(Steps)
+        work(pilot).action_to_view("steps")
         await settled(pilot)
+        assert steps.go_to(READY)
         await strike(pilot, "enter")
         await until(pilot, lambda: type(pilot.app.screen).__name__ == "ReadyScreen")
 
