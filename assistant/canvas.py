@@ -79,7 +79,8 @@ class Canvas:
         for mark in sorted(sketch.primitives, key=lambda mark: -self.role(mark)):
             if isinstance(mark, Words):
                 row, column = fit.cell(mark.at)
-                wide = cell_len(text := words_of(mark, self.say))
+                text = words_of(mark, self.say) + (f" {self.signs.mark(mark.state)}" if mark.state else "")
+                wide = cell_len(text)
                 start = {RIGHT: column, CENTRE: round(fit.x + mark.at[0] * fit.scale - wide / 2), LEFT: column - wide + 1}[mark.side]
                 self._place(text, row, start, self.role(mark), frame)
         for dimension in dimensions:
@@ -108,10 +109,14 @@ class Canvas:
                 pass
 
     def _mark_states(self, sketch: Sketch, fit: Fit, frame: Frame) -> None:
-        """The sign of each part that fails, or of which is warned, at its upper right: one for all marks of one field or part."""
+        """The sign of each part that fails, or of which is warned, at its upper right: one for all marks of one field or part.
+
+        Words have theirs behind them.
+        """
         ends: dict[tuple[str, str], Point] = {}
+        told = {(mark.state, mark.key) for mark in sketch.primitives if isinstance(mark, Words)}
         for mark in sketch.primitives:
-            if mark.state:
+            if mark.state and (mark.state, mark.key) not in told:
                 corner = max(reach(mark), key=sum)
                 known = ends.get((mark.state, mark.key))
                 ends[mark.state, mark.key] = corner if known is None else max(known, corner, key=sum)
