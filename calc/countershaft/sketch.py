@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The counter-shaft as a sketch: from the side with its supports and its bending line, and its masses from the front.
+
+From the side the first mass is up, as on the drawing; from the front cylinder 1 stands at TDC and the crank turns clockwise.
+"""
+
+import math
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from ..sheet.check import Check
+from ..sheet.drawing import (
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    HIDDEN,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Dimension,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+    rectangle,
+    round_outline,
+)  # fmt: skip
+from ..sheet.record import record
+from ..sheet.sketching import awaited, judged
+from ..sheet.step import Designed, Solved
+from ..sheet.text import Amount, Text
+from ..sheet.units import Metre, Number, Radian
+from .bending.shaft import Bending
+from .drawing import drawn, reach, silhouette, upwards
+from .inputs import CountershaftInputs, EccentricMass, Holes
+from .outline import Outline, Piece
+from .result import CountershaftResult
+
+STEP = "countershaft"
+MASSES, OUTER, CORE, LENGTH = f"{STEP}.masses", f"{STEP}.outer_radius_mm", f"{STEP}.core_radius_mm", f"{STEP}.half_length_mm"
+POSITIONS, HOLES, GEAR = f"{STEP}.bearing_positions_mm", f"{STEP}.holes", f"{STEP}.gear_z_mm"
+JOURNALS = f"{STEP}.journals bearings.front.diameter_mm bearings.front.length_mm bearings.rear.diameter_mm bearings.rear.length_mm"
+SHADES = {"sector": 0.5, "journal": 0.25, "gear": 0.25, "full": 0.25, "core": 0.12}
+EXAGGERATED: Number = 1000.0  # of the bending line, or a power of ten beside it
+SEEN = 0.05, 1.2  # of the largest radius: within this the bending line is to stay
+SUPPORT = 0.035  # of the shaft's length: height of a support's triangle
+POINT = 0.3  # of the largest radius of the masses: radius of the heaviest of them, where only their places are known
+FEW = 4  # masses whose places are told
+CORNERS = 24  # of half a sector
+
+
+@record
+class View:
+    """What of the shaft is drawn: its pieces, or where its outline is not known its journals and masses; `up`: what is drawn up."""
+
+    shaft: CountershaftInputs
+    pieces: tuple[Piece, ...]
+    up: Radian
+    radius: Metre  # the largest
+    start: Metre
+    end: Metre
+    state: State  # of the masses
+
+    @property
+    def length(self) -> Metre:
+        return self.end - self.start
+
+
+def sketch(design: Designed, results: Solved) -> Sketch:
+    """The shaft of a design, as far as it is known."""
+    outcome = results.outcomes[STEP]
+    shaft: CountershaftInputs | None = design.countershaft
+    found = outcome.result
+    if shaft is None or not isinstance(found, CountershaftResult):
+        return awaited(outcome)
+    checks = tuple(outcome.checks)
+    masses = judged(checks, *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")))
+    if found.outline is not None:
+        view, notes = _shaped(shaft, found.outline, masses), [Text("lengths in mm")]
+    else:
+        view, notes = _points(shaft, masses), [Text("lengths in mm"), Text("masses as points")]
+    side: list[Mark] = [Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))]
+    side += _side(view, found.outline)
+    side += _supports(view, checks)
+    side += _dimensions(view)
+    if shaft.holes is not None:
+        side += _holes(view, shaft.holes, judged(checks, HOLES))
+    if found.bending is not None and (bent := _bent(view, found.bending, checks)) is not None:
+        side += bent[0]
+        notes.append(Text("dashed: bending × {factor}", factor=Amount(bent[1])))
+    return Sketch(tuple(side), tuple(notes), beside=(Sketch(tuple(_end_view(view)), title=Text("from the front")),))
+
+
+def _shaped(shaft: CountershaftInputs, outline: Outline, state: State) -> View:
+    up = upwards(outline)
+    largest = max(max(reach(piece, up)) for piece in outline.pieces)
+    return View(shaft, tuple(drawn(outline)), up, largest, outline.start, outline.end, state)
+
+
+def _points(shaft: CountershaftInputs, state: State) -> View:
+    """The journals, if their sizes are given; the masses are added as points."""
+    places = (*shaft.bearing_positions, *(mass.z for mass in shaft.masses))
+    journals = tuple(
+        Piece(z - journal.length / 2, z + journal.length / 2, journal.diameter / 2, 0.0, None, 0.0, "journal")
+        for z, journal in zip(shaft.bearing_positions, shaft.journals)
+    )
+    start, end = min((*places, *(piece.start for piece in journals))), max((*places, *(piece.end for piece in journals)))
+    largest = max(mass.radius for mass in shaft.masses) * (1 + POINT)
+    return View(shaft, journals, shaft.masses[0].angle, max(largest, *(p.outer_radius for p in journals), 0.0), start, end, state)
+
+
+def _mass_keys(view: View, piece: Piece) -> str:
+    """The fields that shape a sector: its mass, or the envelope in which it is sized, or its section."""
+    if view.shaft.sections:
+        return f"{STEP}.sections"
+    here = [mass for mass in view.shaft.masses if piece.start <= mass.z <= piece.end]
+    return " ".join((*(f"{MASSES}.{mass.name}" for mass in here), OUTER, LENGTH))
+
+
+# --- from the side
+def _side(view: View, outline: Outline | None) -> Iterator[Mark]:
+    keys = {"journal": JOURNALS, "gear": GEAR, "core": CORE, "full": f"{STEP}.sections"}
+    for piece in view.pieces:
+        high, low = reach(piece, view.up)
+        state = view.state if piece.what == "sector" else ""
+        box, key = rectangle(piece.start, -low, piece.end, high), keys.get(piece.what) or _mass_keys(view, piece)
+        yield Area(OUTLINE, (box,), SHADES[piece.what], key, state)
+        if piece.what != "core":
+            yield Polyline(OUTLINE, box, True, key, state)
+    if outline is not None:
+        yield Polyline(OUTLINE, silhouette(outline), True)
+    else:
+        yield Polyline(OUTLINE, ((view.start, 0.0), (view.end, 0.0)))
+        for mass in view.shaft.masses:
+            yield from _point(view, (mass.z, 0.0), (mass.z, mass.radius * math.cos(mass.angle - view.up)), mass)
+
+
+def _point(view: View, foot: Point, at: Point, mass: EccentricMass) -> Iterator[Mark]:
+    """A mass of which only the place is known: on a stalk, as large as its share of the heaviest asks for."""
+    heaviest = max(other.mass for other in view.shaft.masses) or 1.0
+    radius = POINT / (1 + POINT) * view.radius * (mass.mass / heaviest) ** (1 / 3)
+    key = f"{MASSES}.{mass.name}"
+    yield Polyline(OUTLINE, (foot, at), key=key, state=view.state)
+    yield Area(OUTLINE, (round_outline(at, radius, CORNERS),), SHADES["sector"], key, view.state)
+    yield Arc(OUTLINE, at, radius, key=key, state=view.state)
+
+
+def _supports(view: View, checks: Iterable[Check]) -> Iterator[Mark]:
+    """A triangle under each journal, its tip in the middle of it."""
+    positions, checks, size = view.shaft.bearing_positions, tuple(checks), SUPPORT * view.length
+    for n, z in enumerate(positions):
+        low = max((reach(piece, view.up)[1] for piece in view.pieces if piece.start <= z <= piece.end), default=0.0)
+        ids = [f"{STEP}.support.{n + 1}"]
+        if n in (0, len(positions) - 1):
+            ids.append(f"{STEP}.slope_{'rear' if n else 'front'}")
+        foot = ((z, -low), (z + size, -low - size), (z - size, -low - size))
+        yield Polyline(OUTLINE, foot, True, f"{POSITIONS} {POSITIONS}.{n}", judged(checks, *ids))
+
+
+def _dimensions(view: View) -> Iterator[Mark]:
+    """Below, the supports; above, the masses or the envelope from mid-shaft; behind the shaft the outer radius."""
+    shaft, high = view.shaft, view.radius + SUPPORT * view.length
+    lowest = max((reach(piece, view.up)[1] for piece in view.pieces), default=0.0)
+    low = -lowest - 2 * SUPPORT * view.length
+    for a, b in zip(shaft.bearing_positions, shaft.bearing_positions[1:]):
+        yield Dimension(DIMENSIONS, (a, low), (b, low), (a, low), key=POSITIONS, label=_mm(b - a))
+    if shaft.half_length is not None:
+        yield Dimension(DIMENSIONS, (0.0, high), (shaft.half_length, high), (0.0, high), key=LENGTH, label=_mm(shaft.half_length))
+    elif len(shaft.masses) <= FEW:
+        for mass in shaft.masses:
+            if mass.z:
+                yield Dimension(
+                    DIMENSIONS, (0.0, high), (mass.z, high), (0.0, high), key=f"{MASSES}.{mass.name}.z_mm", label=_mm(mass.z)
+                )  # fmt: skip
+    largest = max((p for p in view.pieces if p.what == "sector"), key=lambda p: p.outer_radius, default=None)
+    if largest is not None:
+        x = view.end + 2 * SUPPORT * view.length
+        yield Dimension(
+            DIMENSIONS, (largest.end, 0.0), (largest.end, largest.outer_radius), (x, 0.0), upright=True, key=OUTER,
+            label=Text("R {radius}", radius=Amount(largest.outer_radius * 1000)),
+        )  # fmt: skip
+
+
+def _holes(view: View, holes: Holes, state: State) -> Iterator[Mark]:
+    """The holes of each sector that is seen from outside, evenly along it: their depth is true, their places are not given."""
+    sectors = [piece for piece in view.pieces if piece.what == "sector"]
+    for piece in sectors:
+        count = max(1, round(holes.count / len(sectors)))
+        turned = math.cos(piece.angle - view.up)
+        if abs(turned) < math.cos(math.radians(80)):
+            continue
+        way = math.copysign(1.0, turned)
+        rim = way * reach(piece, view.up)[0 if way > 0 else 1]
+        for n in range(count):
+            z, half = piece.start + (n + 0.5) / count * piece.length, holes.diameter / 2
+            bottom = rim - way * holes.depth
+            yield Polyline(
+                OUTLINE, ((z - half, rim), (z - half, bottom), (z + half, bottom), (z + half, rim)), key=HOLES, state=state
+            )  # fmt: skip
+
+
+def _bent(view: View, bending: Bending, checks: Iterable[Check]) -> tuple[list[Mark], Number] | None:
+    """The bending line as seen from the side, and how much it is exaggerated; nothing of a shaft that does not bend."""
+    checks, sag = tuple(checks), (bending.vectors * np.exp(-1j * view.up)).real
+    most = float(np.abs(sag).max())
+    if most <= 0:
+        return None
+    factor = EXAGGERATED
+    while most * factor > SEEN[1] * view.radius:
+        factor /= 10
+    while most * factor < SEEN[0] * view.radius:
+        factor *= 10
+    state = judged(checks, f"{STEP}.bending_stress", f"{STEP}.first_critical_speed", f"{STEP}.slope_front", f"{STEP}.slope_rear")
+    points = tuple(zip(bending.z.tolist(), (sag * factor).tolist()))
+    marks: list[Mark] = [Polyline(HIDDEN, points, key=f"{STEP}.sector_effectiveness", state=state)]
+    worn = judged(checks, f"{STEP}.fatigue", f"{STEP}.notch_stress")
+    if worn and bending.notch_z is not None:
+        z, half = bending.notch_z, 0.8 * view.radius
+        marks.append(Polyline(OUTLINE, ((z, -half), (z, half)), key=f"{STEP}.fillet_radius_mm", state=worn))
+    return marks, factor
+
+
+# --- from the front
+def _end_view(view: View) -> Iterator[Mark]:
+    """The masses around the axis; full pieces as circles."""
+    sectors = [piece for piece in view.pieces if piece.half_angle is not None]
+    for radius in sorted({round(p.outer_radius, 5) for p in view.pieces if p.what == "journal"}):
+        yield Arc(CONTEXT, (0.0, 0.0), radius, key=JOURNALS)
+    told: set[tuple[Metre, Metre, Radian, Radian]] = set()
+    for piece in sectors:
+        assert piece.half_angle is not None
+        size = round(piece.outer_radius, 4), round(piece.core_radius, 4), round(piece.half_angle, 2), round(piece.angle, 4)
+        if size in told:
+            continue
+        told.add(size)
+        edge = sector_outline(piece)
+        yield Area(OUTLINE, (edge,), SHADES["sector"], _mass_keys(view, piece), view.state)
+        yield Polyline(OUTLINE, edge, True, _mass_keys(view, piece), view.state)
+        yield from _angle(view, piece.angle, _mass_keys(view, piece))
+    if sectors:
+        yield Arc(OUTLINE, (0.0, 0.0), sectors[0].core_radius, key=CORE)
+    else:
+        yield from _points_around(view)
+
+
+def _points_around(view: View) -> Iterator[Mark]:
+    """Masses of which only the places are known; those in one direction are one."""
+    yield Arc(OUTLINE, (0.0, 0.0), POINT / 4 * view.radius)
+    yield Arc(CONTEXT, (0.0, 0.0), max(mass.radius for mass in view.shaft.masses))
+    told: set[Point] = set()
+    for mass in view.shaft.masses:
+        at = _from_up(mass.radius, mass.angle)
+        if (place := (round(at[0], 5), round(at[1], 5))) not in told:
+            told.add(place)
+            yield from _point(view, (0.0, 0.0), at, mass)
+            yield from _angle(view, mass.angle, f"{MASSES}.{mass.name}")
+
+
+def _angle(view: View, angle: Radian, key: str) -> Iterator[Mark]:
+    """The direction of a mass, from up."""
+    at = _from_up(1.25 * view.radius, angle)
+    yield Polyline(AXIS, ((0.0, 0.0), _from_up(1.1 * view.radius, angle)))
+    yield Words(WORDS, at, Text("{angle}", angle=Amount(math.degrees(angle) % 360, "°")), key=key, side="centre")
+
+
+def sector_outline(piece: Piece) -> tuple[Point, ...]:
+    """The section of a sector, around its outside and back along its core; angles from up, clockwise."""
+    assert piece.half_angle is not None
+    turns = [piece.angle + piece.half_angle * n / CORNERS for n in range(-CORNERS, CORNERS + 1)]
+    outside = [_from_up(piece.outer_radius, turn) for turn in turns]
+    return (*outside, *(_from_up(piece.core_radius, turn) for turn in reversed(turns)))
+
+
+def _from_up(radius: Metre, angle: Radian) -> Point:
+    return radius * math.sin(angle), radius * math.cos(angle)
+
+
+def _mm(length: Metre) -> Text:
+    return Text("{length}", length=Amount(length * 1000))
