@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The bearings as a sketch: the journal within its clearance, at its eccentricity and attitude, with the film's verdict."""
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from calc.bearings.sketch import pressures, sketch
+from calc.design_file import load
+from calc.sheet.drawing import CONTEXT, Arc
+from calc.solve import solve
+
+from ...conftest import DESIGNS
+from .. import sketches
+
+
+def circles(picture, place):
+    clearance, journal = (
+        next(mark for mark in picture.primitives if isinstance(mark, Arc) and f"bearings.{place}.{key}" in mark.key.split())
+        for key in ("clearance_um", "diameter_mm")
+    )
+    return clearance, journal
+
+
+def test_the_journal_lies_in_its_clearance_as_the_film_holds_it(gamma, gamma_results):
+    bearings = sketch(gamma_results.design, gamma_results)
+    sketches.check(bearings, gamma)
+    for place, picture in (("front", bearings), ("rear", bearings.beside[0])):
+        found = gamma_results.outcomes["bearings"].result.bearings[place]
+        seat, journal = circles(picture, place)
+        gap = seat.radius - journal.radius
+        x, y = journal.centre
+        assert journal.radius == pytest.approx(found.seat.bearing.diameter / 2)
+        assert math.hypot(x, y) == pytest.approx(gap * found.eccentricity)
+        assert math.atan2(x, -y) == pytest.approx(found.attitude_angle)  # from the load, which points down, anticlockwise
+        factor = gap / (found.clearance_hot / 2)
+        assert f"gap × {factor:.0f}" in map(str, bearings.notes)
+
+
+def test_the_film_is_told_with_what_is_asked_of_it(gamma_results):
+    bearings = sketch(gamma_results.design, gamma_results)
+    assert "7.4 of 9 µm" in sketches.words(bearings)
+    assert {key.split(".")[1] for key in sketches.failing(bearings)} == {"front", "rear"}
+
+
+def test_bearings_that_carry_are_not_marked():
+    document, asked = load(DESIGNS / "r753ie4_sized.toml")
+    bearings = sketch(asked, solve(asked))
+    sketches.check(bearings, document)
+    assert not sketches.failing(bearings)
+
+
+@pytest.mark.parametrize("eccentricity", [0.1, 0.6, 0.95])
+def test_the_pressure_rises_to_its_peak_before_the_narrowest_film(eccentricity):
+    around = pressures(eccentricity, 0.5)
+    shares = [share for _, share in around]
+    peak = shares.index(max(shares))
+    assert max(shares) == 1.0 and around[peak][0] < 0.5
+    assert all(a < b for a, b in pairwise(shares[: peak + 1])) and all(a > b for a, b in pairwise(shares[peak:]))
+
+
+def test_the_feed_stands_opposite_to_the_load(gamma_results):
+    bearings = sketch(gamma_results.design, gamma_results)
+    seat, _ = circles(bearings, "front")
+    feed = [mark for mark in sketches.lit(bearings, "bearings.hole_diameter_mm") if mark.layer == CONTEXT]
+    assert feed and all(y > 0.9 * seat.radius for mark in feed[:1] for _, y in mark.outlines[0])
