@@ -59,7 +59,7 @@ def train_drawing(
     as its layout has it, the first tooth of every wheel is the layout's tooth 1.
     """
     known = positions is not None and set(train.wheels) <= set(positions)
-    centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else _row(train)
+    centres = {name: complex(side, up) for name, (up, side) in positions.items()} if known and positions is not None else in_row(train)
     teeth = _teeth(train, centres, tooth_angle)
     shapes: list[Primitive] = []
     for name, wheel in train.wheels.items():
@@ -69,11 +69,11 @@ def train_drawing(
     shapes += [Words("TEXT", _point(centres[name] + complex(h, h)), f"{name}, z {w.teeth}", h) for name, w in train.wheels.items()]
     low = min(centres[name].imag - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
     left = min(centres[name].real - wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
-    placed, in_row = (
+    placed, unplaced = (
         Text("Drawn up: up from the crank's axis; the crank turns clockwise."),
         Text("In a row: where the axes stand is not known."),
     )
-    below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), placed if known else in_row]
+    below = [Text("Millimetres, 1:1. Transverse section, outlines without allowance."), placed if known else unplaced]
     shapes += [Words("TEXT", (left, low - (4 + 1.8 * i) * h), line, h) for i, line in enumerate([title, *below] if title else below)]
     return tuple(shapes)
 
@@ -89,7 +89,7 @@ def _teeth(train: TrainResult, centres: Mapping[str, complex], tooth_angle: Radi
     return phase(train, directions, tooth_angle, None).teeth
 
 
-def _row(train: TrainResult) -> dict[str, complex]:
+def in_row(train: TrainResult) -> dict[str, complex]:
     """Each wheel to the right of its driver; a driver's further wheels above it, below it, and so on round."""
     meshes = list(train.meshes.values())
     centres, used = {meshes[0].driver: 0j}, {meshes[0].driver: 0}
