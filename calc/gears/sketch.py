@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The gear train as a sketch: its wheels where they stand, and beside them the teeth of the mesh with the least backlash.
+
+Up is up from the crank's axis, the crank turns clockwise.  Where the places of the axes are not known the wheels stand in a row.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from ..sheet.check import Check
+from ..sheet.drawing import (
+    AXIS,
+    CONTEXT,
+    DIMENSIONS,
+    HIDDEN,
+    OUTLINE,
+    WORDS,
+    Arc,
+    Area,
+    Mark,
+    Point,
+    Polyline,
+    Sketch,
+    State,
+    Words,
+    round_outline,
+)  # fmt: skip
+from ..sheet.errors import NoSolution
+from ..sheet.sketching import awaited, judged, rounded
+from ..sheet.step import Designed, Solved
+from ..sheet.text import Amount, Name, Text
+from ..sheet.trace import untraced
+from ..sheet.units import Metre, Number
+from .curves import pitch_point_view
+from .inputs import GearsInputs
+from .measures.formulas import generating_shift
+from .profile.drawing import in_row
+from .profile.outline import Outline, Regions, regions
+from .result import MeshResult, TrainResult, WheelResult, working_circles
+
+FINE = 1e-2  # chord error of the teeth in modules, rule of this program: a dot is larger
+GAP: Number = 0.3  # modules: the largest backlash is drawn no wider
+JAMS = ("backlash", "backlash_cold", "backlash_warm", "penetration")  # checks by which a mesh has no room for its teeth
+FAULTS = "clearance", "position", "undercut", "tip_thickness"  # of a wheel
+BELOW = 0.25  # of the tip radius: where the number of teeth stands below the name
+ABOVE = 0.1  # of the largest tip diameter: how far above the wheels the distances stand
+MOST: Number = 50  # the gap is exaggerated no more
+
+
+def sketch(design: Designed, results: Solved) -> Sketch:
+    """The train of a design, and its tightest mesh."""
+    outcome = results.outcomes["gears"]
+    gears: GearsInputs | None = design.gears
+    train = outcome.result
+    if gears is None or not isinstance(train, TrainResult):
+        return awaited(outcome)
+    checks = tuple(outcome.checks)
+    placed = _placed(train)
+    centres = placed or in_row(train)
+    notes = [Text("a {distances} mm", distances=Text(", ").join(map(_distance, train.meshes.values())))]
+    if not placed:
+        notes = [Text("wheels in a row"), Text("mm")]
+    train_view = tuple(_train(gears, train, centres, checks, bool(placed)))
+    key = min(train.meshes, key=lambda key: train.meshes[key].backlash_min)
+    try:
+        with untraced():
+            teeth, exaggerated = _teeth(train, key, checks)
+    except NoSolution:
+        return Sketch(train_view, tuple(notes))
+    if exaggerated > 1:
+        notes.append(Text("gap × {factor}", factor=Amount(exaggerated)))
+    return Sketch(train_view, tuple(notes), beside=(teeth,))
+
+
+def _placed(train: TrainResult) -> dict[str, complex] | None:
+    """To the right and up, where every wheel has a place."""
+    laid = train.layout.wheels if train.layout is not None else {}
+    known = {name: complex(w.position.imag, w.position.real) for name, w in laid.items() if w.position is not None}
+    return known if known.keys() == train.wheels.keys() else None
+
+
+def _point(at: complex) -> Point:
+    return at.real, at.imag
+
+
+# --- the train
+def _train(
+    gears: GearsInputs, train: TrainResult, centres: Mapping[str, complex], checks: tuple[Check, ...], placed: bool
+) -> Iterator[Mark]:  # fmt: skip
+    jams = {key: judged(checks, *(f"gears.{key}.{id}" for id in JAMS)) for key in train.meshes}
+    for name, wheel in train.wheels.items():
+        at, key, tip = _point(centres[name]), f"gears.wheels.{name}", wheel.tip_diameter / 2
+        state = judged(checks, *(f"gears.{name}.{id}" for id in FAULTS))
+        pitch = max((d for _, d, _ in working_circles(train.meshes, name)), default=wheel.reference_diameter) / 2
+        yield Area(CONTEXT, (round_outline(at, tip),), 0.3, key, state)
+        yield Arc(OUTLINE, at, pitch, key=f"{key} gears.normal_module_mm", state=state)
+        yield Words(WORDS, at, Name(name), key=key, side="centre")
+        yield Words(CONTEXT, (at[0], at[1] - BELOW * tip), Text("z {teeth}", teeth=wheel.teeth), key=f"{key}.teeth", side="centre")
+    for n, (key, mesh) in enumerate(train.meshes.items()):
+        if jams[key]:
+            yield from _jam(mesh, centres, f"gears.meshes.{n}", jams[key])
+    yield from _lines(train, centres, told=not placed)
+    if placed:
+        yield from _obstacles(gears)
+
+
+def _jam(mesh: MeshResult, centres: Mapping[str, complex], key: str, state: State) -> Iterator[Mark]:
+    """A ring around the pitch point of a mesh whose teeth have no room."""
+    first, second = centres[mesh.driver], centres[mesh.driven]
+    at = first + (second - first) * mesh.working_diameter_driver / (mesh.working_diameter_driver + mesh.working_diameter_driven)
+    radius = 0.12 * mesh.centre_distance
+    yield Arc(OUTLINE, _point(at), radius, key=key, state=state)
+
+
+def _lines(train: TrainResult, centres: Mapping[str, complex], told: bool) -> Iterator[Mark]:
+    """The lines of centres, and above wheels in a row their lengths."""
+    top = max(centres[name].imag + wheel.tip_diameter / 2 for name, wheel in train.wheels.items())
+    above = top + ABOVE * max(wheel.tip_diameter for wheel in train.wheels.values())
+    for n, mesh in enumerate(train.meshes.values()):
+        first, second, key = centres[mesh.driver], centres[mesh.driven], f"gears.meshes.{n}.centre_distance_mm"
+        yield Polyline(AXIS, (_point(first), _point(second)), key=key)
+        if told:
+            yield Words(DIMENSIONS, ((first.real + second.real) / 2, above), _distance(mesh), key=key, side="centre")
+
+
+def _distance(mesh: MeshResult) -> Text:
+    return Text("{distance}", distance=Amount(mesh.centre_distance * 1000))
+
+
+def _obstacles(gears: GearsInputs) -> Iterator[Mark]:
+    """Walls and neighbours, given as [up, side]."""
+    for wall in gears.walls:
+        (up, side), (up_2, side_2) = wall.from_, wall.to
+        yield Polyline(OUTLINE, ((side, up), (side_2, up_2)), key=f"gears.walls.{wall.name}")
+    for other in gears.neighbours:
+        up, side = other.position
+        yield Area(CONTEXT, (round_outline((side, up), other.radius),), 0.15, f"gears.neighbours.{other.name}")
+        yield Arc(HIDDEN, (side, up), other.radius, key=f"gears.neighbours.{other.name}")
+
+
+# --- the teeth
+def _teeth(train: TrainResult, key: str, checks: Iterable[Check]) -> tuple[Sketch, Number]:
+    """Teeth of both wheels at the pitch point, the driver's thinned by the backlash, and how much that is exaggerated.
+
+    The backlash is that in the middle of the tolerances, or the smallest where that fails.  The flanks that carry touch, the gap is behind
+    them.  Backlash below zero shows as teeth that run into each other.
+    """
+    mesh, system = train.meshes[key], train.system
+    driver, driven = train.wheels[mesh.driver], train.wheels[mesh.driven]
+    state = judged(checks, *(f"gears.{key}.{id}" for id in JAMS))
+    gap = mesh.backlash_min if state else mesh.backlash_nominal
+    factor = min(rounded(GAP * system.m_n / abs(gap)), MOST) if gap else 1.0
+    drawn = factor * gap
+    shift = generating_shift(driver.profile_shift, -drawn, system.m_n, system.alpha_n)
+    flanks: tuple[Regions, ...] = (
+        regions(system, driver, FINE * system.m_n, shift), regions(system, driven, FINE * system.m_n),
+    )  # fmt: skip
+    roll = -_behind(drawn, driver)
+    under, over = pitch_point_view(mesh, (driver, flanks[0]), (driven, flanks[1]), roll)
+    at = f"gears.meshes.{list(train.meshes).index(key)}"
+    marks: list[Mark] = [*_flank(under, -1, at, system.m_n), *_flank(over, 1, at, system.m_n)]
+    low, high = min(y for mark in marks for _, y in _corners(mark)), max(y for mark in marks for _, y in _corners(mark))
+    marks.append(
+        Words(
+            WORDS,
+            (0.0, low - 0.6 * system.m_n),
+            _backlash(mesh),
+            key=f"{at}.tolerance_um {at}.centre_distance_mm",
+            state=state,
+            side="centre",
+        )
+    )
+    marks.append(Polyline(AXIS, ((0.0, low), (0.0, high))))
+    return Sketch(tuple(marks), title=Text("{pair}", pair=Name(mesh.title))), factor
+
+
+def _behind(drawn: Metre, driver: WheelResult) -> Number:
+    """How far the driver turns until its flanks touch: half of the backlash along the line of action; not at all into the mate."""
+    return max(0.0, drawn) / driver.base_diameter
+
+
+def _flank(line: Outline, way: int, key: str, m_n: Metre) -> Iterator[Mark]:
+    """Teeth as a line, filled to a little behind their roots."""
+    points = tuple(zip(line.real.tolist(), line.imag.tolist()))
+    back = (min if way < 0 else max)(y for _, y in points) + way * 0.4 * m_n
+    yield Area(OUTLINE, ((*points, (points[-1][0], back), (points[0][0], back)),), 0.3 if way < 0 else 0.5, key)
+    yield Polyline(OUTLINE, points, key=key)
+
+
+def _corners(mark: Mark) -> Iterable[Point]:
+    return mark.points if isinstance(mark, Polyline) else mark.outlines[0] if isinstance(mark, Area) else ()
+
+
+def _backlash(mesh: MeshResult) -> Text:
+    low, high = Amount(mesh.backlash_min * 1e6, form=".0f"), Amount(mesh.backlash_max * 1e6, form=".0f")
+    return Text("backlash {low} … {high} µm", low=low, high=high)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The train as a sketch: wheels that touch on their pitch circles, walls, and the tightest mesh with its backlash."""
+
+import math
+
+import pytest
+
+from calc.design_file import load
+from calc.gears.sketch import sketch
+from calc.sheet.drawing import Arc, Polyline
+from calc.solve import solve
+
+from ...conftest import DESIGNS
+from .. import sketches
+
+
+def wheels(train):
+    """Pitch circles by the names of their wheels."""
+    circles = (mark for mark in train.primitives if isinstance(mark, Arc) and mark.key.startswith("gears.wheels."))
+    return {mark.key.split()[0].rpartition(".")[2]: mark for mark in circles}
+
+
+@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_sized", "timing_pair", "finotti_gear_sheet"])
+def test_the_pitch_circles_of_every_mesh_touch(name):
+    document, asked = load(DESIGNS / f"{name}.toml")
+    results = solve(asked)
+    train = sketch(asked, results)
+    sketches.check(train, document)
+    circles = wheels(train)
+    for mesh in results.outcomes["gears"].result.meshes.values():
+        first, second = circles[mesh.driver], circles[mesh.driven]
+        apart = math.dist(first.centre, second.centre)
+        assert apart == pytest.approx(mesh.centre_distance, abs=1e-5)
+        assert first.radius + second.radius == pytest.approx(apart, rel=5e-3)  # a wheel may have another pitch circle for each mate
+
+
+def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):
+    train = sketch(gamma_results.design, gamma_results)
+    assert sketches.failing(train) >= {"gears.meshes.1", "gears.meshes.2"}
+    assert "gears.meshes.0" not in sketches.failing(train)
+    assert any(str(note) == "wheels in a row" for note in train.notes)
+
+
+def test_wheels_with_places_stand_within_their_walls():
+    _, asked = load(DESIGNS / "r753ie4_sized.toml")
+    train = sketch(asked, solve(asked))
+    assert len([mark for mark in train.primitives if isinstance(mark, Polyline) and mark.key.startswith("gears.walls.")]) == len(
+        asked.gears.walls
+    )
+    assert train.beside and any("gap ×" in str(note) for note in train.notes)
+    assert not sketches.failing(train)
