@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the watts go, as a sketch: what the train takes in flows to the right and parts into its losses, as wide as they are large."""
+
+import math
+from collections.abc import Iterator
+
+from ..bearings.inputs import IN_WORDS
+from ..sheet.drawing import OUTLINE, WORDS, Area, Mark, Point, Polyline, Sketch, State, Words
+from ..sheet.record import record
+from ..sheet.sketching import awaited, judged
+from ..sheet.step import Designed, Solved
+from ..sheet.text import Amount, Name, Text
+from ..sheet.units import Number, Watt
+from .result import FrictionResult
+
+SMALL: Number = 0.01  # of the sum: smaller losses stand together
+THIN: Number = 0.04  # of the sum: meshes that each lose less stand together
+WIDE, HIGH = 1.0, 0.62  # of the flow's length: that length, and the width of the sum
+SPREAD: Number = 0.3  # room between the losses, all of it together
+STRAIGHT: Number = 0.25  # of the length: before the losses part
+CORNERS = 24
+SHADES = (0.55, 0.4)  # in turn, so that neighbours are told apart
+
+
+@record
+class Loss:
+    """Where some of the power goes."""
+
+    name: Text
+    power: Watt
+    key: str = ""
+    state: State = ""
+
+
+def sketch(design: Designed, results: Solved) -> Sketch:
+    """The losses of a design's train, those of the meshes first."""
+    outcome = results.outcomes["friction"]
+    found = outcome.result
+    if design.friction is None or not isinstance(found, FrictionResult):
+        return awaited(outcome)
+    checks = tuple(outcome.checks)
+    meshes = [
+        Loss(Name(mesh.case.mesh.title), mesh.judged.loss, f"gears.meshes.{n}", judged(checks, f"friction.{name}"))
+        for n, (name, mesh) in enumerate(found.meshes.items())
+    ]
+    losses = _together(meshes, found.total_loss)
+    losses += [
+        Loss(
+            Text("{place} bearing", place=IN_WORDS[place]), journal.friction_power, f"bearings.{place}", judged(checks, f"friction.{place}")
+        )
+        for place, journal in found.journals.items()
+    ]
+    losses += [
+        Loss(Text("windage"), found.windage_loss), Loss(Text("churning"), found.churning_loss or 0.0),
+        Loss(Text("oil thrown on"), found.thrown_oil_loss or 0.0), Loss(Text("shaft seals"), found.seal_loss or 0.0),
+        Loss(Text("wheel bearings"), found.wheel_bearing_loss or 0.0), Loss(Text("others"), found.other_loss),
+    ]  # fmt: skip
+    shown = _shown(losses, found.total_loss)
+    if not shown:
+        return Sketch(notes=(Text("Nothing is lost."),))
+    notes = [Text("widths to scale")]
+    if found.delivered_power:
+        notes.append(Text("beside {power} passed on", power=_watts(found.delivered_power)))
+    return Sketch(tuple(_flow(shown, found.total_loss)), tuple(notes), title=Text("all of it becomes heat in the oil"))
+
+
+def _shown(losses: list[Loss], total: Watt) -> list[Loss]:
+    """Those that are wide enough to be seen, and the others as one."""
+    large = [loss for loss in losses if loss.power >= SMALL * total and loss.power > 0]
+    small = [loss for loss in losses if 0 < loss.power < SMALL * total]
+    return large + (small if len(small) < 2 else [Loss(Text("rest"), sum(loss.power for loss in small))])
+
+
+def _together(meshes: list[Loss], total: Watt) -> list[Loss]:
+    """All meshes as one where each alone is a thin line."""
+    if len(meshes) < 2 or any(mesh.power > THIN * total or mesh.state for mesh in meshes):
+        return meshes
+    name = Text("{count} meshes", count=len(meshes))
+    return [Loss(name, sum(mesh.power for mesh in meshes), "gears.meshes")]
+
+
+def _flow(losses: list[Loss], total: Watt) -> Iterator[Mark]:
+    scale = HIGH / total
+    gap = SPREAD / max(1, len(losses) - 1)
+    inlet, outlet = HIGH / 2, (HIGH + SPREAD * (len(losses) > 1)) / 2
+    yield Polyline(OUTLINE, ((0.0, inlet), (0.0, -inlet)))
+    for n, loss in enumerate(losses):
+        width = loss.power * scale
+        upper, lower = _band(inlet, outlet), _band(inlet - width, outlet - width)
+        yield Area(OUTLINE, ((*upper, *reversed(lower)),), SHADES[n % 2], loss.key, loss.state)
+        yield Polyline(OUTLINE, upper, key=loss.key, state=loss.state)
+        yield Polyline(OUTLINE, lower, key=loss.key, state=loss.state)
+        text = Text("{power}  {name}", power=_watts(loss.power), name=loss.name)
+        yield Words(WORDS, (WIDE * 1.05, outlet - width / 2), text, key=loss.key, state=loss.state)
+        inlet, outlet = inlet - width, outlet - width - gap
+    yield Words(WORDS, (STRAIGHT * 0.55, 0.0), _watts(total), side="centre")
+
+
+def _band(start: Number, end: Number) -> tuple[Point, ...]:
+    """An edge of a flow: straight at first, then in a smooth curve to where it ends."""
+    ways = [n / CORNERS for n in range(CORNERS + 1)]
+    bend = ((STRAIGHT + (WIDE - STRAIGHT) * way, start + (end - start) * (1 - math.cos(math.pi * way)) / 2) for way in ways)
+    return (0.0, start), *bend
+
+
+def _watts(power: Watt) -> Text:
+    if power >= 1000:
+        return Text("{power}", power=Amount(power / 1000, "kW", digits=3))
+    return Text("{power}", power=Amount(power, "W", form=".0f") if power >= 10 else Amount(power, "W", digits=2))

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Where the watts go: bands as wide as the losses, which together are all that the train takes in."""
+
+import pytest
+
+from calc.design_file import load
+from calc.friction.sketch import sketch
+from calc.sheet.drawing import Area
+from calc.solve import solve
+
+from ...conftest import DESIGNS
+from .. import sketches
+
+
+def widths(flow):
+    """The bands where they begin and where they end."""
+    bands = [mark.outlines[0] for mark in flow.primitives if isinstance(mark, Area)]
+    half = [len(band) // 2 for band in bands]
+    return [band[0][1] - band[-1][1] for band in bands], [band[n - 1][1] - band[n][1] for band, n in zip(bands, half)]
+
+
+@pytest.mark.parametrize("name", ["r753ie4_gamma", "r753ie4_sized", "timing_pair"])
+def test_the_bands_are_as_wide_as_the_losses(name):
+    document, asked = load(DESIGNS / f"{name}.toml")
+    results = solve(asked)
+    flow, found = sketch(asked, results), results.outcomes["friction"].result
+    sketches.check(flow, document)
+    before, behind = widths(flow)
+    assert before == pytest.approx(behind)
+    largest = max([mesh.judged.loss for mesh in found.meshes.values()] + [journal.friction_power for journal in found.journals.values()])
+    assert max(before) / sum(before) == pytest.approx(largest / found.total_loss)
+
+
+def test_what_a_train_passes_on_is_told():
+    _, asked = load(DESIGNS / "timing_pair.toml")
+    assert any("passed on" in str(note) for note in sketch(asked, solve(asked)).notes)
