@@ -3,21 +3,18 @@
 
 import os
 import sys
-from collections.abc import Iterable
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
 
 os.environ.setdefault("TEXTUAL_ANIMATIONS", "none")  # read when textual is imported
 
-from textual.app import App, SystemCommand
+from textual import events
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
-from textual.command import CommandList, CommandPalette
-from textual.screen import Screen
+from textual.screen import ModalScreen, Screen
 
-from calc.languages import LANGUAGES, language
+from calc.languages import language
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
@@ -27,12 +24,6 @@ from .screens.workbench import Workbench
 from .session import Session
 from .widgets.item_list import ItemList
 from .widgets.signs import Signs
-
-
-def _palette() -> Any:
-    from .screens.palette import Palette
-
-    return Palette
 
 
 @runtime_checkable
@@ -45,21 +36,13 @@ class Speaking(Protocol):
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
 
 
-class Search(CommandPalette):
-    """The palette; its list may be asked to turn a page before it has a place on the screen, and would fail."""
-
-    def _action_command_list(self, command: str) -> None:
-        if self.query_one(CommandList).size.height:
-            super()._action_command_list(command)
-
-
 class ContralberoApp(BaseApp):
     """One main screen over one session, which may be exchanged for another design.  Without a session: the start page, for a file that is
     `missing` where one was asked for."""
 
     CSS_PATH = "contralbero.tcss"
     TITLE = "Contralbero"
-    COMMANDS = App.COMMANDS | {_palette}
+    ENABLE_COMMAND_PALETTE = False  # there is one of our own
     BINDINGS: ClassVar[list[BindingType]] = [Binding("ctrl+q", "quit", "Quit", show=False, priority=True, id="quit_anywhere")]
 
     def __init__(
@@ -73,12 +56,12 @@ class ContralberoApp(BaseApp):
         missing: Path | None = None,
     ) -> None:
         settings = settings or Settings()
-        super().__init__(session, ascii=ascii, key_map=key_map, settings=settings)
-        self.memory = session.memory if session is not None else memory or Memory()
+        super().__init__(session, ascii=ascii, key_map=key_map, settings=settings, memory=memory)
         self.missing = missing
         if settings.theme in self.available_themes:
             self.theme = settings.theme
         self._theme_kept = self.theme
+        self._held: list[events.Key] | None = None
 
     def on_mount(self) -> None:
         if self.key_map:
@@ -154,25 +137,25 @@ class ContralberoApp(BaseApp):
             await self.switch_mode("work")
 
     def action_command_palette(self) -> None:
-        """The palette, asking in the user's language."""
-        if not isinstance(self.screen, CommandPalette):
-            self.push_screen(Search(placeholder=self.say(Text("Search for commands…")), id="--command-palette"))
+        from .screens.palette import Palette
 
-    def search_themes(self) -> None:
-        from textual.theme import ThemeProvider
+        if not isinstance(self.screen, ModalScreen):
+            self.push_screen(Palette())
 
-        self.push_screen(Search([ThemeProvider], placeholder=self.say(Text("Search for themes…"))))
+    async def on_event(self, event: events.Event) -> None:
+        """Keys that follow the Enter of the palette wait until its command has run: they are meant for where it leads."""
+        if isinstance(event, events.Key) and not event.is_forwarded:
+            if self._held is not None:
+                self._held.append(event)
+                return
+            if event.key == "enter" and getattr(self.screen, "HOLDS", False):
+                self._held = []
+        await super().on_event(event)
 
-    def get_system_commands(self, screen: Screen[Any]) -> Iterable[SystemCommand]:
-        say = self.say
-        yield SystemCommand(
-            say(Text("Theme")), say(Text("Other colours; ansi-dark and ansi-light take those of the terminal")), self.action_change_theme
-        )
-        for code, name in LANGUAGES.items():
-            if code != say.code:
-                yield SystemCommand(
-                    say(Text("Language: {name}", name=name)), say(Text("The session in this language")), partial(self.speak, code)
-                )
+    def release(self) -> None:
+        held, self._held = self._held, None
+        for event in held or ():
+            self.post_message(event)
 
     def on_unmount(self) -> None:
         """However the program ends, a closed page of a browser too: edits are kept aside."""

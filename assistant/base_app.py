@@ -13,7 +13,7 @@ from calc.languages import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID, OLD_IDS, key_name
-from .recovery import Settings
+from .recovery import Memory, Settings
 from .session import Session
 from .widgets.signs import Signs
 
@@ -23,7 +23,13 @@ class BaseApp(App[int]):
     the user chose in earlier sessions."""
 
     def __init__(
-        self, session: Session | None, *, ascii: bool = False, key_map: dict[str, str] | None = None, settings: Settings | None = None
+        self,
+        session: Session | None,
+        *,
+        ascii: bool = False,
+        key_map: dict[str, str] | None = None,
+        settings: Settings | None = None,
+        memory: Memory | None = None,
     ) -> None:
         self.ascii = ascii
         settings = settings or Settings()
@@ -32,6 +38,7 @@ class BaseApp(App[int]):
         self.key_map = {new: keys for id, keys in (key_map or {}).items() if (new := OLD_IDS.get(id, id)) in BY_ID}
         super().__init__()
         self._session = session
+        self.memory = session.memory if session is not None else memory or Memory()
         self.warned_of: Path | None = None  # the file that another program has changed, once the user has been told
         self.writing = EMPTY  # a file that is being written, and how far it is
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
@@ -44,6 +51,14 @@ class BaseApp(App[int]):
 
     async def enter(self, session: Session) -> None:
         """Go on with another design."""
+        raise NotImplementedError
+
+    async def speak(self, code: str) -> None:
+        """Go on in another language."""
+        raise NotImplementedError
+
+    def release(self) -> None:
+        """Let the keys go on that came while a chosen command was still to be run."""
         raise NotImplementedError
 
     def begin(self, *, engines: bool = False) -> None:

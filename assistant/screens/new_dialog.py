@@ -5,7 +5,9 @@ from pathlib import Path
 
 from calc.sheet.text import EMPTY, Text
 
-from ..beginnings import own_file
+from ..base_app import BaseApp
+from ..beginnings import engine_only, own_file
+from ..session import Session
 from .save_dialog import TargetDialog
 
 
@@ -20,3 +22,16 @@ class NewDialog(TargetDialog):
 
     def wrong(self, path: Path) -> Text:
         return Text("{name} is there already: open it, or give another name.", name=path.name) if path.exists() else EMPTY
+
+
+def begin_with(app: BaseApp, id: str, engine: str, path: Path | None = None) -> None:
+    """Begin a design with a shipped engine; asks for its name where none is known yet."""
+
+    def begin(path: Path | None) -> None:
+        if path is not None:
+            app.call_later(app.enter, Session.begin(engine_only(id, path), path.absolute(), memory=app.memory))
+
+    if path is not None:
+        begin(path)
+    else:
+        app.push_screen(NewDialog(id, engine), begin)

@@ -18,12 +18,13 @@ from calc.sheet.text import EMPTY, Text
 from calc.shipped import EXAMPLE
 
 from ..base_app import BaseApp
-from ..beginnings import Beginning, engine_only, groups
+from ..beginnings import Beginning, groups
 from ..matching import folded, match
 from ..recovery import Memory
 from ..session import Session
 from ..widgets.begin_detail import BeginDetail
 from ..widgets.wrap import fit, pad
+from .new_dialog import begin_with
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -48,6 +49,7 @@ class Start(Screen[None]):
         Binding("up", "move(-1)", "Up", show=False, priority=True),
         Binding("pagedown", "page(1)", "A screenful down", show=False, priority=True),
         Binding("pageup", "page(-1)", "A screenful up", show=False, priority=True),
+        Binding("ctrl+p", "app.command_palette", "Palette", show=False, priority=True),
         Binding("ctrl+o", "open", "Open", show=False, priority=True),
         Binding("escape", "leave", "Back", show=False, priority=True),
     ]
@@ -190,23 +192,9 @@ class Start(Screen[None]):
         if row.kind == "open":
             self.action_open()
         elif row.kind == "engine":
-            self.begin_engine(row)
+            begin_with(self.app, row.id, self.app.say(row.title), self.missing)
         else:
             self._open(EXAMPLE if row.kind == "example" else Path(row.id))
-
-    def begin_engine(self, row: Beginning) -> None:
-        """Ask for a name, where none is known yet."""
-
-        def begin(path: Path | None) -> None:
-            if path is not None:
-                self._enter(Session.begin(engine_only(row.id, path), path.absolute(), memory=self.memory))
-
-        if self.missing is not None:
-            begin(self.missing)
-            return
-        from .new_dialog import NewDialog
-
-        self.app.push_screen(NewDialog(row.id, row.title), begin)
 
     def action_open(self) -> None:
         from .open_dialog import OpenDialog

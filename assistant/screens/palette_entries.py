@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages."""
+
+from collections.abc import Awaitable, Callable
+from dataclasses import dataclass
+from functools import partial
+
+from calc.addresses import quantities
+from calc.design import STEPS
+from calc.languages import LANGUAGES, language
+from calc.sheet.check import Check
+from calc.sheet.step import Curve
+from calc.sheet.text import Text
+from calc.shipped import engines
+
+from ..actions import ACTIONS, key_name
+from ..base_app import BaseApp
+from ..matching import folded, match
+from .new_dialog import begin_with
+from .workbench import Workbench
+
+Does = Callable[[], Awaitable[object] | object]
+HIDDEN = {"palette", "up", "down", "go_on", "leave", "more", "less"}  # of no use from a list
+HIDDEN |= {action.id for action in ACTIONS if action.id.startswith("read")}
+ACTION, FIELD, PLACE, OTHER = 1.0, 0.9, 0.8, 0.7  # what counts more where words find both
+
+
+@dataclass(frozen=True)
+class Entry:
+    """`title` and `help` in the user's language; `also`: what else finds it; `keys`: those of an action; `first`: shown before a word is
+    typed."""
+
+    title: str
+    help: str
+    does: Does
+    also: str = ""
+    keys: str = ""
+    weight: float = OTHER
+    first: bool = False
+
+    def score(self, words: list[str]) -> tuple[float, list[tuple[int, int]]]:
+        score, spans = match(words, self.title, self.also)
+        return score * self.weight, spans
+
+
+def entries(app: BaseApp, work: Workbench | None) -> list[Entry]:
+    """Everything that can be found now; `work` is the main screen if a design is open."""
+    others = [language(code) for code in LANGUAGES if code != app.say.code]
+    found: list[Entry] = []
+
+    def add(title: Text, help: str, does: Does, *also: str, keys: str = "", weight: float = OTHER, first: bool = False) -> None:
+        known = folded(" ".join([*(other(title) for other in others), *also]))
+        found.append(Entry(app.say(title), app.say(help), does, known, keys, weight, first))
+
+    for part in (_actions, _designs, _fields, _results, _curves) if work is not None else ():
+        part(work, add)  # type: ignore[arg-type]
+    _program(app, work is not None, add)
+    return found
+
+
+Add = Callable[..., None]
+
+
+def _actions(work: Workbench, add: Add) -> None:
+    for action in ACTIONS:
+        if action.id not in HIDDEN:
+            keys = " ".join(map(work.app.say, map(key_name, (work.app.key_map.get(action.id) or action.binding).split(",")[:2])))
+            does = partial(work.run_action, action.does)
+            add(action.title, action.help, does, action.id.replace("_", " "), action.help, keys=keys, weight=ACTION, first=True)
+
+
+def _designs(work: Workbench, add: Add) -> None:
+    for kept in work.session.put_aside():
+        title = Text("Put back unsaved edits of {when}", when=work.session.when(kept))
+        add(title, Text("Edits of this file that another session has kept."), partial(work.files.restore, kept), first=True)
+    for path in work.session.memory.recent():
+        if path != work.session.path:
+            title = Text("Open recent: {path}", path=str(path))
+            add(title, Text("Opens this design again."), partial(work.files.open_path, path), first=True)
+
+
+def _fields(work: Workbench, add: Add) -> None:
+    for key, about in quantities(work.session.data):
+        title = Text("Field: {label}  {key}", label=about.label, key=key)
+        add(title, about.help or about.allowed(), partial(work.moves.to_field, work.session.place(key)), weight=FIELD)
+
+
+def _results(work: Workbench, add: Add) -> None:
+    for check in work.session.results.checks() if work.session.results is not None else ():
+        add(Text("Check: {name}", name=check.name), Text("Goes to this check."), partial(to_check, work, check), check.id, weight=PLACE)
+    for id, value in work.session.values().items():
+        title = Text("Value: {label}  {key}", label=value.label, key=id)
+        add(title, Text("Walks back through its formulas to the inputs."), partial(explain, work, id))
+
+
+def _curves(work: Workbench, add: Add) -> None:
+    for n, step in enumerate(STEPS, 1):
+        page = work.background.pages.get(step.key)
+        for leaf in page.leaves if page is not None else ():
+            title = Text("Curve: {title}", title=leaf.title) if isinstance(leaf, Curve) else Text("Table: {title}", title=leaf.title)
+            add(title, Text("In step {n}, {title}.", n=n, title=step.title), partial(to_curve, work, n, leaf.id), weight=PLACE)
+
+
+def _program(app: BaseApp, open: bool, add: Add) -> None:
+    for id, engine in engines().items():
+        title = Text("New from {engine}: {what}", engine=engine.name, what=engine.what)
+        add(title, Text("Begins a design with this engine."), partial(begin_with, app, id, engine.name), id, "engine motore")
+    for name in app.available_themes:
+        does = partial(setattr, app, "theme", name)
+        add(Text("Theme: {name}", name=name), Text("Other colours; ansi-dark and ansi-light take those of the terminal"), does)
+    for code, name in LANGUAGES.items():
+        if code != app.say.code:
+            title, help = Text("Language: {name}", name=name), Text("The session in this language")
+            add(title, help, partial(app.speak, code), "language lingua", first=True)
+    if not open:
+        add(Text("Quit"), Text("Ends the program."), app.action_quit, "exit", weight=ACTION, first=True)
+
+
+# --- where they lead
+async def to_check(work: Workbench, check: Check) -> None:
+    step = next(step for step in STEPS if step.key == check.id.partition(".")[0])
+    work.at_pane("checks")
+    await work.open_step(step, stay=True)
+    work.checks.focus()
+    work.call_after_refresh(work.checks.go_to, check.id)
+
+
+def explain(work: Workbench, id: str) -> None:
+    from .explain import Explain
+
+    async def to_value(key: str | None) -> None:
+        if key is not None:
+            await work.moves.to_value(key)
+
+    work.app.push_screen(Explain(work.session, value=id), to_value)
+
+
+async def to_curve(work: Workbench, n: int, id: str) -> None:
+    await work.moves.to_step(n)
+    work.curve_pane.choose(id)
+    work.moves.to_view("curve")
