@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Help: about the field or the check that has the focus, then about the screen, then all keys."""
+"""Help: about the field or the check that has the focus and the keys that matter, on one page; behind it the screen and all keys."""
 
 from typing import ClassVar
 
@@ -13,7 +13,7 @@ from textual.widgets import Static
 from calc.design import STEPS
 from calc.sheet.text import Amount, Text
 
-from ..actions import ACTIONS, key_names
+from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
 from ..guide import GUIDES
 from ..places import Place
@@ -46,6 +46,15 @@ SCREEN = (
     Text("The same numbers on the command line: contralbero check, explain, report, set, replay."),
 )
 INDENT = 27  # cells for the keys
+WANTED = (  # what one wants, and the actions that do it
+    (Text("Go on"), ("go_on", "next", "back", "palette")),
+    (Text("See why"), ("trouble", "explain", "view")),
+    (Text("Mend"), ("fix", "choose")),
+    (Text("Take back"), ("undo",)),
+    (Text("Write"), ("save", "report")),
+)
+GROUP, KEY = 12, 8  # cells of a group's name, and of a key
+TALL = 32  # rows of a screen on which each key has a row of its own
 
 KINDS = {
     "limit": Text("Limit: passed over it fails, and less than 5 % of margin is a warning."),
@@ -57,22 +66,45 @@ KINDS = {
 
 class HelpScreen(Once, ModalScreen[None]):
     app: BaseApp
-    BINDINGS: ClassVar[list[BindingType]] = [Binding("escape,q,f1,question_mark,enter", "dismiss_help", "Close", show=False)]
+    AUTO_FOCUS = ""
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q,enter", "dismiss_help", "Close", show=False),
+        Binding("f1,question_mark", "turn", "All keys", show=False),
+    ]
 
     def __init__(self, work: Host) -> None:
         super().__init__()
         self.work = work
 
     def compose(self) -> ComposeResult:
+        self.set_class(self.app.ascii, "-ascii")
+        say = self.app.say
         with Vertical(classes="dialog -tall"):
             with VerticalScroll(id="help-text"):
                 yield Static(Content("\n").join(self.about_here()), id="help-here")
-                yield Static(Content("\n").join([Content.styled(self.app.say(Text("This screen")), "bold"), *self.paragraphs(SCREEN)]))
+            yield Static(self.wanted(), id="help-wanted")
+            with VerticalScroll(id="help-all"):
+                yield Static(Content("\n").join([Content.styled(say(Text("This screen")), "bold"), *self.paragraphs(SCREEN)]))
                 yield Static(self.keys())
-            yield Static(Content.styled(self.app.say(Text("↑ ↓ scroll, Esc goes back")), "dim"))
+            yield Static(id="help-foot")
 
     def on_mount(self) -> None:
-        self.query_one("#help-text").focus()
+        self.show_page(False)
+
+    def show_page(self, all: bool) -> None:
+        """The one page, or what is behind it."""
+        for id, shown in (("#help-text", not all), ("#help-wanted", not all), ("#help-all", all)):
+            self.query_one(id).display = shown
+        foot = (
+            Text("↑ ↓ scroll   F1 goes back to the page before   Esc closes")
+            if all
+            else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
+        )
+        self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
+        self.query_one("#help-all" if all else "#help-text").focus()
+
+    def action_turn(self) -> None:
+        self.show_page(not self.query_one("#help-all").display)
 
     # --- what it says
     @property
@@ -112,7 +144,7 @@ class HelpScreen(Once, ModalScreen[None]):
         lines += [Content(""), Content.styled(say(Text("In step {n}, {title}", n=work.number, title=work.step.title)), "bold")]
         for word, text in ((Text("Decide"), guide.decide), (Text("Good"), guide.good), (Text("Try"), guide.trying)):
             lines += [Content(row) for row in wrap(f"{say(word)}: {say(text)}", self.room, 2)]
-        return [*lines, Content("")]
+        return lines
 
     def about_field(self, place: Place) -> list[Content]:
         session, say = self.work.session, self.app.say
@@ -169,6 +201,29 @@ class HelpScreen(Once, ModalScreen[None]):
             Content(say(KINDS[check.kind])),
             Content.styled(say(Text("Source: {source}", source=check.source)), "dim"),
         ]
+
+    def key_of(self, id: str) -> str:
+        """The first key of an action."""
+        return self.app.say(self.app.shown_key(id))
+
+    def wanted(self) -> Content:
+        """The keys that matter, by what one wants: a row for each where there is room, else for each group."""
+        say, tall = self.app.say, self.app.size.height >= TALL
+        lines = [Content.styled(say(Text("What you want")), "bold")]
+        for name, ids in WANTED:
+            group = f"{say(name):<{GROUP}}"
+            actions = [(self.key_of(id), BY_ID[id]) for id in ids]
+            if not tall:
+                said = "   ".join(f"{key} {say(action.title)}" for key, action in actions)
+                rows = wrap(" " * GROUP + said, self.room, GROUP)
+                lines += [Content.assemble((group, "$primary bold"), rows[0][GROUP:]), *map(Content, rows[1:])]
+                continue
+            for n, (key, action) in enumerate(actions):
+                told = Text("{title}. {help}", title=action.title, help=action.help)
+                rows = wrap(" " * (GROUP + KEY) + say(told), self.room, GROUP + KEY)
+                start = Content.assemble(("" if n else group, "$primary bold"), " " * (GROUP if n else 0), (f"{key:<{KEY}}", "bold"))
+                lines += [start + rows[0][GROUP + KEY :], *map(Content, rows[1:])]
+        return Content("\n").join(lines)
 
     def keys(self) -> Content:
         """Every key, from the table of actions and the user's key map."""

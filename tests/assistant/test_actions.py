@@ -119,13 +119,12 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
 
 async def test_help_and_palette_know_every_action(screen: Screen) -> None:
     from assistant.screens.help import HelpScreen
-    from assistant.screens.palette import HIDDEN, Palette
+    from assistant.screens.palette_entries import HIDDEN, entries
 
     async with screen() as pilot:
         bench = pilot.app.screen
         assert isinstance(bench, Workbench)
-        provider = Palette(bench)
-        found = [hit.text or "" async for hit in provider.discover()]
+        found = [entry.title for entry in entries(bench.app, bench) if entry.first]
         for action in ACTIONS:
             assert action.id in HIDDEN or any(action.title in text for text in found), action.id
         await pilot.press("f1")

@@ -5,7 +5,6 @@ import os
 
 import pytest
 from textual import events
-from textual.command import CommandPalette
 from textual.pilot import Pilot
 from textual.widgets import Input, Static
 
@@ -17,7 +16,7 @@ from assistant.session import Session
 from assistant.widgets.form import Form
 
 from .conftest import Screen
-from .driving import go_to, settled, strike, type_in, until, work
+from .driving import go_to, settled, strike, until, work
 
 
 def burst(pilot: Pilot[int], *keys: str) -> None:
@@ -35,20 +34,25 @@ async def test_an_arrow_comes_before_the_dialog_has_its_list(screen: Screen, key
         assert pilot.app.is_running and pilot.app._exception is None
 
 
-@pytest.mark.slow
 async def test_enter_twice_in_the_palette(screen: Screen) -> None:
     async with screen() as pilot:
-        await strike(pilot, "ctrl+p")
-        await until(pilot, lambda: isinstance(pilot.app.screen, CommandPalette))
-        await type_in(pilot, BY_ID["next"].title)
-        palette = pilot.app.screen
-        await until(pilot, lambda: palette.query_one("CommandList").option_count == 1)  # type: ignore[attr-defined]
-        await strike(pilot, "down")
-        palette.query_one("CommandList").action_select()  # type: ignore[attr-defined]
-        palette.query_one("CommandList").action_select()  # type: ignore[attr-defined]
-        await until(pilot, lambda: pilot.app.screen is not palette)
-        await until(pilot, lambda: work(pilot).number > 1)
+        await strike(pilot, "ctrl+p", *BY_ID["next"].title, "enter", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number > 1)
         assert pilot.app.is_running and pilot.app._exception is None
+
+
+async def test_what_is_typed_after_a_jump_goes_where_it_leads(screen: Screen, light: Session) -> None:
+    """No key is lost, and none goes to the palette or to the field before: also where the form is made on the way."""
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        for words, number, key in (("span cou.shaf fail", "12", ""), ("apart counterw", "77.5", "imbalance.counterweight_span_mm")):
+            await strike(pilot, "ctrl+p", *words, "enter", *number)
+            if not key:  # nothing has these words: the palette stays, with all that was typed
+                assert isinstance(pilot.app.screen, Palette) and pilot.app.screen.query_one(Input).value == words + number
+                await strike(pilot, "escape")
+                continue
+            await until(pilot, lambda key=key: light.value(key) == 77.5)  # type: ignore[misc]
+        assert light.value("engine.bore_mm") == 94.0
 
 
 async def test_enter_twice_in_a_list_of_words(screen: Screen) -> None:
@@ -109,7 +113,7 @@ async def test_what_deletes_comes_before_what_is_typed_after_it(screen: Screen, 
 async def test_the_palette_is_paged_before_its_list_has_a_place(screen: Screen) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+p")
-        await until(pilot, lambda: isinstance(pilot.app.screen, CommandPalette))
+        await until(pilot, lambda: isinstance(pilot.app.screen, Palette))
         burst(pilot, "f", "i", "pagedown", "backspace", "pagedown", "pageup", "end")
         await pilot.pause()
         assert pilot.app.is_running and pilot.app._exception is None

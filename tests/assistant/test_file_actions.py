@@ -18,7 +18,7 @@ from assistant.exporting import write_draft
 from assistant.recovery import Memory, Settings
 from assistant.screens.ask import Ask
 from assistant.screens.open_dialog import OpenDialog
-from assistant.screens.palette import Palette
+from assistant.screens.palette_entries import entries
 from assistant.screens.path_dialog import PathDialog
 from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
@@ -333,7 +333,7 @@ async def test_recent_designs_are_in_the_palette(screen: Screen, small: Session,
     small.memory.remember(design)
     small.memory.remember(small.home)
     async with screen(size=(80, 24), session=small) as pilot:
-        found = {str(hit.text): hit async for hit in Palette(work(pilot)).discover()}
+        found = {entry.title for entry in entries(work(pilot).app, work(pilot))}
         assert f"Open recent: {design}" in found and f"Open recent: {small.home}" not in found
         await work(pilot).files.open_path(design.with_name("none.toml"))
         await pilot.pause()

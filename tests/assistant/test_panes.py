@@ -4,7 +4,6 @@
 import re
 
 import pytest
-from textual.command import CommandPalette
 from textual.widgets import Input
 
 from assistant.actions import ACTIONS
@@ -300,15 +299,7 @@ async def test_everything_can_be_clicked(screen: Screen, session: Session) -> No
 async def test_a_field_that_the_palette_finds_comes_into_view(screen: Screen) -> None:
     """The form of its step is made on the way there, and has no size yet when the field gets the focus."""
     async with screen(size=(80, 24)) as pilot:
-        await strike(pilot, "ctrl+p")
-        await until(pilot, lambda: isinstance(pilot.app.screen, CommandPalette))
-        await type_in(pilot, "countershaft.oil_drain.tilt_deg")
-        palette = pilot.app.screen
-        await until(pilot, lambda: palette.query_one("CommandList").option_count > 0)  # type: ignore[attr-defined]
-        await strike(pilot, "enter")
-        if pilot.app.screen is palette:
-            await strike(pilot, "enter")
-        await until(pilot, lambda: pilot.app.screen is not palette)
+        await strike(pilot, "ctrl+p", *"countershaft.oil_drain.tilt_deg", "enter")
         await settled(pilot)
         field = work(pilot).form.field
         assert field is not None and field.place == work(pilot).session.place("countershaft.oil_drain.tilt_deg")

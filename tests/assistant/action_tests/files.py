@@ -9,6 +9,7 @@ from assistant.screens.compare import CompareScreen
 from assistant.screens.compare_with import CompareWith
 from assistant.screens.open_dialog import OpenDialog
 from assistant.screens.save_dialog import ExportDialog, RecordDialog, SaveDialog
+from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
 from calc.design_file import load
 
@@ -45,6 +46,15 @@ async def save(pilot: Pilot[int], do: Do) -> None:
     assert session.home.with_name("light.toml.bak").read_text(encoding="utf-8") == before
     await pilot.pause()
     assert "edited" not in screen_rows(pilot)[0]
+
+
+@deed
+async def new(pilot: Pilot[int], do: Do) -> None:
+    await do()
+    start = await over(pilot, Start)
+    assert start.here is not None and start.here.kind == "engine"
+    await strike(pilot, "escape")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
 
 
 @deed

@@ -4,12 +4,12 @@
 import re
 from functools import partial
 
-from textual.command import CommandPalette
 from textual.pilot import Pilot
 
 from assistant.screens.ask import Ask
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
+from assistant.screens.palette import Palette
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.selection import Choosing
 from assistant.screens.workbench import Workbench
@@ -47,7 +47,8 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
     await do()
     await over(pilot, HelpScreen)
     assert "Step 2 of 6: Imbalance" in text(pilot)
-    await strike(pilot, "end")
+    assert all(word in text(pilot) for word in ("Go on", "See why", "Mend", "Take back", "Write"))
+    await strike(pilot, "f1", "end")
     await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))  # the keys, at the end
     await back(pilot)
 
@@ -55,8 +56,8 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
 @deed
 async def palette(pilot: Pilot[int], do: Do) -> None:
     await do()
-    await over(pilot, CommandPalette)
-    await type_in(pilot, "counterweights ap")
+    await over(pilot, Palette)
+    await type_in(pilot, "ap counterweights")
     await until(pilot, lambda: "Field: Counterweights apart" in text(pilot))
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).form.here() is not None)

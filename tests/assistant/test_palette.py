@@ -1,0 +1,66 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the palette finds, and by which words."""
+
+import pytest
+
+from assistant.matching import folded, match
+from assistant.screens.palette import Palette
+from assistant.session import Session
+from calc.languages import language
+
+from .conftest import Screen
+from .driving import strike, type_in, until, work
+
+
+def test_words_in_any_order_and_in_parts() -> None:
+    def score(text: str, title: str, *others: str) -> float:
+        return match(folded(text).split(), title, *others)[0]
+
+    assert score("step next", "Next step") > 0 and score("st ne", "Next step") > 0
+    assert score("step nothing", "Next step") == 0
+    assert score("velocita", "Velocità nominale") > 0
+    assert score("alesaggio", "Field: Bore", "campo: alesaggio") > 0
+    assert score("next", "Next step") > score("next", "The next step") > score("ext", "Next step") > score("next", "x", "next") > 0
+    assert score("save", "Save") > score("save", "Save as …")
+    assert match(["ore", "bo"], "Field: Bore")[1] == [(8, 11), (7, 9)]
+
+
+@pytest.mark.parametrize(
+    ("words", "first"),
+    [
+        ("quit", "Quit"),
+        ("new", "New, or another design …"),
+        ("step next", "Next step"),
+        ("bore engine.b", "Field: Bore  engine.bore_mm"),
+        ("alesaggio", "Field: Bore  engine.bore_mm"),
+        ("b38 new", "New from BMW B38B15: inline 3, even firing"),
+        ("required_couple", "Value: Couple that the counter-shaft has to give  imbalance.required_couple"),
+        ("nord theme", "Theme: nord"),
+    ],
+)
+async def test_what_words_find_first(screen: Screen, words: str, first: str) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "ctrl+p", *words)
+        palette = pilot.app.screen
+        assert isinstance(palette, Palette) and palette.rows[0].title == first
+
+
+async def test_english_words_in_an_italian_session(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.app.speak("it")  # type: ignore[attr-defined]
+        await strike(pilot, "ctrl+p", *"bore")
+        palette = pilot.app.screen
+        assert isinstance(palette, Palette)
+        assert any("engine.bore_mm" in row.title for row in palette.rows)
+        assert language("it") is not None
+
+
+async def test_older_edits_are_offered(screen: Screen, light: Session) -> None:
+    other = Session.open(light.home, memory=light.memory, now=light.now)
+    other.edit("engine.bore_mm", "97")
+    other.autosave()
+    async with screen() as pilot:
+        await strike(pilot, "ctrl+p")
+        await type_in(pilot, "unsaved edits back")
+        await strike(pilot, "enter")
+        await until(pilot, lambda: work(pilot).session.value("engine.bore_mm") == 97.0)

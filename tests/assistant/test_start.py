@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The first screen: what it offers, and how a session begins with it."""
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from textual.pilot import Pilot
+from textual.widgets import Input
+
+from assistant.app import ContralberoApp
+from assistant.beginnings import engine_only, finding, groups
+from assistant.recovery import Memory
+from assistant.screens.start import Start
+from assistant.screens.workbench import Workbench
+from assistant.session import Session
+from calc.design_file import Document, design
+from calc.shipped import engines
+
+from .conftest import Screen
+from .driving import screen_rows, strike, type_in, until, work
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+
+
+def start(pilot: Pilot[int]) -> Start:
+    screen = pilot.app.screen
+    assert isinstance(screen, Start)
+    return screen
+
+
+@pytest.mark.parametrize("id", engines())
+def test_every_engine_begins_a_design_of_its_own(id: str, memory: Memory) -> None:
+    data = engine_only(id, Path("own-one.toml"))
+    assert data["name"] == "own-one" and set(data) == {"schema", "name", "note", "engine"}
+    assert design(Document(data)).engine is not None
+    (row,) = [row for _, rows in groups(memory) for row in rows if row.kind == "engine" and row.id == id]
+    found = finding(row, memory)
+    assert found.lines and found.sketch is not None
+
+
+@pytest.mark.parametrize("size", [(80, 24), (120, 40)])
+async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, size: tuple[int, int]) -> None:
+    async with ContralberoApp(None, memory=memory).run_test(size=size) as pilot:
+        await type_in(pilot, "6 v 60")  # in any order
+        assert start(pilot).here is not None and start(pilot).here.id == "v6-60"  # type: ignore[union-attr]
+        await strike(pilot, "enter")
+        await until(pilot, lambda: bool(pilot.app.screen.query("#path")))
+        assert pilot.app.screen.query_one("#path", Input).value == str(tmp_path / "own-v6-60.toml")
+        await strike(pilot, "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
+        session = work(pilot).session
+        assert list(session.data) == ["schema", "name", "note", "engine"] and session.dirty
+        assert not (tmp_path / "own-v6-60.toml").exists()  # before it is saved
+        await strike(pilot, "ctrl+s")
+        await until(pilot, lambda: not session.dirty)
+    assert tomllib.loads((tmp_path / "own-v6-60.toml").read_text("utf-8"))["name"] == "own-v6-60"
+
+
+async def test_going_on_is_one_enter(memory: Memory, light: Session) -> None:
+    light.edit("engine.bore_mm", "96")
+    light.autosave()
+    async with ContralberoApp(None, memory=memory).run_test(size=(80, 24)) as pilot:
+        await strike(pilot, "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
+        assert work(pilot).session.home == light.home and work(pilot).session.value("engine.bore_mm") == 96.0
+
+
+async def test_a_file_that_is_not_there_is_begun(memory: Memory, tmp_path: Path) -> None:
+    async with ContralberoApp(None, memory=memory, missing=tmp_path / "mine.toml").run_test(size=(80, 24)) as pilot:
+        assert "mine.toml is not there" in screen_rows(pilot)[0]
+        await strike(pilot, *"cross 4", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands)
+        assert work(pilot).session.path == tmp_path / "mine.toml"
+
+
+async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> None:
+    async with screen() as pilot:
+        await strike(pilot, "ctrl+n")
+        assert start(pilot).here is not None and start(pilot).here.kind == "engine"  # type: ignore[union-attr]
+        await strike(pilot, "x", "escape", "escape")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
+        assert work(pilot).session is light
+        await strike(pilot, "ctrl+n", *"worked", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).session.example)
+
+
+@pytest.mark.parametrize("size", [(20, 10), (10, 4), (80, 24)])
+async def test_however_small_the_terminal_is(memory: Memory, size: tuple[int, int]) -> None:
+    async with ContralberoApp(None, memory=memory).run_test(size=size) as pilot:
+        await strike(pilot, "down", "pagedown", "pageup", "up", "ctrl+o", "escape", "ctrl+p", "q", "escape")
+        await strike(pilot, *"boxer", "enter", "escape", "escape")
+        await pilot.resize_terminal(120, 40)
+        await pilot.resize_terminal(*size)
+        await pilot.pause()
+        assert pilot.app._exception is None
+        await strike(pilot, "escape")
+
+
+async def test_the_language_changes_while_it_stands(memory: Memory) -> None:
+    app = ContralberoApp(None, memory=memory)
+    async with app.run_test(size=(120, 40)) as pilot:
+        await app.speak("it")
+        await strike(pilot, *"boxer")
+        assert start(pilot).here is not None and start(pilot).here.id.startswith("boxer")  # type: ignore[union-attr]
