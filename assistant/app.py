@@ -18,6 +18,7 @@ from calc.languages import language
 from calc.sheet.errors import BadInput
 from calc.sheet.text import EMPTY, Text
 
+from .actions import BY_ID
 from .base_app import BaseApp
 from .recovery import Memory, Settings
 from .screens.workbench import Workbench
@@ -33,6 +34,7 @@ class Speaking(Protocol):
     async def speak(self) -> None: ...
 
 
+HELD = 1.0  # seconds that keys wait at most
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
 
 
@@ -143,14 +145,21 @@ class ContralberoApp(BaseApp):
             self.push_screen(Palette())
 
     async def on_event(self, event: events.Event) -> None:
-        """Keys that follow the Enter of the palette wait until its command has run: they are meant for where it leads."""
+        """Keys that follow the one that opens the palette are for the palette, and those that follow its Enter for where that leads."""
         if isinstance(event, events.Key) and not event.is_forwarded:
             if self._held is not None:
                 self._held.append(event)
                 return
-            if event.key == "enter" and getattr(self.screen, "HOLDS", False):
+            modal = isinstance(self.screen, ModalScreen)
+            if (event.key == "enter" and getattr(self.screen, "HOLDS", False)) or (event.key in self._palette_keys and not modal):
                 self._held = []
+                self.set_timer(HELD, self.release)
         await super().on_event(event)
+
+    @property
+    def _palette_keys(self) -> list[str]:
+        """Those that are no letters, which a field takes as text."""
+        return (self.key_map.get("palette") or BY_ID["palette"].keys).split(",")
 
     def release(self) -> None:
         held, self._held = self._held, None

@@ -10,7 +10,7 @@ START, BEGINNING, INSIDE, ELSEWHERE = (
     0.5,
     0.25,
 )  # a word that begins the title, a word of it, stands in it; or in what else is known
-EXACT = 0.5  # more for a title that is nothing but the words
+WHOLE, EXACT = 0.1, 0.5  # more for a word that is not part of a longer one, and for a title that is nothing but the words
 
 
 def folded(text: str) -> str:
@@ -29,6 +29,7 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
         at = _place(word, plain)
         if at is not None:
             total += START if at == 0 else BEGINNING if not plain[at - 1].isalnum() else INSIDE
+            total += WHOLE if not _goes_on(plain, at + len(word)) else 0.0
             spans.append((at, at + len(word)))
         elif any(word in other for other in others):
             total += ELSEWHERE
@@ -36,6 +37,10 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
             return 0.0, []
     exact = EXACT if plain == " ".join(words) else 0.0
     return (total / len(words) if words else ELSEWHERE) + exact - min(len(title), 200) * 1e-4, spans
+
+
+def _goes_on(text: str, at: int) -> bool:
+    return text[at : at + 1].isalnum() or text[at : at + 1] == "_"
 
 
 def _place(word: str, text: str) -> int | None:

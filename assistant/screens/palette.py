@@ -57,6 +57,7 @@ class Palette(ModalScreen[None]):
 
     def on_mount(self) -> None:
         self.fill()
+        self.call_after_refresh(self.app.release)
 
     def on_resize(self) -> None:
         self.call_after_refresh(self.fill)

@@ -11,7 +11,9 @@ from textual.widgets import Input, Static
 from assistant.actions import BY_ID
 from assistant.screens.choose import Choose
 from assistant.screens.open_dialog import OpenDialog
+from assistant.screens.palette import Palette
 from assistant.screens.save_dialog import SaveDialog
+from assistant.screens.workbench import Workbench
 from assistant.session import Session
 from assistant.widgets.form import Form
 
@@ -48,7 +50,7 @@ async def test_what_is_typed_after_a_jump_goes_where_it_leads(screen: Screen, li
         for words, number, key in (("span cou.shaf fail", "12", ""), ("apart counterw", "77.5", "imbalance.counterweight_span_mm")):
             await strike(pilot, "ctrl+p", *words, "enter", *number)
             if not key:  # nothing has these words: the palette stays, with all that was typed
-                assert isinstance(pilot.app.screen, Palette) and pilot.app.screen.query_one(Input).value == words + number
+                await until(pilot, lambda told=words + number: pilot.app.screen.query("#words").first(Input).value == told)  # type: ignore[misc]
                 await strike(pilot, "escape")
                 continue
             await until(pilot, lambda key=key: light.value(key) == 77.5)  # type: ignore[misc]

@@ -17,6 +17,7 @@ import pytest_asyncio
 from assistant.actions import ACTIONS, BY_ID
 from assistant.app import ContralberoApp
 from assistant.screens import background_solve
+from assistant.screens.palette import Palette
 from assistant.session import Session
 
 from .action_tests import DEEDS, Do, curves, editing, files, over, showing, still  # noqa: F401  each room puts its deeds in
@@ -89,7 +90,7 @@ async def test_from_the_palette(wide_stage: Stage, id: str) -> None:
     async def do() -> None:
         await strike(wide_stage.pilot, "ctrl+p", *BY_ID[id].title)
         palette = await over(wide_stage.pilot, Palette)
-        assert palette.rows[0].title == BY_ID[id].title
+        await until(wide_stage.pilot, lambda: palette.rows[0].title == BY_ID[id].title)
         await strike(wide_stage.pilot, "enter")
         await until(wide_stage.pilot, lambda: wide_stage.pilot.app.screen is not palette)
         await wide_stage.pilot.pause()

@@ -80,11 +80,14 @@ async def test_a_file_that_is_not_there_is_begun(memory: Memory, tmp_path: Path)
 async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> None:
     async with screen() as pilot:
         await strike(pilot, "ctrl+n")
-        assert start(pilot).here is not None and start(pilot).here.kind == "engine"  # type: ignore[union-attr]
+        await until(pilot, lambda: isinstance(pilot.app.screen, Start) and start(pilot).here is not None)
+        assert start(pilot).here.kind == "engine"  # type: ignore[union-attr]
         await strike(pilot, "x", "escape", "escape")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert work(pilot).session is light
-        await strike(pilot, "ctrl+n", *"worked", "enter")
+        await strike(pilot, "ctrl+n")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Start))
+        await strike(pilot, *"worked", "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).session.example)
 
 
