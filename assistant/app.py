@@ -145,21 +145,21 @@ class ContralberoApp(BaseApp):
             self.push_screen(Palette())
 
     async def on_event(self, event: events.Event) -> None:
-        """Keys that follow the one that opens the palette are for the palette, and those that follow its Enter for where that leads."""
+        """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter for where
+        that leads."""
         if isinstance(event, events.Key) and not event.is_forwarded:
             if self._held is not None:
                 self._held.append(event)
                 return
-            modal = isinstance(self.screen, ModalScreen)
-            if (event.key == "enter" and getattr(self.screen, "HOLDS", False)) or (event.key in self._palette_keys and not modal):
+            opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
+            if opens or (event.key == "enter" and getattr(self.screen, "HOLDS", False)):
                 self._held = []
                 self.set_timer(HELD, self.release)
         await super().on_event(event)
 
-    @property
-    def _palette_keys(self) -> list[str]:
-        """Those that are no letters, which a field takes as text."""
-        return (self.key_map.get("palette") or BY_ID["palette"].keys).split(",")
+    def _keys(self, id: str) -> list[str]:
+        """Of an action: those that are no letters, which a field takes as text."""
+        return (self.key_map.get(id) or BY_ID[id].keys).split(",")
 
     def release(self) -> None:
         held, self._held = self._held, None

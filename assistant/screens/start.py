@@ -78,6 +78,7 @@ class Start(Screen[None]):
 
     def on_mount(self) -> None:
         self.fill()
+        self.call_after_refresh(self.app.release)
 
     def on_resize(self, event: events.Resize) -> None:
         self.call_after_refresh(self.fill)
@@ -120,7 +121,9 @@ class Start(Screen[None]):
         self.ways.clear_options()
         self.ways.add_options(options)
         stays = not words and before is not None and before in self._rows
-        first = next((n for n, row in enumerate(self._rows) if row is not None and (not self.engines or row.kind == "engine")), None)
+        first = next(
+            (n for n, row in enumerate(self._rows) if row is not None and (words or not self.engines or row.kind == "engine")), None
+        )
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
             self.query_one(BeginDetail).tell(Text("Nothing is called so."))

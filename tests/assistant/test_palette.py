@@ -39,7 +39,7 @@ def found(pilot: Pilot[int]) -> list[str]:
         ("bore engine.b", "Field: Bore  engine.bore_mm"),
         ("alesaggio", "Field: Bore  engine.bore_mm"),
         ("b38 new", "New from BMW B38B15: inline 3, even firing"),
-        ("required_couple", "Value: Couple that the counter-shaft has to give  imbalance.required_couple"),
+        ("required_couple", "Value: Couple that the counter-shaft must supply  imbalance.required_couple"),
         ("nord theme", "Theme: nord"),
     ],
 )

@@ -85,9 +85,7 @@ async def test_over_an_open_design_and_back(screen: Screen, light: Session) -> N
         await strike(pilot, "x", "escape", "escape")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
         assert work(pilot).session is light
-        await strike(pilot, "ctrl+n")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Start))
-        await strike(pilot, *"worked", "enter")
+        await strike(pilot, "ctrl+n", *"worked", "enter")
         await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).session.example)
 
 
