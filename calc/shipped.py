@@ -68,14 +68,14 @@ def engine_design(name: str) -> str:
     engine, title = row["engine"], str(row["engine"]["name"])
     imbalance = {"crank_balance_fraction": 0.5, "kinematics": "exact"} | row.get("imbalance", {})
     body = f"[engine]\n{_lines(engine)}\n[imbalance]\n{_lines(imbalance)}"
-    from .design_file import design, parse
-    from .starter_design import begun  # numpy, which a list of the engines does not need
+    from .design_file import parse
+    from .starter.balancing import what_shakes, with_imbalance
+    from .starter.build import begun  # numpy, which a list of the engines does not need
 
-    def read(tables: str) -> "Design":
-        return design(parse(_text(title, "", tables).encode("utf-8"), name))
-
-    said, shaft = begun(read(body), body, read)
-    return _text(title, Text("{row}. Data: {row2}. {said}", row=row["what"], row2=row["source"], said=said), body + shaft)
+    document = parse(_text(title, "", body).encode("utf-8"), name)
+    note = Text("{what}: {shakes}. Data: {source}. What is begun by rules of this program is marked as assumed.",
+        what=row["what"], shakes=what_shakes(with_imbalance(document)), source=row["source"])  # fmt: skip
+    return _text(title, note, body + begun(document))
 
 
 def engine_table(name: str) -> "Table":

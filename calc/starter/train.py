@@ -1,0 +1,213 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The train: three meshes, so that the shaft turns against the crank, with a wheel that goes through the shaft's seats; and its friction.
+
+Trains and flanks are tried in the order in which they are usual; the first is taken that leaves nothing to be said of teeth and losses.
+"""
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise, product
+
+from ..countershaft.result import CountershaftResult
+from ..design import Design
+from ..design_file import Document, design
+from ..gears import formulas as g
+from ..sheet.errors import BadInput, NoSolution
+from ..sheet.record import record
+from ..sheet.text import SEMICOLON, Text
+from ..sheet.trace import untraced
+from ..sheet.units import Metre, Radian
+from ..solve import Results, solve
+from .writing import Section, mm, table, up
+
+HELIX: Radian = math.radians(20)
+MODULES = (2.5e-3, 2.0e-3, 1.75e-3, 1.5e-3, 1.25e-3)
+USUAL = 2.0e-3  # the largest of them where nothing asks for more
+SMALLEST = 1.25e-3
+WHEELS = ((25, 36, 39), (25, 31, 33), (21, 31, 34), (21, 26, 29), (20, 23, 27))  # crank and shaft, central, idler; those of the R753IE4 first
+FACES = (7.5, 6.0)  # modules
+FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then polished
+BORE = 0.6  # of the reference diameter
+ALLOWANCE = [-30, -40]  # µm
+TOLERANCE = 40  # µm
+TRAIN = Text("a train to begin with")
+
+
+@record
+class Train:
+    """One that is tried: the teeth of crank (as many on the shaft), central wheel and idler; module; face width in modules."""
+
+    teeth: tuple[int, int, int]
+    module: Metre
+    face: float
+
+
+def tip(teeth: int, module: Metre, helix: Radian = HELIX) -> Metre:
+    """The tip diameter of a wheel without profile shift."""
+    with untraced():
+        return float(g.tip_diameter(g.reference_diameter(float(teeth), g.transverse_module(module, helix)), module, 0.0, 0.0))
+
+
+def passing_seat(seat: Metre, teeth: int = WHEELS[0][0]) -> tuple[int, Metre]:
+    """The teeth and the largest usual module of a wheel that goes through a seat."""
+    fitting = (module for module in MODULES if module <= USUAL and tip(teeth, module) + 1e-3 <= seat)
+    return teeth, next(fitting, MODULES[-1])
+
+
+def gears(document: Document, results: Results) -> list[Section]:
+    """The tables of the first train that passes with some flanks.  Raises NoSolution."""
+    return _passing(document, results)[0]
+
+
+def friction(document: Document, results: Results) -> list[Section]:
+    """The table with the roughest flanks of which nothing is to be said.  Raises NoSolution where the design has no wheels."""
+    if results.design.gears is None:
+        raise NoSolution(Text("friction to begin with"), Text("the wheels are not known"), Text("give [gears] first"))
+    best = None
+    for flanks in FLANKS:
+        sections = _friction(results.design, results, flanks)
+        outcome = solve(design(Document({**document.data, **table(sections)})), results).outcomes["friction"]
+        if outcome.verdict == "pass":
+            return sections
+        best = best or sections
+    assert best is not None
+    return best
+
+
+def gears_and_friction(document: Document, results: Results) -> list[Section]:
+    """Both, found together."""
+    train, flanks = _passing(document, results)
+    return [*train, *flanks]
+
+
+def _passing(document: Document, results: Results) -> tuple[list[Section], list[Section]]:
+    why: list[Text] = []
+    nearest = results
+    for train in _trains(results.design):
+        wheels = _gears(results.design, results, train)
+        for flanks in FLANKS:
+            losses = _friction(results.design, results, flanks)
+            try:
+                nearest = solve(design(Document({**document.data, **table(wheels), **table(losses)})), nearest)
+            except BadInput as bad:
+                why.append(bad.errors[0].reason)
+                break
+            states = {key: nearest.outcomes[key].verdict for key in ("gears", "friction", "countershaft")}
+            if set(states.values()) == {"pass"}:
+                return wheels, losses
+            stopping = [c for key in states for c in nearest.outcomes[key].checks if c.open and c.kind in ("limit", "caution")]
+            why += [Text("{check}", check=c.name) for c in stopping[:1]]
+            if any(not c.id.endswith((".scuffing", ".micropitting", ".models")) for c in stopping):
+                break  # finer flanks do not help
+    raise NoSolution(TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]"))
+
+
+def _trains(made: Design) -> Iterator[Train]:
+    """Those whose wheel on the shaft goes through its front seat, and that reach from the crank to the shaft's axis."""
+    shaft = made.countershaft
+    if made.bearings is not None:
+        seat = made.bearings.front.diameter
+    elif shaft is not None and shaft.journals:
+        seat = shaft.journals[0].diameter
+    elif shaft is not None and shaft.outer_radius is not None:
+        seat = 2 * shaft.outer_radius
+    else:
+        seat = math.inf
+    away = math.hypot(*shaft.axis) if shaft is not None and shaft.axis is not None else 0.0
+    for smaller, teeth, face in product(range(len(MODULES) - 1), WHEELS, FACES):
+        modules = [one for one in MODULES if (one <= USUAL or teeth != WHEELS[0]) and tip(teeth[0], one) < seat]
+        if smaller < len(modules) and modules[smaller] >= SMALLEST:
+            yield Train(_reaching(teeth, modules[smaller], away), modules[smaller], face)
+
+
+def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[int, int, int]:
+    """With idlers large enough for the distance."""
+    crank, central, idler = teeth
+    while (crank + central + idler) * module / math.cos(HELIX) < 1.03 * away:
+        central, idler = central + 1, idler + 2
+    return crank, central, idler
+
+
+def _gears(made: Design, results: Results, train: Train) -> list[Section]:
+    crank, central, idler = train.teeth
+    as_r753 = train.teeth == WHEELS[0]
+    power = {} if made.bearings is not None else {"power_kW": (_power(results), "assumed: what rolling bearings and the train may lose")}
+    wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
+    why = {"shaft": "as many as on the crank: ratio −1 by three meshes"}
+    bored = {"crank": "assumed: sits on the crank", "central": "assumed: turns on a pin", "idler": "assumed: turns on a pin"}
+
+    def bore(name: str) -> dict[str, tuple[object, str]]:
+        if name not in bored:
+            return {}
+        return {"bore_diameter_mm": (float(round(BORE * wheels[name] * train.module * 1e3 / math.cos(HELIX))), bored[name])}
+
+    return [
+        ("[gears]", {
+            "normal_module_mm": (mm(train.module), "assumed: the largest up to 2.5 whose wheel goes through the seats"),
+            "pressure_angle_deg": (20.0, ""),
+            "helix_angle_deg": (round(math.degrees(HELIX), 6), "assumed"),
+            "face_width_mm": (mm(up(train.face * train.module, 0.5e-3)), f"assumed: {train.face:g} modules"),
+            "tool_addendum": (1.41, "assumed: the tool of the R753IE4"),
+            "tool_tip_radius": (0.2, "assumed"),
+            "housing_material": (_housing(made), "assumed: the block, as of the bearings"),
+            **power,
+        }),
+        *(("[[gears.wheels]]", {
+            "name": (name, ""),
+            "teeth": (teeth, why.get(name, "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth")),
+            "span_allowance_um": (ALLOWANCE, "assumed: teeth shaved or ground, and free when the wheels are warmer"),
+            **bore(name),
+        }) for name, teeth in wheels.items()),
+        *(("[[gears.meshes]]", {
+            "driver": (driver, ""),
+            "driven": (driven, ""),
+            "tolerance_um": (TOLERANCE, "assumed: the allowances leave it a backlash"),
+        }) for driver, driven in pairwise(wheels)),
+    ]  # fmt: skip
+
+
+def _housing(made: Design) -> str:
+    return made.bearings.housing_material if made.bearings is not None else "EN-GJL-250"
+
+
+def _friction(made: Design, results: Results, flanks: float) -> list[Section]:
+    oil = {} if made.bearings is not None else {
+        "oil": ("5W-40", "assumed"), "oil_temperature_C": (90.0, "assumed: gallery of a warm engine")
+    }  # fmt: skip
+    words = {0.8: "assumed: ground", 0.4: "assumed: finely ground"}.get(flanks, "assumed: ground and polished")
+    return [
+        ("[friction]", {
+            **oil,
+            "flank_roughness_um": (flanks, words),
+            "load_sharing": ("linear", ""),
+        }),
+        *([] if made.bearings is not None else _rolling(made, results)),
+    ]  # fmt: skip
+
+
+def _rolling(made: Design, results: Results) -> list[Section]:
+    """Two bearings on the shaft, as wide around it as their series is usual."""
+    shaft, own = results.result(CountershaftResult), made.countershaft
+    if shaft is None or own is None or own.core_radius is None:
+        return []
+    bore = up(2 * own.core_radius, 5e-3)
+    return [
+        ("[[friction.rolling_bearings]]", {
+            "name": ("shaft-bearings", ""),
+            "wheel": ("shaft", ""),
+            "kind": ("cylindrical-roller", "assumed: split cages, or one race off the shaft"),
+            "bore_mm": (mm(bore), "assumed: the core, up to the next 5 mm"),
+            "outside_diameter_mm": (mm(up(1.6 * bore, 5e-3)), "assumed: 1.6 bores"),
+            "load_N": (float(math.ceil(shaft.reaction_front + shaft.reaction_rear)), "of both bearings: the shaft's reactions"),
+            "count": (2, ""),
+        }),
+    ]  # fmt: skip
+
+
+def _power(results: Results) -> float:
+    """Half a per mille of the reactions' power at the surface of the core, and half a kilowatt for the train; in kW."""
+    shaft, own, engine = results.result(CountershaftResult), results.design.countershaft, results.design.engine
+    if shaft is None or own is None or own.core_radius is None or engine is None:
+        return 1.0
+    surface = 2 * math.pi * engine.rated_speed * own.core_radius
+    return round(0.5 + 1.5e-3 * (shaft.reaction_front + shaft.reaction_rear) * surface / 1e3, 1)
