@@ -11,10 +11,11 @@ from ..sheet.record import record
 from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
 from ..sheet.units import Kilogram
 from ..solve import Results, solve
-from .shaft import envelope, task
+from .shaft import before_shaft, envelope, task
 
 REMEDIES = {  # the remedy of the imbalance step behind each balancing
-    "half": "crank", "shaft": "backward_shaft", "pair": "first_order_pair", "second": "second_order_shafts", "pair_and_second": "four_shafts",
+    "half": "crank", "shaft": "backward_shaft", "pair": "first_order_pair", "second": "second_order_shafts",
+    "pair_and_second": "four_shafts",
 }  # fmt: skip
 WHATS = {
     "order_1_couple": (Text("couple of order 1"), "N·m"), "order_1_force": (Text("force of order 1"), "N"),
@@ -57,7 +58,7 @@ def options(document: Document, results: Results | None = None) -> tuple[Balanci
     if imbalance is None or engine is None:
         raise NoSolution(Text("what shakes is not known"), EMPTY, Text("give [engine] first"))
     best = _called_for(imbalance, engine.lambda_)
-    there = [id for id, name in REMEDIES.items() if name in imbalance.remedy]
+    there = [id for id, name in REMEDIES.items() if name in imbalance.remedy and (id != "half" or _first(imbalance))]
     if "pair_and_second" in there and not _roughest(imbalance, engine.lambda_):
         there.remove("pair_and_second")
     return tuple(
@@ -95,9 +96,7 @@ def with_imbalance(document: Document, results: Results | None = None) -> Result
     """Engine and imbalance of a design solved; an imbalance that is missing with its usual values."""
     if results is not None and results.result(ImbalanceResult) is not None:
         return results
-    data = {key: document.data[key] for key in ("schema", "name", "oil", "material", "engine", "imbalance") if key in document.data}
-    made = design(Document({"imbalance": IMBALANCE, **data}))
-    return solve(made)
+    return solve(design(Document({"imbalance": IMBALANCE, **before_shaft(document)})))
 
 
 def second_shafts(imbalance: ImbalanceResult) -> tuple[int, bool] | None:
@@ -105,9 +104,17 @@ def second_shafts(imbalance: ImbalanceResult) -> tuple[int, bool] | None:
     shafts = imbalance.remedy["second_order_shafts"].shafts
     if len(shafts) == 1:
         return round(next(iter(shafts.values())).speed_ratio), False
-    F_p, F_m, C_p, C_m = imbalance.orders["order_2"].vectors
-    alike = abs(abs(F_p) - abs(F_m)) <= FIRST * abs(F_p) and abs(abs(C_p) - abs(C_m)) <= FIRST * abs(C_p)
-    return (2, True) if alike else None
+    return (2, True) if _mirrored(*imbalance.orders["order_2"].vectors) else None
+
+
+def first_pair(imbalance: ImbalanceResult) -> bool:
+    """Whether one shaft at crank speed and its mirrored twin take the first order."""
+    return "first_order_pair" in imbalance.remedy and _mirrored(*imbalance.orders["order_1"].unbalanced)
+
+
+def _mirrored(F_f: complex, F_b: complex, C_f: complex, C_b: complex) -> bool:
+    """Whether what turns backward is the mirror image of what turns forward, within what a good shaft may leave."""
+    return all(abs(b.conjugate() - f) <= FIRST * abs(f) for f, b in ((F_f, F_b), (C_f, C_b)))
 
 
 # --- the numbers ----------------------------------------------------------------------------------------------------------
@@ -120,12 +127,18 @@ def _before(imbalance: ImbalanceResult, key: str) -> float:
     return float(peak) if peak > SIGNIFICANT * one else 0.0
 
 
+def _first(imbalance: ImbalanceResult) -> bool:
+    """Whether there is anything of order 1."""
+    return bool(_before(imbalance, "order_1_force") or _before(imbalance, "order_1_couple"))
+
+
 def _left(imbalance: ImbalanceResult, id: str) -> tuple[Left, ...]:
     remedy: Remedy | None = imbalance.remedy[REMEDIES[id]] if id in REMEDIES else None
     left = []
     for key, (what, unit) in WHATS.items():
         before = _before(imbalance, key)
-        after = before if remedy is None or (id == "second" and key.startswith("order_1")) else float(getattr(remedy, key))
+        leaves = imbalance.remedy["crank"] if id == "second" and key.startswith("order_1") and remedy is not None else remedy
+        after = before if leaves is None else float(getattr(leaves, key))
         one = imbalance.one_force if unit == "N" else imbalance.one_couple
         after = after if after > SIGNIFICANT * one else 0.0
         if before or after:
@@ -177,27 +190,31 @@ def _label(id: str, imbalance: ImbalanceResult) -> Text:
 
 def _why(id: str, best: str, imbalance: ImbalanceResult) -> Text:
     """One short sentence."""
-    backward = any(_backward(imbalance))
     force, couple = _backward(imbalance)
+    if id == "none" and best == "none":
+        return Text("Order 1 cancels, and what is left of order 2 is lived with.")
     if id == "none":
-        return Text("Nothing of order 1 or 2 calls for more.") if best == "none" else Text("What shakes is left to the mounts.")
+        return Text("What shakes is left to the mounts.")
     if id == "half":
-        if best == "half":
-            return Text("Counterweights take all of order 1: nothing of it turns backward.")
-        return Text("Counterweights take what turns forward; what turns backward stays.") if backward else Text("There is little to take.")
+        if force or couple:
+            return Text("Counterweights take what turns forward; what turns backward stays.")
+        return Text("Counterweights take all of order 1: nothing of it turns backward.")
     if id == "shaft":
         if force:
             return Text("With half on the crank it takes order 1 whole; its force rolls the engine where it stands beside the crank.")
         return Text("With half on the crank it takes the couple of order 1 whole.")
-    if id == "pair":
+    if id == "pair" and first_pair(imbalance):
         return Text("It takes order 1 without counterweights and without roll; bearings and train are not designed for it here.")
-    if id == "second":
-        if second_shafts(imbalance) is None:
-            return Text("Two unlike shafts would take it; they are not designed here.")
+    if id == "second" and second_shafts(imbalance) is not None:
         if best == "second":
             return Text("Order 1 cancels; the force of order 2 is what is felt. Bearings and train are not designed for it here.")
-        return Text("It takes order 2, where the comfort is worth it; order 1 stays, and bearings and train are not designed for it here.")
-    return Text("Nothing of order 1 or 2 is left, by four shafts; they are not designed here.")
+        return Text(
+            "It takes order 2, where the comfort is worth it, and no more of order 1 than the crank; without bearings and train here."
+        )
+    return Text("Shafts that are no mirror images would take it; they are not designed here.") if id in ("pair", "second") else FOUR
+
+
+FOUR = Text("Four shafts leave nothing of order 1 or 2; they are not designed here.")
 
 
 def _backward(imbalance: ImbalanceResult) -> tuple[bool, bool]:

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Missing steps built by rules: a design with one step more, or with all that the balancing asks for which its engine calls."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 
-from ..addresses import Table, as_table
+from ..addresses import as_table
 from ..design import Design
 from ..design_file import Document, design
 from ..imbalance.result import ImbalanceResult
-from ..sheet.errors import NoSolution
+from ..sheet.errors import BadInput, NoSolution
 from ..sheet.quantity import keys
 from ..sheet.text import Text
 from ..solve import Results, solve
@@ -22,6 +22,8 @@ ROLLING = "rolling bearings carry the shaft: a plain journal of usual length pas
 APART = "not designed here for shafts that do not turn at -1 times crank speed"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
+LEFT = "left to the mounts by the balancing that was chosen"
+TAKEN = "the pair of shafts at crank speed takes it"
 CRANK_ALONE = "no shaft: the counterweights of the crank are all the balancing"
 
 
@@ -50,23 +52,24 @@ def begun(document: Document) -> str:
     best = which.called_for(results)
     if best != "shaft":
         return written([("[without]", {step: (_none_reason(results, best), "") for step in SHAFT_STEPS})])
-    text, without = [shaft.countershaft(document, results, -1)], {}
+    text: list[list[Section]] = [shaft.countershaft(document, results, -1)]
+    without: list[Section] = []
     document = _with(document, text[0])
     results = _results(document, results)
     try:
         text.append(journals.bearings(document, results))
     except NoSolution:
-        without["bearings"] = (ROLLING, "")
+        without = [("[without]", {"bearings": (ROLLING, "")})]
         document = _without(document, {"bearings": ROLLING})
     else:
         document = _with(document, text[-1])
     text.append(train.gears_and_friction(document, _results(document, results)))
-    return "".join(written(sections) for sections in ([("[without]", without)] if without else [], *text))
+    return "".join(written(sections) for sections in (without, *text))
 
 
 def choice_made(document: Document) -> str:
     """The id of the balancing that the design has now; "" where nothing is chosen yet."""
-    if (given := as_table(document.data.get("countershaft"))):
+    if given := as_table(document.data.get("countershaft")):
         ratio = given.get("speed_ratio", -1)
         return "shaft" if ratio == -1 else "pair" if ratio == 1 else "second"
     if "countershaft" not in as_table(document.data.get("without")):
@@ -87,46 +90,63 @@ def _share(balancing: str, known: Results) -> float:
     """Against order 2 the crank keeps what takes order 1: half, unless its throws cancel and it has nothing to take."""
     if balancing in KEPT:
         return KEPT[balancing]
-    imbalance = known.result(ImbalanceResult)
-    assert imbalance is not None
-    left = {one.key: one for one in next(o for o in which.options(Document({}), known) if o.id == "none").left}
-    return 0.5 if {"order_1_force", "order_1_couple"} & left.keys() else 0.0
+    return 0.5 if any(one.key.startswith("order_1") for one in _option(known, balancing).left) else 0.0
+
+
+def _option(known: Results, balancing: str) -> which.Balancing:
+    """Raises NoSolution where the engine has nothing that it takes."""
+    found = next((one for one in which.options(Document({}), known) if one.id == balancing), None)
+    if found is None:
+        raise NoSolution(Text('the balancing "{id}" has nothing to take in this engine', id=balancing))
+    return found
 
 
 def _balanced(document: Document, balancing: str) -> Document:
     """Crank and shaft of one balancing, and what is then done without."""
     known = which.with_imbalance(document)
-    balancing = balancing or which.called_for(known)
-    if balancing not in {one.id for one in which.options(document, known)}:
-        raise NoSolution(Text('the balancing "{id}" has nothing to take in this engine', id=balancing))
-    document = _imbalance(document, balancing)
+    balancing = _option(known, balancing or which.called_for(known)).id
+    document = _imbalance(_unaccepted(document), balancing)
     if balancing in ("none", "half"):
         why = NONE if balancing == "none" else _none_reason(known, balancing)
-        return _without(document, dict.fromkeys(SHAFT_STEPS, why))
+        return _accepted(_without(document, dict.fromkeys(SHAFT_STEPS, why)), LEFT)
     ratio, pair = _speed(balancing, known)
-    kept = SHAFT_STEPS[1:] if ratio == -1 else ()
-    bare = _put(document, {step: None for step in SHAFT_STEPS if step not in kept}, SHAFT_STEPS)
-    sections = shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair)
-    bare = _with(bare, sections)
-    return bare if ratio == -1 else _without(bare, dict.fromkeys(SHAFT_STEPS[1:], APART))
+    bare = _put(document, dict.fromkeys(SHAFT_STEPS), SHAFT_STEPS)
+    bare = _with(bare, shaft.countershaft(bare, which.with_imbalance(bare), ratio, pair))
+    if ratio == -1:
+        kept = _put(bare, {step: document.data[step] for step in SHAFT_STEPS[1:] if step in document.data})
+        return kept if _holds(kept) else bare
+    return _accepted(_without(bare, dict.fromkeys(SHAFT_STEPS[1:], APART)), TAKEN if balancing == "pair" else LEFT)
 
 
 def _speed(balancing: str, known: Results) -> tuple[int, bool]:
     """Of the shaft that the design has, and whether a mirrored one turns against it."""
-    if balancing in ("shaft", "pair"):
-        return (-1, False) if balancing == "shaft" else (1, True)
     imbalance = known.result(ImbalanceResult)
     assert imbalance is not None
+    if balancing == "shaft":
+        return -1, False
+    if balancing == "pair" and which.first_pair(imbalance):
+        return 1, True
     speed = which.second_shafts(imbalance) if balancing == "second" else None
     if speed is None:
-        raise NoSolution(Text("a design has one shaft or a mirrored pair of them; this balancing asks for others"))
+        raise NoSolution(Text("a design has one shaft, or one and its mirror image; this balancing asks for others"))
     return speed
+
+
+def _holds(document: Document) -> bool:
+    """Whether no limit of a design fails: what was made for another shaft may not fit this one."""
+    try:
+        return all(outcome.verdict not in ("fail", "no_solution", "blocked") for outcome in _results(document).outcomes.values())
+    except BadInput:
+        return False
 
 
 def _bearings(document: Document) -> Document:
     """Plain bearings, or the word that rolling ones carry the shaft."""
+    alone = document.with_value("friction", None)  # which asks for the oil of the bearings, as the wheels ask for their loss
+    if "gears" in document.data:
+        alone = alone.with_value("gears.power_kW", 1.0)
     try:
-        sections = journals.bearings(document, _results(document))
+        sections = journals.bearings(alone, _results(alone))
     except journals.TooFast:
         return _without(document, {"bearings": ROLLING})
     return _with(document.with_value("countershaft.journals", None), sections)
@@ -134,6 +154,22 @@ def _bearings(document: Document) -> Document:
 
 def _none_reason(known: Results, balancing: str) -> str:
     return NOTHING if which.called_for(known) != "shaft" else CRANK_ALONE if balancing == "half" else NONE
+
+
+def _accepted(document: Document, why: str) -> Document:
+    """With what the balancing leaves, or takes otherwise, accepted for its reason: it was chosen."""
+    left = {c.id: why for c in _results(_upstream(document)).checks() if c.open and c.id.startswith("imbalance.order_1")}
+    return _put(document, {"accepted": {**as_table(document.data.get("accepted")), **left} or None})
+
+
+def _unaccepted(document: Document) -> Document:
+    """Without what another balancing accepted."""
+    kept = {id: why for id, why in as_table(document.data.get("accepted")).items() if why not in (LEFT, TAKEN)}
+    return _put(document, {"accepted": kept or None})
+
+
+def _upstream(document: Document) -> Document:
+    return Document(shaft.before_shaft(document))
 
 
 # --- documents ------------------------------------------------------------------------------------------------------------
@@ -153,11 +189,13 @@ def _without(document: Document, reasons: dict[str, str]) -> Document:
     return _put(document, {**dict.fromkeys(reasons), "without": {**given, **reasons}})
 
 
-def _put(document: Document, tables: "dict[str, Table | None] | Table", asked: tuple[str, ...] = ()) -> Document:
+def _put(document: Document, tables: Mapping[str, object], asked: tuple[str, ...] = ()) -> Document:
     """With tables put in or taken out (None), in the order of a design file; steps that are asked for are not left out any more."""
     data = {**document.data, **tables}
     without = {key: why for key, why in as_table(data.get("without")).items() if key not in asked}
     data["without"] = without or None
     order = [field.key for field in keys(Design).values()]
     known = {key: value for key, value in data.items() if value is not None}
-    return replace(document, data={key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))})
+    return replace(
+        document, data={key: known[key] for key in sorted(known, key=lambda key: order.index(key) if key in order else len(order))}
+    )

@@ -10,7 +10,7 @@ from ..bearings.selection.variants import Variant
 from ..countershaft.result import CountershaftResult
 from ..design import Design
 from ..design_file import Document, design
-from ..journal_rules import LUBRICATIONS, COOLED, N_RPM_MM
+from ..journal_rules import COOLED, LUBRICATIONS, N_RPM_MM
 from ..lubricant import Lubricant
 from ..selection import bearings_case
 from ..sheet.check import THIN_MARGIN
@@ -23,7 +23,7 @@ from .train import passing_seat, tip
 from .writing import Section, changed, down, mm, table, up
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
-FITS = (None, ("IT6", "IT6"))
+FITS: tuple[tuple[str, str] | None, ...] = (None, ("IT6", "IT6"))
 FOUND = "assumed: by the search for bearings, so that every limit holds at the worst corner of the tolerances"
 BEARINGS = Text("bearings to begin with")
 
@@ -41,23 +41,24 @@ def bearings(document: Document, results: Results) -> list[Section]:
     front, rear, room = _sizes(made)
     length = _length(load, made, rear, room)
     narrowest = max(front, min(up(length / BEARING[1], 0.5e-3), rear))
+    oils = _oils(made)
     base = document.with_value("countershaft.journals", None)  # the bearings have their sizes
     tried: list[Text] = []
-    for fits, oil, front in product(FITS, _oils(made), dict.fromkeys((narrowest, rear))):
-        sections = changed(_sections(made, front, rear, length), {"bearings.oil": oil}, "assumed")
-        begun = design(Document({**base.data, **table(sections)}))
-        own = begun.bearings
-        assert own is not None
-        only = [Variant(oil, own.supply, Lubricant(own.in_bearings(begun.oils[oil]), own.viscosity_law), fits)]
-        try:
-            settled = nearest_row(bearings_case(begun, solve(begun, results)), only=only)
-        except NoSolution as none:
-            tried.append(none.text)
-            continue
-        if settled.row is not None and settled.results is not None and settled.results.outcomes["bearings"].verdict == "pass":
-            return changed(sections, changes(settled.row, own), FOUND)
-        tried += [settled.why] if settled.why else []
-    raise NoSolution(BEARINGS, SEMICOLON.join(dict.fromkeys(tried[:2])), Text("a stiffer shaft, a slower one, or rolling bearings"))
+    for fits, oil in [*product(FITS[:1], oils), *product(FITS[1:], reversed(oils))]:  # closer fits with the oil that came nearest first
+        for front in dict.fromkeys((narrowest, rear)):
+            sections = changed(_sections(made, front, rear, length), {"bearings.oil": oil}, "assumed")
+            begun = design(Document({**base.data, **table(sections)}))
+            own = begun.bearings
+            assert own is not None
+            only = [Variant(oil, own.supply, Lubricant(own.in_bearings(begun.oils[oil]), own.viscosity_law), fits)]
+            try:
+                settled = nearest_row(bearings_case(begun, solve(begun, results)), only=only)
+            except NoSolution as none:
+                tried.append(none.text)
+                break  # a wider journal is no cooler
+            if settled.row is not None and settled.results is not None and settled.results.outcomes["bearings"].verdict == "pass":
+                return changed(sections, changes(settled.row, own), FOUND)
+    raise NoSolution(BEARINGS, SEMICOLON.join(tried[:1]), Text("a stiffer shaft, a slower one, or rolling bearings"))
 
 
 def _oils(made: Design) -> tuple[str, ...]:
@@ -109,6 +110,7 @@ def _sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
         "journal_roughness_um": (0.2, "assumed: ground and lapped"),
         "housing_roughness_um": (0.4, "assumed: finely bored"),
     }
+    through = f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"
     clearance = ("clearance_factor", (0.75, "assumed: usual 0.4 to 0.8; a fast journal wants the oil"))
     return [
         ("[bearings]", {
@@ -120,7 +122,7 @@ def _sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
             "housing_material": _housing(made),
         }),
         ("[bearings.front]", {
-            "diameter_mm": (mm(front), f"assumed: 1 mm above the gear's tip, or l/d of {BEARING[1]:g}"),
+            "diameter_mm": (mm(front), "assumed: that of the rear" if front == rear else through),
             "length_mm": (mm(length), "assumed: that of the rear bearing"),
             clearance[0]: clearance[1],
             **surfaces,

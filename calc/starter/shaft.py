@@ -4,6 +4,7 @@
 import math
 from dataclasses import replace
 
+from ..addresses import Table
 from ..countershaft import formulas as f
 from ..countershaft.inputs import Holes, Journal
 from ..countershaft.making.holes import calibration
@@ -33,6 +34,7 @@ OVERDESIGN, DRILLED = 0.015, 0.03  # what the shaft is made stronger, and what t
 HEAT_INDEX: NewtonPerMetreSecond = 400e3 * N_RPM_MM  # of the 500 000 N·rpm/mm that are accepted
 BEARING = 0.35, 0.75  # length over diameter: of the rear bearing at least, of both at most
 THREADED = 0.2e-3
+UPSTREAM: tuple[str, ...] = ("schema", "name", "oil", "material", "engine", "imbalance")
 SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
 
 
@@ -118,10 +120,14 @@ def countershaft(document: Document, results: Results, ratio: int, pair: bool = 
     raise NoSolution(SHAFT, Text("cores up to {share} of the outer radius", share=CORES[-1]), GIVE)
 
 
+def before_shaft(document: Document) -> Table:
+    """The tables of a design up to its imbalance."""
+    return {key: document.data[key] for key in UPSTREAM if key in document.data}
+
+
 def _slope(document: Document, of: Envelope, sections: list[Section]) -> Radian:
     """The larger slope of both journals, by the shaft alone."""
-    data = {key: document.data[key] for key in ("schema", "name", "oil", "material", "engine", "imbalance") if key in document.data}
-    made = design(Document({**data, **table(sections)}))
+    made = design(Document({**before_shaft(document), **table(sections)}))
     assert made.countershaft is not None
     journals = (Journal(diameter=of.rear, length=of.length),) * 2
     shaft = solve(replace(made, countershaft=replace(made.countershaft, journals=journals))).result(CountershaftResult)
@@ -144,6 +150,7 @@ def _drill(made: Design, todo: Task, of: Envelope) -> Holes:
 
 
 def _sections(of: Envelope, share: float, todo: Task, pair: bool, holes: Holes) -> list[Section]:
+    narrowest = f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"
     more = "" if share == CORES[0] else f", not {CORES[0]:g}, to keep the journals' slopes below 0.2 mrad"
     twin = {"pair": ("yes", "a mirrored second shaft turns the other way")} if pair else {}
     apart = "as far apart as the row of cylinders is long, or 1.5 bores"
@@ -154,7 +161,7 @@ def _sections(of: Envelope, share: float, todo: Task, pair: bool, holes: Holes) 
             "speed_ratio": (todo.ratio, ""),
             **twin,
             "bearing_positions_mm": ([mm(-of.span / 2), mm(of.span / 2)], f"assumed: {apart}"),
-            "outer_radius_mm": (mm(of.outer), f"assumed: the smallest with a utilisation up to {UTILISATION:g}; here {of.sized.utilisation:.2f}"),
+            "outer_radius_mm": (mm(of.outer), narrowest),
             "core_radius_mm": (mm(of.core), f"assumed: {share:g} of the outer radius{more}"),
             "half_length_mm": (mm(of.half_length), "assumed: two fillets short of the journals"),
             "radial_clearance_mm": (mm(THREADED), "assumed: for threading in"),
