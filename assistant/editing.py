@@ -13,10 +13,9 @@ from typing import Any
 from calc.addresses import Table, address, changed
 from calc.design import Design
 from calc.design_file import Document, design, parse
-from calc.sheet.errors import BadInput, InputError
-from calc.sheet.quantity import Quantity, keys
+from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
+from calc.sheet.quantity import Quantity
 from calc.sheet.text import EMPTY, Text
-from calc.shipped import EXAMPLE
 
 from . import numbers
 from .changes import applied
@@ -143,14 +142,22 @@ class Editing:
         self._step(State(data, {}), None)
         self.seal()
 
-    def ask(self, step: str) -> None:
-        """Add a step that the design does not have, with the values of the example."""
-        example = parse(EXAMPLE.read_bytes(), EXAMPLE.name).data
+    def ask(self, step: str, balancing: str = "") -> Text:
+        """Build a step that the design does not have, by the rules behind `new`, as one step of the undo.
+
+        `balancing`: which, where the step is the counter-shaft.  Gives the reason why it can not be built, or nothing.
+        """
+        from calc.starter.build import built
+
+        try:
+            data = built(self.document, step, balancing).data
+        except (BadInput, NoSolution) as error:
+            return text_of(error)
+        texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
         self.seal()
-        order = [f.key for f in keys(Design).values()]
-        data = {**self._state.data, step: example[step]}
-        self._step(State({k: data[k] for k in sorted(data, key=order.index)}, self._state.texts), (step,))
+        self._step(State(data, texts), (step,))
         self.seal()
+        return EMPTY
 
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""

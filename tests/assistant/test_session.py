@@ -200,8 +200,27 @@ def test_a_step_that_is_not_asked_can_be_asked(session: Session) -> None:
     session.path.write_text(tomli_w.dumps(data), encoding="utf-8")
     other = reopened(session)
     assert "friction" not in other.data
-    other.ask("friction")
+    assert not other.ask("friction")
     assert other.valid and other.data["friction"]["load_sharing"] == "linear"
+    assert list(other.data)[-2:] == ["friction", "measured"]
+    other.undo()
+    assert "friction" not in other.data
+
+
+def test_a_step_that_can_not_be_built_says_why_and_changes_nothing(session: Session) -> None:
+    for key in ("friction", "bearings", "gears", "countershaft"):
+        session.put_table((key,), False)
+    before = session.data
+    assert "give [countershaft] first" in session.ask("bearings")
+    assert session.data is before
+
+
+def test_a_balancing_takes_the_place_of_the_shaft_in_one_step(session: Session) -> None:
+    before = session.data
+    assert not session.ask("countershaft", "half")
+    assert session.valid and "bearings" not in session.data and "countershaft" in session.data["without"]
+    session.undo()
+    assert session.data == before
 
 
 # --- saving
