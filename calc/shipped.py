@@ -61,7 +61,7 @@ def engine_inputs(name: str) -> "EngineInputs":
 
 
 def engine_design(name: str) -> str:
-    """The text of a design for a shipped engine: complete where first order asks for a shaft at −1, else engine and imbalance."""
+    """The text of a design for a shipped engine: ready, with a shaft where first order asks for one at −1, else without, and why."""
     row = _rows()[name]
     if "design" in row:
         return (DESIGNS / row["design"]).read_text(encoding="utf-8")
@@ -73,7 +73,7 @@ def engine_design(name: str) -> str:
     from .starter.build import begun  # numpy, which a list of the engines does not need
 
     document = parse(_text(title, "", body).encode("utf-8"), name)
-    note = Text("{what}: {shakes}. Data: {source}. What is begun by rules of this program is marked as assumed.",
+    note = Text("{what}. Without counterweights: {shakes}. Data: {source}. What rules of this program have added is marked as assumed.",
         what=row["what"], shakes=what_shakes(with_imbalance(document)), source=row["source"])  # fmt: skip
     return _text(title, note, body + begun(document))
 

@@ -41,7 +41,8 @@ class Left:
 
 @record
 class Balancing:
-    """One way to balance an engine.  `mass`: of the eccentric masses of all its shafts, None where they are not sized or there are none."""
+    """One way to balance an engine.  `mass`: of the eccentric masses of all its shafts, estimated with the usual
+    core; None where they are not sized or there are none."""
 
     id: str
     label: Text

@@ -153,7 +153,7 @@ def _reaching(teeth: tuple[int, int, int], module: Metre, away: Metre) -> tuple[
 def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
     crank, central, idler = train.teeth
     as_r753 = train.teeth == WHEELS[0]
-    driven = {} if power is None else {"power_kW": (power, "what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
+    driven = {} if power is None else {"power_kW": (power, "assumed: what rolling bearings, teeth and windage lose, up to the next 0.1 kW")}
     through = "assumed: the largest up to 2 whose wheel goes through the seats"
     wheels = {"crank": crank, "central": central, "idler": idler, "shaft": crank}
     usual = "assumed, as in the R753IE4" if as_r753 else "assumed: fewer, below the main resonance of the teeth"

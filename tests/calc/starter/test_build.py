@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Steps that are missing are built by rules: from an own engine to ready, around what is there, and with reasons where nothing fits."""
+
+import time
+from functools import reduce
+
+import pytest
+
+from calc.addresses import Table
+from calc.design_file import Document, design, read
+from calc.sheet.errors import NoSolution
+from calc.shipped import DESIGNS, _rows
+from calc.solve import Results, solve
+from calc.starter.build import APART, built, choice_made
+
+DIESEL: Table = {
+    "name": "own inline three", "layout": "inline", "cylinders": 3, "strokes": 4, "bore_mm": 95.0, "crank_radius_mm": 55.0,
+    "rod_length_mm": 170.0, "cylinder_pitch_mm": 112.0, "firing_order": [1, 3, 2], "piston_mass_g": 1200.0, "rod_mass_g": 1100.0,
+    "rated_speed_rpm": 2800.0,
+}  # fmt: skip
+STEPS = ("countershaft", "bearings", "gears", "friction")
+LENGTHS = ("bore_mm", "crank_radius_mm", "rod_length_mm", "cylinder_pitch_mm")
+
+
+def alone(engine: Table) -> Document:
+    return Document({"schema": 1, "name": "own", "engine": engine})
+
+
+def shipped(name: str, speed: float = 1.0, piston: float = 1.0, size: float = 1.0) -> Table:
+    """A shipped engine with other numbers."""
+    own: Table = dict(_rows()[name]["engine"])
+    factors = {"rated_speed_rpm": speed, "piston_mass_g": piston, **dict.fromkeys(LENGTHS, size)}
+    return {**own, **{key: own[key] * factor for key, factor in factors.items()}}  # type: ignore[operator]
+
+
+def solved(document: Document) -> Results:
+    return solve(design(document))
+
+
+def open_findings(results: Results) -> list[str]:
+    return [c.id for c in results.checks() if c.kind in ("limit", "caution") and c.open]
+
+
+@pytest.mark.parametrize(
+    "engine",
+    [
+        DIESEL, shipped("twin-360", speed=0.8), shipped("twin-360", piston=1.2), shipped("single", speed=1.2, size=0.9),
+        shipped("inline-3", piston=0.8, size=1.2), shipped("boxer-2", speed=0.8), shipped("inline-5", size=0.8), shipped("v6-90", speed=1.2),
+    ],
+    ids=["diesel", "twin slower", "twin heavier", "single faster", "three wider", "boxer slower", "five smaller", "V6 faster"],
+)  # fmt: skip
+def test_an_own_engine_is_ready_step_by_step(engine: Table) -> None:
+    """As the session asks for one step after the other, with what the engine calls for."""
+    document = reduce(built, STEPS, built(alone(engine), "imbalance"))
+    results = solved(document)
+    assert open_findings(results) == []
+    assert {results.outcomes[step].verdict for step in STEPS} <= {"pass", "not_asked"}
+    assert list(document.data)[3:] == ["imbalance", *(step for step in STEPS if step in document.data)]
+    assert choice_made(document) == "shaft"
+
+
+def test_a_step_is_built_around_what_is_there() -> None:
+    """Bearings for a given shaft: at its places, as wide as its sectors ask, in the housing of its wheels."""
+    gamma = read(DESIGNS / "r753ie4_gamma.toml")
+    made = built(gamma.with_value("bearings", None), "bearings")
+    shaft, bearings = design(made).countershaft, design(made).bearings
+    assert made.data["countershaft"] == gamma.data["countershaft"] and made.data["gears"] == gamma.data["gears"]
+    assert shaft is not None and bearings is not None and shaft.outer_radius is not None
+    assert bearings.rear.diameter >= 2 * shaft.outer_radius and bearings.housing_material == "EN-GJL-250"
+    results = solved(made)
+    assert results.outcomes["bearings"].verdict == "pass"
+
+
+def test_given_journals_become_those_of_the_bearings() -> None:
+    twin = read(DESIGNS / "twin_force_shaft.toml")
+    given = [{"diameter_mm": 75.0, "length_mm": 56.0}, {"diameter_mm": 80.0, "length_mm": 56.0}]
+    made = built(twin.with_value("countershaft.journals", given), "bearings")
+    bearings = design(made).bearings
+    assert "journals" not in made.data["countershaft"]  # type: ignore[operator]
+    assert bearings is not None and (bearings.front.diameter, bearings.rear.diameter) == pytest.approx((0.075, 0.08))
+
+
+def test_journals_too_short_for_their_heat_are_a_case_for_rolling_bearings() -> None:
+    twin = read(DESIGNS / "twin_force_shaft.toml")
+    made = built(twin.with_value("countershaft.journals", [{"diameter_mm": 70.0, "length_mm": 30.0}] * 2), "bearings")
+    assert "rolling bearings" in made.data["without"]["bearings"] and "bearings" not in made.data  # type: ignore[index]
+
+
+def test_a_train_reaches_the_axis_of_the_shaft() -> None:
+    twin = read(DESIGNS / "twin_force_shaft.toml").with_value("countershaft.axis_mm", [0.0, 190.0])
+    made = reduce(built, STEPS[1:], twin)
+    train = solved(made).outcomes["gears"].result
+    distances = [mesh.centre_distance for mesh in train.meshes.values()]  # type: ignore[attr-defined]
+    assert sum(distances) > 0.190
+
+
+def test_another_choice_takes_the_place_of_the_one_before() -> None:
+    gamma = read(DESIGNS / "r753ie4_gamma.toml")
+    half = built(gamma, "countershaft", "half")
+    assert choice_made(half) == "half" and not set(STEPS) & half.data.keys()
+    assert solved(half).outcomes["countershaft"].verdict == "not_asked" and open_findings(solved(half)) == []
+    none = built(half, "countershaft", "none")
+    assert choice_made(none) == "none" and none.data["accepted"]
+    shaft = built(none, "countershaft", "shaft")
+    assert choice_made(shaft) == "shaft" and "accepted" not in shaft.data and "without" not in shaft.data
+
+
+def test_a_pair_is_designed_without_bearings_and_train() -> None:
+    pair = built(alone(shipped("inline-4")), "countershaft", "second")
+    assert pair.data["countershaft"]["speed_ratio"] == 2 and pair.data["countershaft"]["pair"] == "yes"  # type: ignore[index]
+    assert pair.data["without"] == dict.fromkeys(STEPS[1:], APART)
+    assert pair.data["imbalance"]["crank_balance_fraction"] == 0  # type: ignore[index]
+    assert open_findings(solved(pair)) == []
+
+
+def test_what_can_not_be_built_says_why() -> None:
+    with pytest.raises(NoSolution, match="nothing to take"):
+        built(alone(shipped("inline-6")), "countershaft", "shaft")
+    with pytest.raises(NoSolution, match="mirror image"):
+        built(alone(shipped("v8-flat")), "countershaft", "second")
+    with pytest.raises(NoSolution, match=r"give \[countershaft\] first"):
+        built(alone(DIESEL), "bearings")
+    with pytest.raises(NoSolution, match=r"give \[gears\] first"):
+        built(alone(DIESEL), "friction")
+
+
+def test_it_is_quick() -> None:
+    start = time.perf_counter()
+    reduce(built, STEPS, built(alone(DIESEL), "imbalance"))
+    assert time.perf_counter() - start < 5  # s; one on an idle machine
