@@ -19,6 +19,7 @@ from .writing import Section, table, written
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
 ROLLING = "rolling bearings carry the shaft: a plain journal of usual length passes the heat index at this load and speed"
+NO_PLAIN = "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their tolerances"
 APART = "not designed here for shafts that do not turn at -1 times crank speed"
 NONE = "no shaft: what shakes is left to the mounts"
 NOTHING = "nothing of order 1 turns backward, so no shaft at -1 is needed"
@@ -58,9 +59,10 @@ def begun(document: Document) -> str:
     results = _results(document, results)
     try:
         text.append(journals.bearings(document, results))
-    except NoSolution:
-        without = [("[without]", {"bearings": (ROLLING, "")})]
-        document = _without(document, {"bearings": ROLLING})
+    except NoSolution as none:
+        why = ROLLING if isinstance(none, journals.TooFast) else NO_PLAIN
+        without = [("[without]", {"bearings": (why, "")})]
+        document = _without(document, {"bearings": why})
     else:
         document = _with(document, text[-1])
     text.append(train.gears_and_friction(document, _results(document, results)))

@@ -19,7 +19,7 @@ from ..sheet.text import SEMICOLON, Amount, Text
 from ..sheet.units import Metre, Newton
 from ..solve import Results, solve
 from .shaft import BEARING, FILLET, HEAT_INDEX, THREADED
-from .train import passing_seat, tip
+from .train import HOUSING, passing_seat, tip
 from .writing import Section, changed, down, mm, table, up
 
 OILS = ("5W-40", "5W-30", "0W-20")  # what engines run on, the thickest first
@@ -139,6 +139,3 @@ def _sections(made: Design, front: Metre, rear: Metre, length: Metre) -> list[Se
 def _housing(made: Design) -> tuple[str, str]:
     own = made.gears.housing_material if made.gears is not None else None
     return (own, "as between the wheels") if own else (HOUSING, "assumed: expands like the shaft, so that the clearance stays when cold")
-
-
-HOUSING = "EN-GJL-250"

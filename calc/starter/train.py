@@ -38,6 +38,7 @@ FLANKS = (0.8, 0.4, 0.3, 0.2)  # Ra in µm: ground, finely ground, and then poli
 BORE = 0.6  # of the reference diameter
 ALLOWANCE = [-30, -40]  # µm
 TOLERANCE = 40  # µm
+HOUSING = "EN-GJL-250"  # of the block; it expands like the wheels and the shaft
 MUCH, LEFT = 10.0, 100.0  # kW that a train without plain bearings is tried with, and W that may be left of it
 OF_FLANKS = (".scuffing", ".micropitting", ".models", ".lambda")  # checks that finer flanks help
 TRAIN = Text("a train to begin with")
@@ -92,12 +93,13 @@ def gears_and_friction(document: Document, results: Results) -> list[Section]:
 
 def _passing(document: Document, results: Results) -> tuple[list[Section], list[Section]]:
     why: list[Text] = []
+    power = None if "bearings" in document.data else MUCH
     known = {c.id for c in results.outcomes["countershaft"].checks if c.verdict in URGENT}
     for train in _trains(results.design):
         for flanks in FLANKS:
             losses = _friction(results.design, results, flanks)
             try:
-                wheels, results = _loaded(document, results, train, losses)
+                wheels, power, results = _loaded(document, results, train, losses, power)
             except BadInput as bad:
                 why.append(bad.errors[0].reason)
                 break
@@ -111,9 +113,14 @@ def _passing(document: Document, results: Results) -> tuple[list[Section], list[
     raise NoSolution(TRAIN, SEMICOLON.join(dict.fromkeys(why)), Text("other teeth, modules or centre distances: give [gears]"))
 
 
-def _loaded(document: Document, results: Results, train: Train, losses: list[Section]) -> tuple[list[Section], Results]:
-    """The tables of a train, and the whole with it.  Where no plain bearings close the balance, the power is what is lost: found twice."""
-    made, power = results.design, None if "bearings" in document.data else MUCH
+def _loaded(
+    document: Document, results: Results, train: Train, losses: list[Section], power: float | None
+) -> tuple[list[Section], float | None, Results]:
+    """The tables of a train, its power in kW, and the whole with it.
+
+    `power`: None where plain bearings close the balance; else what is tried first, and then changed to what is lost.
+    """
+    made = results.design
     for _ in range(1 if power is None else 3):
         wheels = _gears(made, train, power)
         results = solve(design(Document({**document.data, **table(wheels), **table(losses)})), results)
@@ -121,7 +128,7 @@ def _loaded(document: Document, results: Results, train: Train, losses: list[Sec
         if power is None or balance is None or balance.delivered_power is None or 0 < balance.delivered_power < 2 * LEFT:
             break
         power = round(up(power - balance.delivered_power / 1e3 + LEFT / 2e3, LEFT / 1e3), 6)
-    return wheels, results
+    return wheels, power, results
 
 
 def _trains(made: Design) -> Iterator[Train]:
@@ -191,7 +198,7 @@ def _gears(made: Design, train: Train, power: float | None) -> list[Section]:
 
 
 def _housing(made: Design) -> str:
-    return made.bearings.housing_material if made.bearings is not None else "EN-GJL-250"
+    return made.bearings.housing_material if made.bearings is not None else HOUSING
 
 
 def _friction(made: Design, results: Results, flanks: float) -> list[Section]:
