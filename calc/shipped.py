@@ -14,7 +14,6 @@ from .sheet.text import Text
 
 if TYPE_CHECKING:
     from .addresses import Table
-    from .design import Design
     from .engine.inputs import EngineInputs
 
 DESIGNS = Path(__file__).parent.parent / "designs"
