@@ -6,7 +6,8 @@ What was measured, and what the user accepted, nothing changes but the user.
 
 from collections.abc import Mapping
 
-from .addresses import Table
+from .addresses import Table, address
+from .sheet.errors import BadInput
 from .sheet.text import Text
 
 USUAL: Mapping[str, Text] = {"bearings.oil": Text("the oil is the engine's"), "friction.oil": Text("the oil is the engine's")}
@@ -23,13 +24,26 @@ def locked(data: Table, key: str) -> str:
     """Why a key may not be changed by the program; empty where it may."""
     if (reason := GIVEN.get(key.partition(".")[0])) is not None:
         return reason
-    return next((reason for one, reason in locks(data).items() if key == one or key.startswith(f"{one}.")), "")
+    place = _place(data, key)
+    return next((reason for one, reason in locks(data).items() if _within(place, _place(data, one))), "")
+
+
+def _place(data: Table, key: str) -> tuple[str | int, ...]:
+    """An element of an array by its index, by which of its names it ever goes."""
+    try:
+        return address(data, key, whole=True)
+    except BadInput:  # of an element that is not there any more
+        return tuple(key.split("."))
+
+
+def _within(place: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
+    return place[: len(outer)] == outer
 
 
 def toggled(data: Table, key: str, reason: str) -> Table:
     """The tables with a key locked, or unlocked where it was."""
-    now = dict(locks(data))
-    inside = [one for one in now if key == one or key.startswith(f"{one}.")]
+    now, place = dict(locks(data)), _place(data, key)
+    inside = [one for one in now if _within(place, _place(data, one))]
     for one in inside:
         del now[one]
     if not inside:

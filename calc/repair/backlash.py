@@ -3,6 +3,7 @@
 
 import math
 
+from ..locks import locked
 from ..sheet.changes import Changes, whole
 from ..sheet.check import Check
 from ..sheet.errors import NoSolution
@@ -38,7 +39,10 @@ def _thinner(state: State, missing: dict[str, int]) -> Changes:
     gears = state.design.gears
     assert gears is not None
     pairs = {mesh.key: (mesh.driver, mesh.driven) for mesh in gears.meshes}
-    given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in gears.wheels}
+    free = [wheel for wheel in gears.wheels if not locked(state.document.data, f"gears.wheels.{wheel.name}.span_allowance_um")]
+    given = {wheel.name: [round(end * 1e6, 6) for end in wheel.span_allowance or (0.0, 0.0)] for wheel in free}
+    if stuck := next((mesh for mesh in missing if not given.keys() & set(pairs[mesh])), None):
+        raise NoSolution(Text("the span allowances of {driver} and {driven} are locked", driver=pairs[stuck][0], driven=pairs[stuck][1]))
     left, less = dict(missing), dict.fromkeys(given, 0)
 
     def use(wheel: str) -> tuple[int, float]:

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 from ..addresses import value_at
 from ..design import STEPS, Design
 from ..design_file import Document, design
+from ..locks import locked
 from ..sheet.changes import Changes
 from ..sheet.check import Check
-from ..sheet.errors import BadInput, NoSolution
+from ..sheet.errors import BadInput, InputError, NoSolution
 from ..sheet.progress import Progress
 from ..sheet.search import Trial, first_good
 from ..sheet.step import Outcome
@@ -48,7 +49,7 @@ class State:
     def with_changes(
         self, changes: Mapping[str, object], known: Results | None = None, enough: Callable[[Outcome[object]], bool] | None = None
     ) -> "State":  # fmt: skip
-        """The same with keys changed, solved whole.  Raises BadInput where they are not allowed.
+        """The same with keys changed, solved whole.  Raises BadInput where they are not allowed, or locked.
 
         `known`: results of a design that is nearer to it.  `enough` ends the solution early, as in `solve`.
         """
@@ -56,6 +57,8 @@ class State:
         for key, value in changes.items():
             if value == value_at(document.data, key):
                 continue
+            if reason := locked(document.data, key):
+                raise BadInput(document.place, [InputError(0, key, "", Text("is locked: {reason}", reason=reason))])
             document = document.with_value(key, value)
             made.pop(key, None)
             made[key] = value

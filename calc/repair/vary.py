@@ -11,6 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from ..addresses import as_list, quantities, value_at
+from ..locks import locked
 from ..sheet.changes import Changes, digits
 from ..sheet.check import Check
 from ..sheet.errors import BadInput, NoSolution
@@ -190,7 +191,7 @@ def _numbers(state: State, step: str, checks: tuple[Check, ...], named: set[str]
     rest.sort(key=lambda one: not near & set(one[0].split(".")))
     for key, about in [*first, *rest]:
         given = value_at(state.document.data, key)
-        if given is None and key not in named:
+        if (given is None and key not in named) or locked(state.document.data, key):
             continue
         standing = [0.0] if given is None else as_list(given)
         numbers = tuple([float(x) for x in standing if isinstance(x, (int, float)) and not isinstance(x, bool)])
