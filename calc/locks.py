@@ -6,7 +6,7 @@ What was measured, and what the user accepted, nothing changes but the user.
 
 from collections.abc import Mapping
 
-from .addresses import Table, address
+from .addresses import Table, address, value_at
 from .sheet.errors import BadInput
 from .sheet.text import Text
 
@@ -18,6 +18,18 @@ def locks(data: Table) -> Mapping[str, str]:
     """The locked keys of a design, each with its reason.  A key locks all that stands below it."""
     given = data.get("locked")
     return dict(given) if isinstance(given, dict) else USUAL
+
+
+def standing(data: Table) -> Mapping[str, str]:
+    """Those of the locks whose keys the design has."""
+    return {key: reason for key, reason in locks(data).items() if _given(data, key)}
+
+
+def _given(data: Table, key: str) -> bool:
+    try:
+        return value_at(data, key, whole=True) is not None
+    except BadInput:
+        return False
 
 
 def locked(data: Table, key: str) -> str:

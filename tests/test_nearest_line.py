@@ -54,8 +54,15 @@ def test_a_name_that_a_shell_would_split_is_quoted(capsys: pytest.CaptureFixture
 
 
 def test_a_key_that_is_set_stands_once(capsys: pytest.CaptureFixture[str]) -> None:
-    _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "bearings.oil=SAE 10W")
-    assert lines[-1].count("bearings.oil=") == 1
+    _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "bearings.front.length_mm=20")
+    assert lines[-1].count("bearings.front.length_mm=") == 1
+
+
+def test_what_is_locked_stays_and_is_said(capsys: pytest.CaptureFixture[str]) -> None:
+    _, lines = check(capsys, str(GAMMA), "--step", "bearings")
+    assert "kept as locked: bearings.oil (the oil is the engine's)" in lines and "bearings.oil=" not in lines[-1]
+    _, lines = check(capsys, str(GAMMA), "--step", "bearings", "--set", "locked.engine=it is bought")
+    assert "kept as locked: engine (it is bought)" in lines and "bearings.oil=" in lines[-1]
 
 
 def test_a_design_that_passes_says_nothing_of_it(capsys: pytest.CaptureFixture[str]) -> None:

@@ -53,19 +53,21 @@ def nearest_passing(
     """
     import shlex  # for a design that fails only
 
+    from calc.locks import standing
     from calc.repair.remedy import nearest
 
     found = nearest(document, results, only=step, tries=TRIES)
     kept = {change.partition("=")[0] for change in found.changes}
     all_changes = [*(change for change in changes if change.partition("=")[0].strip() not in kept), *found.changes]
+    kept_as = [f"kept as locked: {key} ({reason})" for key, reason in standing(document.data).items()]
     asked = ["--step", step] if step is not None else []
     command = shlex.join(["contralbero", "check", file, "--set", *all_changes, *asked, *(["--short"] if short else [])])
     if not found.left:
-        return [f"to pass: {found.words}", f"nearest passing design: {command}"]
+        return [*kept_as, f"to pass: {found.words}", f"nearest passing design: {command}"]
     lines = [f"repairs a part: {found.words}", f"a part of the way: {command}"] if found.changes else []
     lines += [f"still fails: {one.id}: {one.why}" for one in found.left[1:]]
     first = found.left[0]
-    return [*lines, f"no passing design found: {first.id} still fails: {first.why}"]
+    return [*kept_as, *lines, f"no passing design found: {first.id} still fails: {first.why}"]
 
 
 def known_step(step: str | None) -> None:

@@ -33,10 +33,11 @@ def balance(state: State, failing: tuple[Check, ...], progress: Progress | None 
     assert shaft is not None
     if shaft.mode != "given":
         raise NoSolution(Text("the sized pair gives what is asked of it; look at overdesign_percent and the further elements"))
-    return first_repaired(state, "countershaft", [c.id for c in failing], _balanced(state, shaft), progress, whole=True)
+    return first_repaired(state, "countershaft", [c.id for c in failing], balanced(state, shaft), progress, whole=True)
 
 
-def _balanced(state: State, shaft: CountershaftInputs) -> Iterator[Changes]:
+def balanced(state: State, shaft: CountershaftInputs) -> Iterator[Changes]:
+    """Masses that give what the engine asks for, the fewest changes first.  Raises NoSolution where that is not known."""
     imbalance, engine = state.results.result(ImbalanceResult), state.results.result(EngineResult)
     if imbalance is None or engine is None:
         raise NoSolution(UNKNOWN)

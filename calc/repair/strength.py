@@ -23,12 +23,12 @@ TRIED = 8  # classes, the weakest first
 
 def repair(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
     """Raises NoSolution where neither helps."""
-    ids, names = [c.id for c in failing], _wheels(state, failing)
+    ids, names = [c.id for c in failing], wheels(state, failing)
     tell(progress, 0.0, Text("face width"))
     made = _wider(state, names, ids, 1.0, WIDER)
     if made is None:
         try:
-            made = first_repaired(state, "gears", ids, _stronger(state, names), part(progress, 0.3, 0.7))
+            made = first_repaired(state, "gears", ids, stronger(state, names), part(progress, 0.3, 0.7))
         except NoSolution:
             made = _wider(state, names, ids, WIDER, WIDEST)
     if made is None:
@@ -36,7 +36,7 @@ def repair(state: State, failing: tuple[Check, ...], progress: Progress | None =
     return made
 
 
-def _wheels(state: State, failing: tuple[Check, ...]) -> list[str]:
+def wheels(state: State, failing: tuple[Check, ...]) -> list[str]:
     """Wheels of the pairs that fail: a root is as wide as its pair."""
     gears = state.design.gears
     assert gears is not None
@@ -67,14 +67,14 @@ def _wider(state: State, names: list[str], ids: list[str], low: float, high: flo
     return least_whole(with_width, math.floor(narrow * low / STEP) + 1, math.floor(wide * high / STEP))
 
 
-def _stronger(state: State, names: list[str]) -> Iterator[Changes]:
+def stronger(state: State, names: list[str]) -> Iterator[Changes]:
     """Classes and qualities that are stronger than those of the wheels, the weakest first: for each wheel alone, then for all."""
     gears = state.design.gears
     assert gears is not None
-    wheels = [wheel for wheel in gears.wheels if wheel.name in names]
+    some_wheels = [wheel for wheel in gears.wheels if wheel.name in names]
     every = [strength_class(name, quality) for name in class_names() for quality in QUALITIES]
     every.sort(key=lambda one: one.sigma_Hlim + one.sigma_Flim)
-    for some in [*([wheel] for wheel in wheels), wheels]:
+    for some in [*([wheel] for wheel in some_wheels), some_wheels]:
         now = [strength_class(w.gear_material or DEFAULT, w.quality, w.hardness) for w in some]
         enough = [
             one for one in every if all(one.sigma_Hlim >= was.sigma_Hlim and one.sigma_Flim >= was.sigma_Flim for was in now)

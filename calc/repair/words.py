@@ -28,20 +28,30 @@ def words(document: Document, results: Results, changes: Changes) -> Text:
 def _change(document: Document, results: Results, key: str, new: object) -> Text | None:
     """None where it only writes down what the program had chosen."""
     about, old = quantity_of(document.data, key), value_at(document.data, key)
-    if old is None and (there := _value(results, key)) is not None and there.unit == about.unit:
+    if old is None and (there := published(results, key)) is not None and there.unit == about.unit:
         old = float(f"{there.shown:.4g}")
         if isinstance(new, float) and old == float(f"{new:.4g}"):
             return None
-    label, place, last = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key), _written(new, about.unit)
-    change = Text("{label} {now} → {new}", label=label, now=_written(old), new=last)
+    label, place, last = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key), written(new, about.unit)
+    change = Text("{label} {now} → {new}", label=label, now=written(old), new=last)
     if not place:
         return change
     if key.split(".")[1] in ARRAYS:
-        return Text("{label} of {place} {now} → {new}", label=label, place=place, now=_written(old), new=last)
+        return Text("{label} of {place} {now} → {new}", label=label, place=place, now=written(old), new=last)
     return Text("{place} {change}", place=PLACES.get(place, place), change=change)
 
 
-def _value(results: Results, key: str) -> Published | None:
+def named(document: Document, key: str) -> Text:
+    """A key as the user knows it: the label of its field, and where it stands."""
+    label, place = BRIEF.get(key.rpartition(".")[2], Small(quantity_of(document.data, key).label)), _place(key)
+    if not place:
+        return label
+    if key.split(".")[1] in ARRAYS:
+        return Text("{label} of {place}", label=label, place=place)
+    return Text("{place} {change}", place=PLACES.get(place, place), change=label)
+
+
+def published(results: Results, key: str) -> Published | None:
     """The result that says what the program chose for a key that is left out: `gears.central.profile_shift`, `bearings.front.clearance`."""
     id = ".".join(part for part in key.split(".") if part not in ARRAYS)
     outcome = results.outcomes.get(key.partition(".")[0])
@@ -58,10 +68,10 @@ def _place(key: str) -> str:
     return " ".join(inner)
 
 
-def _written(value: object, unit: str = "") -> Text | Amount:
+def written(value: object, unit: str = "") -> Text | Amount:
     if value is None:
         return Text("left out")
     if isinstance(value, list):
-        row = Name("/").join(Text("{x}", x=_written(one)) for one in value)
+        row = Name("/").join(Text("{x}", x=written(one)) for one in value)
         return Text("{row}°", row=row) if unit == "°" else Text("{row} {unit}", row=row, unit=unit) if unit else row
     return Amount(value, unit, digits=DIGITS) if isinstance(value, (int, float)) and not isinstance(value, bool) else Name(str(value))

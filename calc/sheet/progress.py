@@ -16,3 +16,17 @@ def part(progress: Progress | None, start: float, end: float) -> Progress | None
     if progress is None:
         return None
     return lambda share, what: progress(start + (end - start) * share, what)
+
+
+def rising(progress: Progress | None) -> Progress | None:
+    """The same, never falling back: where a search turns to what it has left aside, it stands until it is beyond what it was."""
+    if progress is None:
+        return None
+    top = 0.0
+
+    def told(share: float, what: str) -> None:
+        nonlocal top
+        top = max(top, share)
+        progress(top, what)
+
+    return told

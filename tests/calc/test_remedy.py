@@ -38,7 +38,7 @@ DAMAGED = [
     ("finotti_gear_sheet",),
     ("r753ie4_sized", "bearings.front.length_mm=20"),  # too short
     ("r753ie4_sized", "bearings.rear.length_mm=60"),  # runs into the sector
-    ("r753ie4_sized", "bearings.oil=SAE 10W"),
+    ("r753ie4_sized", "bearings.oil=SAE 10W", "locked.engine=bought"),  # which leaves the oil free
     ("r753ie4_sized", "gears.wheels.central.span_allowance_um=[100, 80]"),  # jams
     ("r753ie4_sized", "gears.wheels.central.profile_shift=-1.2", "gears.wheels.central.position_mm="),  # contradicts the distances
     ("r753ie4_sized", "gears.wheels.idler.tip_shortening_mm=2.5"),  # hands over too late
@@ -79,7 +79,7 @@ def test_the_remedies_follow_each_other_and_each_says_what_it_mends(gamma: Docum
     first, second = found.remedies
     assert first.said == "passes all checks of the bearings" and not first.breaks
     assert {id.split(".")[0] for id in fails(first.results)} == {"gears"}
-    assert "oil 10W-40 Q8 T905 → 20W-50" in first.words and "front clearance 80.3 → 55 µm" in first.words
+    assert "front length 27.5 → 33 mm" in first.words and "oil" not in first.words  # which is the engine's
     assert "span allowance of central −2/−20 →" in second.words
     assert second.results is found.results
 

@@ -11,7 +11,7 @@ from itertools import chain
 
 from ...sheet.check import Check
 from ...sheet.errors import NoSolution
-from ...sheet.progress import Progress, part, tell
+from ...sheet.progress import Progress, part, rising, tell
 from ...sheet.record import record
 from ...sheet.text import SEMICOLON, Text
 from ...sheet.units import Metre, Radian
@@ -119,6 +119,7 @@ def nearest_row(case: Case, progress: Progress | None = None, only: Sequence[Var
 
     `only`: other variants are not looked at, nor closer fits.  Raises NoSolution with what comes nearest and what stops it.
     """
+    progress = rising(progress)
     tell(progress, 0.0, Text("bearings"))
     bearings, slopes = _possible(tasks(case)), slopes_of(case)
     offered = list(only) or variants(case)
@@ -131,7 +132,8 @@ def nearest_row(case: Case, progress: Progress | None = None, only: Sequence[Var
     if not only:
         further = _further(case, offered, bearings, slopes)
         ways = [] if not any(kind == "fits" for kind, *_ in further) and closer_fits(case.bearings) else ways
-        ways += [short_fields(some, asked, slopes, part(progress, 0.3, 1.0)) for _, some, asked in further]
+        shares = [0.3 + 0.7 * n / max(len(further), 1) for n in range(len(further) + 1)]
+        ways += [short_fields(some, asked, slopes, part(progress, *ends)) for (_, some, asked), *ends in zip(further, shares, shares[1:])]
     dropped: list[Text] = []
     for way in ways:
         if (settled := _nearest(case, way, slopes, dropped)) is not None:
