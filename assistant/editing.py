@@ -13,6 +13,7 @@ from typing import Any
 from calc.addresses import Table, address, changed
 from calc.design import Design
 from calc.design_file import Document, design, parse
+from calc.locks import locked, toggled
 from calc.sheet.errors import BadInput, InputError, NoSolution, text_of
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import EMPTY, Text
@@ -20,8 +21,10 @@ from calc.sheet.text import EMPTY, Text
 from . import numbers
 from .changes import applied
 from .history import History, State
-from .places import Place, content_at, described, error_place, optional_table, without_empty
+from .places import Place, content_at, described, error_place, named_key, optional_table, without_empty
 from .recording import Recording
+
+LOCKED_HERE = "locked in the session"
 
 
 class Editing:
@@ -140,6 +143,17 @@ class Editing:
         data = applied(self.document, changes).data
         self.seal()
         self._step(State(data, {}), None)
+        self.seal()
+
+    def lock_reason(self, place: str | Place) -> str:
+        """Why no remedy and no search may change an input; empty where they may."""
+        return locked(self._state.data, named_key(self._state.data, self.place(place)))
+
+    def toggle_lock(self, place: str | Place, reason: str = LOCKED_HERE) -> None:
+        """Lock an input, or unlock it, as one step of the undo."""
+        data = toggled(self._state.data, named_key(self._state.data, self.place(place)), reason)
+        self.seal()
+        self._step(State(data, self._state.texts), None)
         self.seal()
 
     def ask(self, step: str, balancing: str = "") -> Text:

@@ -71,6 +71,17 @@ def key_at(where: Place) -> str:
     return str(where[-1]) if where else ""
 
 
+def named_key(data: Table, where: Place) -> str:
+    """A place as a dotted key, in which elements of arrays go by their names where they have one."""
+    parts: list[str] = []
+    here: Any = data
+    for part in where:
+        here = content_at(here, (part,))
+        name = here.get("name") if isinstance(part, int) and isinstance(here, dict) else None
+        parts.append(name if isinstance(name, str) and name else str(part))
+    return ".".join(parts)
+
+
 def first_key(where: Place) -> str:
     """The first key of a table, or of an element of an array of tables."""
     return next(iter(keys(described(where).table)), "")

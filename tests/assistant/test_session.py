@@ -399,3 +399,17 @@ def test_a_read_only_file_can_be_read_anew_and_saved_elsewhere(session: Session,
     assert session.read_only and session.reload() and session.value(BORE) == 94.5
     session.save_as(tmp_path / "elsewhere.toml")
     assert not session.read_only
+
+
+def test_a_lock_is_one_step_of_the_undo_and_goes_by_the_name_of_its_element(tmp_path: Path) -> None:
+    session = Session.open(EXAMPLE, memory=Memory(tmp_path))
+    place = session.place("gears.wheels.2.span_allowance_um")
+    assert session.lock_reason("bearings.oil") == "the oil is the engine's" and session.lock_reason(place) == ""
+    session.toggle_lock(place, "the wheel is bought")
+    assert session.valid and session.data["locked"]["gears.wheels.idler.span_allowance_um"] == "the wheel is bought"
+    assert session.lock_reason("gears.wheels.idler.span_allowance_um") and session.lock_reason("bearings.oil")
+    session.toggle_lock("bearings.oil")
+    assert not session.lock_reason("bearings.oil") and session.lock_reason(place)
+    session.undo()
+    session.undo()
+    assert "locked" not in session.data
