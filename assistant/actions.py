@@ -50,9 +50,9 @@ ACTIONS: tuple[Action, ...] = (
            Text("Findings, calculation and curve in turn; on a narrow screen the inputs and the picture as well.")),
     Action("enlarge", "shift+f4", "z", EMPTY, Text("Pane large and small"),
            Text("Makes the pane that you are in fill the screen, and small again.")),
-    Action("fix", "f5", "m", Text("Fix"), Text("Fix what fails"),
-           Text("Applies the remedy that the message line offers: the nearest change by which the limits of the step hold. Undo takes it "
-                "back.")),
+    Action("fix", "f5", "m", Text("Remedies"), Text("What would help"),
+           Text("Lists remedies of different kinds for the finding that you are at, with what each does to every step, to power and mass. "
+                "Undo takes one back."), call=("remedies",)),
     Action("choose", "ctrl+t", "t", Text("Choose"), Text("Choose from a table"),
            Text("Searches for this step: firing orders, counter-shafts, bearings or profile shifts, ranked; shows what each does to all "
                 "steps.")),

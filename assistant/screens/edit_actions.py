@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Actions that change the design: increments, undo, the remedy of a step that fails, a row of a ranked table."""
+"""Actions that change the design: increments, undo, the remedies of a finding, a row of a ranked table."""
 
 from collections.abc import Callable, Iterable
+from functools import partial
+from typing import TYPE_CHECKING
 
+from calc.design import STEPS
+from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.text import COMMA, Text
 
 from ..changes import told
@@ -11,10 +15,12 @@ from ..places import Place
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
-from ..widgets.message_line import reasons_text
 from .background_solve import BackgroundSolve
 from .host import Host
 from .moves import Moves
+
+if TYPE_CHECKING:
+    from calc.repair.way import Way
 
 
 def rebuilt(host: Host) -> None:
@@ -73,25 +79,45 @@ class EditActions:
             if idle:
                 host.form.focus(scroll_visible=False)
 
-    def fix(self) -> None:
-        """Apply the remedy of the step that fails."""
-        host, background = self._host, self._background
-        session = host.session
+    def remedies(self) -> None:
+        """List what would help against the finding under the cursor, else against the first of the step or the design."""
+        host, session = self._host, self._host.session
         if session.reasons() or not session.current:
             solving = session.failure or Text("It is still being solved.")
             host.app.tell(Text("First the input has to be valid and solved.") if session.reasons() else solving)
             return
-        step, remedy = background.trouble, background.remedy
-        if not step:
-            host.app.tell(Text("No limit fails."))
-        elif remedy is None:
-            host.app.tell(Text("A remedy is still being looked for …"))
-            background.seek_remedy()
-        elif not remedy.changes:
-            host.app.tell(Text("No remedy was found: {reasons}", reasons=reasons_text(remedy)), "warning")
-        else:
-            text = Text("{change}: {result}. Undo takes it back.", change=remedy.words, result=remedy.said)
-            self._apply(remedy.changes, text)
+        finding = self._finding()
+        if finding is None:
+            host.app.tell(Text("Nothing is open: every check passes or is accepted."))
+            return
+        from .remedies import Remedies
+
+        host.app.push_screen(Remedies(session, finding), partial(self._remedied, session.generation))
+
+    def _finding(self) -> Check | str | None:
+        """A check, or the key of a step without a solution."""
+        host, results = self._host, self._host.session.results
+        if results is None:
+            return None
+        if host.focused is host.checks and (here := next((c for c in results.checks() if c.id == host.checks.key), None)) is not None:
+            return here
+        for outcomes in ([results.outcomes[host.step.key]], [results.outcomes[step.key] for step in STEPS]):
+            if (stuck := next((outcome.key for outcome in outcomes if outcome.state == "no_solution"), None)) is not None:
+                return stuck
+            worst = min((c for outcome in outcomes for c in outcome.checks), key=severity, default=None)
+            if worst is not None and worst.verdict in URGENT:
+                return worst
+        return None
+
+    async def _remedied(self, generation: int, way: "Way | None") -> None:
+        host = self._host
+        if way is not None and way.changes:
+            result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=way.effect)
+            self._apply(way.changes, result)
+        elif host.session.generation != generation:  # something was locked, or unlocked
+            rebuilt(host)
+        if way is not None and not way.changes:  # which only names the field
+            await self._moves.to_field(host.session.place(way.keys[0]))
 
     def _apply(self, changes: Iterable[str], text: Text) -> None:
         """Make changes as one step of the undo, and tell them."""
@@ -101,8 +127,6 @@ class EditActions:
 
     def choose(self) -> None:
         """The ranked table of what can be chosen for this step."""
-        from calc.design import STEPS
-
         host = self._host
         if host.step.key not in CHOICES:
             steps = COMMA.join(s.title for s in STEPS if s.key in CHOICES)

@@ -287,13 +287,13 @@ class Workbench(Screen[None]):
 
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
-        pane, results, remedy = self.curve_pane, self.session.results, self.background.remedy
+        pane, results = self.curve_pane, self.session.results
         sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
         idle = {
             "variant": pane.curve is None or len(pane.curve.variants) < 2,
             "curve": len(pane.leaves) < 2,
             "trouble": sound,
-            "fix": remedy is None or not remedy.changes,
+            "fix": sound,
             "choose": self.step.key not in CHOICES,
         }
         self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))

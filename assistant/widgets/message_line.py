@@ -8,7 +8,7 @@ from textual.widget import Widget
 
 from calc.design import STEPS
 from calc.sheet.check import URGENT, Check
-from calc.sheet.text import SEMICOLON, Amount, Text
+from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
 from ..places import key_at
@@ -21,11 +21,6 @@ if TYPE_CHECKING:
 
 
 ROWS = 2
-
-
-def reasons_text(remedy: "Remedy") -> Text:
-    """Why each of the remedies that were tried does not do."""
-    return SEMICOLON.join(Text("{remedy}: {reason}", remedy=one.name, reason=one.why) for one in remedy.left)
 
 
 class MessageLine(Widget):
@@ -98,16 +93,16 @@ class MessageLine(Widget):
         return self.app.say(Text("{check}. {advice}", check=text, advice=check.advice) if check.advice else text)
 
     def offer(self) -> str:
-        """What a key would fix of the step that fails."""
+        """Where to find what would help the step that fails, and the nearest design that passes."""
         if self.remedy is None or not self.session.valid:
             return ""
         key, say = self.app.shown_key("fix"), self.app.say
-        if not self.remedy.changes:
-            return say(Text("No remedy was found: {reasons}", reasons=reasons_text(self.remedy)))
         where = "" if self.trouble == self.step else self._title(self.trouble)
+        if not self.remedy.changes:
+            return where + say(Text("{key} shows what would help", key=key))
         then = self.app.signs.mark("then")
-        fix = Text("{key} fixes it: {change}", key=key, change=self.remedy.words)
-        return f"{where}{say(fix).replace('→', then)} {then} {say(self.remedy.said)}"
+        shown = Text("{key} shows what would help: {change}", key=key, change=self.remedy.words)
+        return f"{where}{say(shown).replace('→', then)} {then} {say(self.remedy.said)}"
 
     def render(self) -> Content:
         state, text = self.message()

@@ -2,7 +2,7 @@
 """One way to mend a finding: what it changes, how far it comes, and what it does to all the rest."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from ..sheet.changes import Changes, assignments
 from ..sheet.check import Check
@@ -41,7 +41,7 @@ class Way:
     mass: tuple[float, float] | None = None
     cold: float | None = None
     locked: str = ""
-    results: Results | None = None
+    results: Results | None = field(default=None, repr=False)
 
     @property
     def changes(self) -> tuple[str, ...]:

@@ -1,0 +1,262 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What would help against a finding: a list of remedies of different kinds, found one after the other while it stands there."""
+
+import csv
+import io
+from dataclasses import dataclass
+from pathlib import Path
+from typing import ClassVar
+
+from textual import work
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.message import Message
+from textual.screen import ModalScreen
+from textual.widgets import Static
+from textual.worker import get_current_worker
+
+from calc.design import STEPS
+from calc.languages import Language
+from calc.repair.way import Way, ranked
+from calc.sheet.check import Check
+from calc.sheet.errors import Cancelled
+from calc.sheet.text import EMPTY, Amount, Text
+
+from ..base_app import BaseApp
+from ..saving import free_name, write_atomic
+from ..session import Session
+from ..widgets.item_list import ItemList
+from ..widgets.way_list import WayList
+from ..widgets.wrap import wrap
+from .once import Once
+
+SECONDS = 3.0  # after which no further kind is begun
+BAR = 24  # cells
+HINT = Text("Enter or 1 … 5 applies (Undo takes it back) · k locks or unlocks the input · w writes all as a table · Esc")
+TITLES = {step.key: step.title for step in STEPS}
+
+
+def table(ways: tuple[Way, ...], say: Language) -> str:
+    """Remedies as comma-separated values: numbers and keys as the design file has them, words in the user's language."""
+    file = io.StringIO()
+    rows = csv.writer(file, lineterminator="\n")
+    rows.writerow(["kind", "change", "result", "passes", "locked", "set", "loss before W", "loss W", "mass before kg", "mass kg",
+                   "cold clearance um", *(step.key for step in STEPS)])  # fmt: skip
+    for way in ways:
+        numbers = [*(way.power or ("", "")), *(way.mass or ("", "")), "" if way.cold is None else way.cold]
+        verdicts = {key: now for key, _, now in way.verdicts}
+        rows.writerow([say(way.kind), say(way.words), say(way.effect), way.passes, way.locked, " ".join(way.changes), *numbers,
+                       *(verdicts.get(step.key, "") for step in STEPS)])  # fmt: skip
+    return file.getvalue()
+
+
+class Remedies(Once, ModalScreen[Way | None]):
+    """Gives the remedy that was taken."""
+
+    app: BaseApp
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("escape,q", "leave", "Close", show=False),
+        Binding("enter", "take(0)", "Apply", show=False),
+        *(Binding(str(n), f"take({n})", "Apply", show=False) for n in range(1, 6)),
+        Binding("down,j", "move(1)", "Down", show=False),
+        Binding("up", "move(-1)", "Up", show=False),
+        Binding("k", "lock", "Lock the input", show=False),
+        Binding("w", "write", "Write a table", show=False),
+        Binding("y,Y", "copy", "Copy the row", show=False),
+    ]
+
+    @dataclass
+    class Progress(Message):
+        share: float
+        what: str
+
+    @dataclass
+    class Found(Message):
+        way: Way
+        generation: int
+
+    @dataclass
+    class Ended(Message):
+        generation: int
+        failure: Text = EMPTY
+
+    def __init__(self, session: Session, finding: Check | str) -> None:
+        """`finding`: a check, or the key of a step without a solution."""
+        super().__init__()
+        self.session, self.finding = session, finding
+        self.found: list[Way] = []
+        self.searching = True
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog -tall"):
+            yield Static(id="remedies-title")
+            yield WayList()
+            yield Static(id="remedies-state")
+            yield Static(id="remedies-preview")
+            yield Static(Content.styled(self.app.say(HINT), "dim"))
+
+    def on_mount(self) -> None:
+        self.query_one("#remedies-title", Static).update(self._title())
+        self.query_one(WayList).focus()
+        self._begin()
+
+    @property
+    def room(self) -> int:
+        return max(30, self.query_one(WayList).size.width or self.app.size.width * 9 // 10 - 6)
+
+    def _title(self) -> Content:
+        say, signs = self.app.say, self.app.signs
+        check = self.finding
+        if isinstance(check, str):
+            return Content.styled(f"{signs.mark('no_solution')} {say(Text('{step}: no solution', step=TITLES[check]))}", "bold")
+        text = Text("{check}: {value}, needs {limit}", check=check.name, value=Amount(check.value, check.unit), limit=check.limit_text())
+        rows = wrap(f"{signs.mark(check.verdict)} {say(text)}", self.room, 2)
+        return Content("\n").join([Content.styled(row, f"bold {signs.style(check.verdict)}") for row in rows])
+
+    # --- searching
+    def _begin(self) -> None:
+        self.found, self.searching = [], True
+        self.show_ways()
+        self._say(self.app.say(Text("searching …")))
+        self._search()
+
+    @work(thread=True, exclusive=True, group="remedies", exit_on_error=False)
+    def _search(self) -> None:
+        from calc.repair.ways import search
+
+        worker, session = get_current_worker(), self.session
+        generation = session.generation
+
+        def progress(share: float, what: str) -> None:
+            if worker.is_cancelled or session.generation != generation:
+                raise Cancelled
+            self.post_message(self.Progress(share, what))
+
+        try:
+            for way in search(session.document, self.finding, session.results, progress, SECONDS):
+                self.post_message(self.Found(way, generation))
+            self.post_message(self.Ended(generation))
+        except Cancelled:
+            pass
+        except Exception as error:  # a mistake of the program must not take the user's work with it
+            why = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+            self.post_message(self.Ended(generation, why))
+
+    def on_remedies_progress(self, event: Progress) -> None:
+        event.stop()
+        if self.searching:
+            full, empty = ("#", ".") if self.app.ascii else ("█", "░")
+            done, say = round(event.share * BAR), self.app.say
+            self._say(f"{say(Text('searching …'))}  {full * done}{empty * (BAR - done)} {event.share:4.0%}  {say(event.what)}")
+
+    def on_remedies_found(self, event: Found) -> None:
+        event.stop()
+        if event.generation == self.session.generation:
+            self.found.append(event.way)
+            self.show_ways()
+
+    def on_remedies_ended(self, event: Ended) -> None:
+        event.stop()
+        if event.generation != self.session.generation:
+            return
+        self.searching = False
+        none = Text("No change of a single input is known that helps; look at what the finding says.")
+        self._say(self.app.say(event.failure or (EMPTY if self.found else none)))
+
+    def _say(self, text: str) -> None:
+        state = self.query_one("#remedies-state", Static)
+        state.update(Content(text))
+
+    @property
+    def ways(self) -> tuple[Way, ...]:
+        return ranked(self.found)
+
+    def show_ways(self) -> None:
+        self.query_one(WayList).show(self.ways)
+        self._preview()
+
+    # --- the row under the cursor
+    @property
+    def way(self) -> Way | None:
+        key = self.query_one(WayList).key
+        return self.ways[int(key) - 1] if key and int(key) <= len(self.ways) else None
+
+    def on_item_list_moved(self, event: ItemList.Moved) -> None:
+        event.stop()
+        self._preview()
+
+    def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
+        event.stop()
+        if event.clicked:
+            self.action_take(0)
+
+    def _preview(self) -> None:
+        """What it does to every step."""
+        say, signs = self.app.say, self.app.signs
+        parts: list[Content] = []
+        way = self.way
+        for key, was, now in way.verdicts if way is not None else ():
+            arrow = f"{signs.mark(was)} {signs.mark('then')} " if was != now else ""
+            parts.append(Content.assemble(f"{say(TITLES[key])} {arrow}", (f"{signs.mark(now)} {signs.word(now)}", signs.style(now))))
+        lines, line = [], Content("")
+        for part in parts:
+            if line.cell_length + part.cell_length + 3 > self.room:
+                lines.append(line)
+                line = Content("")
+            line = Content.assemble(line, "   " if line else "", part)
+        lines.append(line)
+        if way is not None and way.left:
+            still = Text("still open: {checks}", checks=Text(", ").join(way.left))
+            lines += [Content.styled(row, "dim") for row in wrap(say(still), self.room, 2)[:2]]
+        if way is not None and len(way.breaks) > 2:
+            fails = Text("then fails: {checks}", checks=Text(", ").join(way.breaks))
+            lines += [Content.styled(row, "dim") for row in wrap(say(fails), self.room, 2)[:2]]
+        self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
+
+    # --- what the keys do
+    def action_move(self, by: int) -> None:
+        self.query_one(WayList).move(by)
+
+    def action_take(self, number: int) -> None:
+        """The row of a number; 0: that under the cursor."""
+        way = self.way if number == 0 else self.ways[number - 1] if number <= len(self.ways) else None
+        if way is None:
+            return
+        if way.locked:
+            self.app.tell(Text("{kind} is locked: {reason}. k unlocks it.", kind=way.kind, reason=way.locked), "warning")
+        else:
+            self.dismiss(way)
+
+    def action_lock(self) -> None:
+        """Lock what the row changes, or unlock it, and search anew."""
+        way = self.way
+        if way is None:
+            return
+        key = way.keys[0]
+        self.session.toggle_lock(key)
+        locked = bool(self.session.lock_reason(key))
+        self.app.tell(Text("{kind}: locked", kind=way.kind) if locked else Text("{kind}: may be changed again", kind=way.kind))
+        self._begin()
+
+    def action_copy(self) -> None:
+        if (item := self.query_one(WayList).item) is not None:
+            self.app.copy_to_clipboard(item.line)
+            self.app.tell(Text("Copied: {text}", text=item.line))
+
+    def action_write(self) -> None:
+        """All rows as a table beside the design."""
+        home = self.session.path or Path.cwd() / self.session.name
+        path = free_name(home.with_name(f"{home.stem}-remedies.csv"))
+        try:
+            write_atomic(path, table(self.ways, self.app.say).encode("utf-8"))
+        except OSError as error:
+            self.app.tell(Text("{path} can not be written: {reason}", path=str(path), reason=error.strerror or str(error)), "error")
+            return
+        self.app.tell(Text("Written: {path}", path=str(path)))
+
+    def action_leave(self) -> None:
+        """Stops a search that is going on."""
+        self.workers.cancel_node(self)
+        self.dismiss(None)
