@@ -240,7 +240,7 @@ class BackgroundSolve:
         worker = get_current_worker()
 
         def progress(share: float, what: str) -> None:
-            if worker.is_cancelled or not self._idle(results):
+            if worker.is_cancelled or not self._idle(results) or not self._host.is_current:  # a list of remedies has its own search
                 raise Cancelled
 
         try:

@@ -6,12 +6,13 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT, Check, severity
+from calc.sheet.check import URGENT, Check
 from calc.sheet.text import COMMA, Text
 
 from ..changes import told
 from ..offers.offer import CHOICES
 from ..places import Place
+from ..widgets.checks import sorted_checks
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
@@ -104,9 +105,9 @@ class EditActions:
         for outcomes in ([results.outcomes[host.step.key]], [results.outcomes[step.key] for step in STEPS]):
             if (stuck := next((outcome.key for outcome in outcomes if outcome.state == "no_solution"), None)) is not None:
                 return stuck
-            worst = min((c for outcome in outcomes for c in outcome.checks), key=severity, default=None)
-            if worst is not None and worst.verdict in URGENT:
-                return worst
+            worst = sorted_checks(tuple(c for outcome in outcomes for c in outcome.checks))
+            if worst and worst[0].verdict in URGENT:
+                return worst[0]
         return None
 
     async def _remedied(self, generation: int, way: "Way | None") -> None:
@@ -114,7 +115,9 @@ class EditActions:
         if way is not None and way.changes:
             result = Text("{change}: {result}. Undo takes it back.", change=way.words, result=way.effect)
             self._apply(way.changes, result)
-        elif host.session.generation != generation:  # something was locked, or unlocked
+        elif host.session.generation == generation:
+            self._background.seek_remedy()  # which the list has interrupted
+        else:  # something was locked, or unlocked
             rebuilt(host)
         if way is not None and not way.changes:  # which only names the field
             await self._moves.to_field(host.session.place(way.keys[0]))

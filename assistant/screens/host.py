@@ -41,6 +41,10 @@ class Host(Protocol):
     @property
     def is_attached(self) -> bool: ...
     @property
+    def is_current(self) -> bool:
+        """Whether no dialog stands before it."""
+
+    @property
     def focused(self) -> Widget | None: ...
     @property
     def number(self) -> int:

@@ -32,9 +32,10 @@ from ..widgets.way_list import WayList
 from ..widgets.wrap import wrap
 from .once import Once
 
-SECONDS = 3.0  # after which no further kind is begun
+SECONDS = 6.0  # after which no further kind is begun
 BAR = 24  # cells
-HINT = Text("Enter or 1 … 5 applies (Undo takes it back) · k locks or unlocks the input · w writes all as a table · Esc")
+NARROW = 100  # cells below which the list has the whole screen
+HINT = Text("Enter or 1 … 5 applies · k locks the input · w writes a table · Esc")
 TITLES = {step.key: step.title for step in STEPS}
 
 
@@ -90,7 +91,7 @@ class Remedies(Once, ModalScreen[Way | None]):
         self.searching = True
 
     def compose(self) -> ComposeResult:
-        with Vertical(classes="dialog -tall"):
+        with Vertical(classes="dialog -whole" if self.app.size.width < NARROW else "dialog", id="remedies"):
             yield Static(id="remedies-title")
             yield WayList()
             yield Static(id="remedies-state")

@@ -24,7 +24,7 @@ from .words import published
 
 FIXED = re.compile(rf"{ASKED.pattern}|.*\.(slope_mrad|position_mm|firing_order|crank_angles_deg|speed_range_rpm)")  # not moved as numbers
 PLANS = 7  # kinds that are looked at
-SETS = 6  # changes of one kind that are tried as they are
+SETS = 12  # changes of one kind that are tried as they are
 ALLOWANCE = 100.0  # µm off a span: what a change of it is measured against
 
 
@@ -44,7 +44,7 @@ class Lever:
 
 @dataclass(frozen=True)
 class Plan:
-    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why all of it is locked."""
+    """One kind of remedy: its keys, what can be moved, what can be tried; `reason`: why its one key is locked."""
 
     keys: tuple[str, ...]
     levers: tuple[Lever, ...] = ()
@@ -61,7 +61,9 @@ def plans(state: State, step: str, group: tuple[Check, ...]) -> list[Plan]:
         kind = _kind(key)
         one = by_kind.get(kind, Plan(()))
         by_kind[kind] = replace(one, keys=(*one.keys, key))
-    return list(islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS))
+    data = state.document.data
+    shut = [Plan((key,), reason=reason) for one in by_kind.values() for key in one.keys if (reason := locked(data, key))]
+    return [*shut, *islice(filter(None, (_filled(state, kind, one, tried) for kind, one in by_kind.items())), PLANS)]
 
 
 def _kind(key: str) -> int | str:
@@ -70,11 +72,9 @@ def _kind(key: str) -> int | str:
 
 
 def _filled(state: State, kind: int | str, plan: Plan, tried: list[Changes]) -> Plan | None:
-    """With its levers and its changes; None where it has none."""
+    """With its levers and its changes of what is free; None where it has none."""
     data = state.document.data
     free = [key for key in plan.keys if not locked(data, key)]
-    if not free:
-        return replace(plan, reason=locked(data, plan.keys[0]))
     sets = [one for one in tried if _kind(next(iter(one))) == kind and not any(locked(data, key) for key in one)]
     sets += [one for key in free for one in _words(state, key)]
     by_place: dict[str, list[str]] = {}

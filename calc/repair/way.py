@@ -4,15 +4,16 @@
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
+from ..locks import USUAL
 from ..sheet.changes import Changes, assignments
 from ..sheet.check import Check
-from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text, plural
 from ..solve import Results
 from .levers import disturbance
 from .state import ORDER, State, broken
 from .words import words
 
-MOST = 5  # that are offered
+MOST, SHUT = 5, 2  # that are offered, and of these locked ones
 ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, LOCKED = range(5)  # how good a way is
 
 
@@ -68,7 +69,7 @@ class Way:
 def ranked(ways: Iterable[Way]) -> tuple[Way, ...]:
     """The best few, what passes everything first, then by the smallest disturbance; what is locked last."""
     every = sorted(ways, key=lambda way: (way.quality, way.disturbance))
-    shut = [way for way in every if way.locked][:1]
+    shut = sorted((way for way in every if way.locked), key=lambda way: way.keys[0] in USUAL)[:SHUT]
     return (*[way for way in every if not way.locked][: MOST - len(shut)], *shut)
 
 
@@ -107,8 +108,6 @@ def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> 
     if quality == NEAR and left:
         worst = left[0]
         return Text("comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text())
-    if left and any(c.verdict == "fail" for c in group):
-        return Text("passes as given; still open: {checks}", checks=COMMA.join(c.name for c in left))
     if left:
-        return Text("passes; still open: {checks}", checks=COMMA.join(c.name for c in left))
+        return plural("passes as given; {n} is still open", "passes as given; {n} are still open", n=len(left))
     return Text("passes, also at every corner") if any("corner" in c.id or "worst" in c.id for c in group) else Text("passes")

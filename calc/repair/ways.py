@@ -52,6 +52,8 @@ def search(
     looked_at = plans(state, step, group) if group else []
     if any(c.missing for c in group):
         looked_at = []
+    yield from (_locked(state, plan, group) for plan in looked_at if plan.reason)
+    looked_at = [plan for plan in looked_at if not plan.reason]
     written = set[tuple[str, ...]]()
     for n, plan in enumerate(looked_at):
         if ends is not None and time.monotonic() > ends:
@@ -60,9 +62,9 @@ def search(
         name = label.other or label.less
         here = part(progress, n / (len(looked_at) + 1), (n + 1) / (len(looked_at) + 1))
         tell(here, 0.0, name)
-        way = _locked(state, plan, group) if plan.reason else Trials(state, step, group, here, name).best(plan)
+        way = Trials(state, step, group, here, name).best(plan)
         if way is not None and way.changes not in written:
-            written |= {way.changes} if way.changes else set()
+            written.add(way.changes)
             yield way
     if (group and group[0].kind != "limit") or any(c.missing for c in group) or (ends is not None and time.monotonic() > ends):
         return

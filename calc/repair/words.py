@@ -32,6 +32,8 @@ def _change(document: Document, results: Results, key: str, new: object) -> Text
         old = float(f"{there.shown:.4g}")
         if isinstance(new, float) and old == float(f"{new:.4g}"):
             return None
+    if isinstance(old, list) and isinstance(new, list) and len(old) == len(new) and sum(a != b for a, b in zip(old, new)) == 1:
+        old, new = next((a, b) for a, b in zip(old, new) if a != b)  # the one number of a list that changes
     label, place, last = BRIEF.get(key.rpartition(".")[2], Small(about.label)), _place(key), written(new, about.unit)
     change = Text("{label} {now} → {new}", label=label, now=written(old), new=last)
     if not place:

@@ -11,6 +11,7 @@ from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
 from assistant.screens.palette import Palette
 from assistant.screens.ready import ReadyScreen
+from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing
 from assistant.screens.workbench import Workbench
 from assistant.session import Session
@@ -20,7 +21,7 @@ from assistant.widgets.offer_list import OfferList
 from assistant.widgets.steps import Steps
 from calc.design import STEPS
 
-from ..driving import message, screen_rows, strike, told, type_in, until, work
+from ..driving import screen_rows, strike, told, type_in, until, work
 from . import DEEDS, SECOND, SHARE, Do, back, deed, edited, over, still, text, titles, to_checks, wide
 
 
@@ -167,13 +168,23 @@ async def line(pilot: Pilot[int], do: Do) -> None:
 async def fix(pilot: Pilot[int], do: Do) -> None:
     mass = "countershaft.masses.front.mass_kg"
     session = await edited(pilot, mass, "2")
-    work(pilot).background.seek_remedy()  # as it does by itself when nothing else is to be done
-    await until(pilot, lambda: "fixes it" in text(pilot))
-    assert message(pilot).startswith("First-order couple left over") and "mass of front 2 → 2.696 kg" in text(pilot)
     await do()
+    shown = await over(pilot, Remedies)
+    assert "First-order couple left over" in text(pilot)
+    await until(pilot, lambda: not shown.searching)
+    heavier = next(n for n, way in enumerate(shown.ways, 1) if way.kind == "heavier mass")
+    assert "mass of front 2 → 2.696 kg" in text(pilot) and "Counter-shaft ✗ → ▲ warn" in text(pilot)
+    await strike(pilot, "k")
+    await until(pilot, lambda: not shown.searching and any(way.locked for way in shown.ways))
+    locked = next(iter(session.data["locked"]))
+    await strike(pilot, *["down"] * (len(shown.ways) - 1), "enter")
+    assert isinstance(pilot.app.screen, Remedies) and "is locked: locked in the session" in told(pilot)
+    await strike(pilot, "k")
+    await until(pilot, lambda: not shown.searching and locked not in session.data["locked"])
+    await strike(pilot, str(heavier))
     await until(pilot, lambda: "mass of front 2 → 2.696 kg: passes" in told(pilot) and "Undo takes it back" in told(pilot))
     await still(pilot)
-    assert session.value(mass) == 2.696 and "fixes it" not in text(pilot) and "✗" not in text(pilot)
+    assert session.value(mass) == 2.696 and "✗" not in text(pilot)
 
 
 @deed

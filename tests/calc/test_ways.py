@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What would help against one finding: several kinds, each true when it is solved afresh, in words and not in keys."""
+
+import pytest
+
+from calc.design_file import Document, design
+from calc.repair.state import broken, state_of
+from calc.repair.way import NEAR, Way
+from calc.repair.ways import search, ways
+from calc.sheet.check import Check
+from calc.sheet.errors import Cancelled
+from calc.solve import Results, solve
+
+from .test_remedy import damaged, with_changes
+
+
+def finding(results: Results, id: str) -> Check:
+    return next(c for c in results.checks() if c.id == id)
+
+
+def ways_of(document: Document, id: str) -> tuple[Check, tuple[Way, ...]]:
+    results = solve(design(document))
+    check = finding(results, id)
+    return check, ways(document, check, results)
+
+
+@pytest.mark.parametrize(
+    ("id", "kinds"),
+    [
+        ("bearings.front.film_edge", {"longer journal", "smoother surfaces", "thicker oil"}),
+        ("gears.central_idler.backlash_warm", {"thinner teeth", "closer tolerance"}),
+        ("countershaft.bolts.pressure", {"larger bolt heads", "less bolt torque"}),  # a caution
+        ("bearings.front.mckee", {"longer journal"}),  # advice
+    ],
+)
+def test_remedies_of_several_kinds_do_what_they_say(gamma: Document, id: str, kinds: set[str]) -> None:
+    check, found = ways_of(gamma, id)
+    assert kinds <= {way.kind for way in found} and 2 <= len(found) <= 5
+    before = state_of(gamma)
+    assert found[0].passes and not found[0].breaks
+    for way in found:
+        assert "_" not in way.words and "_" not in way.rest and way.words  # no key stands there
+        if way.locked:
+            continue
+        after = state_of(with_changes(gamma, way.changes))
+        there = finding(after.results, id)
+        assert (there.holds if check.verdict == "fail" else not there.open) == way.passes
+        assert len(broken(before, after)) == len(way.breaks)
+        assert all(after.outcome(step).verdict == now and before.outcome(step).verdict == was for step, was, now in way.verdicts)
+        assert way.power is not None and way.power[1] == pytest.approx(after.results.values()["friction.total_loss"].shown)
+    ranks = [way.quality for way in found]
+    assert ranks == sorted(ranks)
+
+
+def test_what_is_locked_is_shown_and_not_searched(gamma: Document) -> None:
+    _, found = ways_of(gamma, "bearings.front.film_double_load")
+    assert [(way.kind, way.locked) for way in found if way.locked] == [("thicker oil", "the oil is the engine's")]
+    assert not any("oil" in change for way in found for change in way.changes)
+    _, found = ways_of(with_changes(gamma, ("locked.engine=bought",)), "bearings.rear.film_double_load")
+    oil = next(way for way in found if way.kind == "another oil")
+    assert oil.passes and not oil.locked and oil.changes[0].startswith("bearings.oil=")
+
+
+def test_masses_that_leave_a_couple_are_set_each_in_its_way() -> None:
+    _, found = ways_of(damaged("r753ie4_gamma", "countershaft.masses.front.mass_kg=2.0"), "countershaft.residual")
+    assert {"heavier mass", "mass further out"} <= {way.kind for way in found if way.passes}
+
+
+def test_a_kind_that_does_not_reach_says_how_far_it_comes_and_breaks_nothing(gamma: Document) -> None:
+    _, found = ways_of(gamma, "bearings.front.film_double_load")
+    near = [way for way in found if way.quality == NEAR and not way.locked]
+    assert near and all(way.effect.startswith("comes to ") and not way.breaks for way in near)
+
+
+def test_the_first_comes_long_before_the_last_and_the_search_can_be_stopped(gamma: Document, gamma_results: Results) -> None:
+    told: list[float] = []
+    check = finding(gamma_results, "bearings.front.film_edge")
+    first = next(way for way in search(gamma, check, gamma_results, lambda share, what: told.append(share)) if not way.locked)
+    assert first.passes and max(told) < 0.3 and told == sorted(told)
+
+    def stop(share: float, what: str) -> None:
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        ways(gamma, check, gamma_results, stop)
