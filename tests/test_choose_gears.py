@@ -10,7 +10,7 @@ from assistant.offers import gears as offered
 from calc.gears.selection.search import search
 
 from .command import run
-from .conftest import DESIGNS
+from .conftest import GAMMA, DESIGNS
 
 
 @pytest.fixture
@@ -125,3 +125,13 @@ def test_what_can_not_be_chosen_is_said():
     assert done.returncode == 2 and "gears: needed" in done.stderr
     done = run("choose", DESIGNS / "timing_pair.toml", "gears", "--apply", "999")
     assert done.returncode == 2 and "from 1 to" in done.stderr
+
+
+def test_the_progress_of_the_search_moves_on_and_never_stands() -> None:
+    from assistant.offers.offer import offer
+    from calc.design_file import design, read
+
+    told: list[float] = []
+    offer("gears", design(read(GAMMA)), "gamma", lambda share, what: told.append(share))
+    assert told == sorted(told) and len(told) > 20 and told[0] == 0
+    assert max(b - a for a, b in zip(told, [*told[1:], 1.0])) < 0.25

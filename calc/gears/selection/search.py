@@ -106,10 +106,11 @@ def search(gears: GearsInputs, progress: Progress | None = None, axis: complex |
         case = replace(case, bars=(*case.bars, bar))
     offered: list[Row] = []
     passed: set[Text] = set()
+    work = [0.0, *np.cumsum([GRID[len(way.free)] ** len(way.free) for way in ways])]  # candidates, which is what takes the time
     for n, way in enumerate(ways):
-        tell(progress, 0.5 * n / len(ways), way.name)
+        here = part(progress, 0.5 * work[n] / work[-1], 0.5 * work[n + 1] / work[-1])
         within = [row for row in offered if row.freedom is not None and way.contains(row.freedom)]
-        rows = _optima(case, way, within=within)
+        rows = _optima(case, way, within=within, progress=here)
         passed |= {way.name for _ in rows}
         offered += [row for row in rows if not any(_shown(row) > _shown(one) for one in within if _keeps(case, one, row.bar))]
     optima = sorted(offered, key=lambda row: (_shown(row), len(row.free)))
@@ -164,14 +165,22 @@ def _keeps(case: Case, row: Row, bar: Bar) -> bool:
     return case.bars.index(row.bar) <= case.bars.index(bar)
 
 
-def _optima(case: Case, way: Freedom, cuts: Mapping[str, float] | None = None, name: Text = EMPTY, within: Sequence[Row] = ()) -> list[Row]:
+def _optima(
+    case: Case,
+    way: Freedom,
+    cuts: Mapping[str, float] | None = None,
+    name: Text = EMPTY,
+    within: Sequence[Row] = (),
+    progress: Progress | None = None,
+) -> list[Row]:
     """By the strictest limits that let something pass; then by each of the less strict ones that allow less sliding.
 
     `within`: rows of ways with less freedom, beside which is looked as well.
     """
     found: list[Row] = []
     known: dict[bytes, States] = {}
-    for bar in case.bars:
+    for n, bar in enumerate(case.bars):
+        tell(progress, n / len(case.bars), name or way.name)
         near = [row.states.shifts for row in within if _keeps(case, row, bar)]
         one = best(case, way, cuts or {}, bar, [{name: float(x[0]) for name, x in shifts.items()} for shifts in near], known)
         if one is not None and one.margin >= 0:
@@ -234,9 +243,9 @@ def _cut_best(case: Case, way: Freedom, uncut: Sequence[Row], progress: Progress
     """Cuts by which the largest sliding is less than without them and by a smaller cut of the wheel, or which keep stricter limits."""
     found = []
     for n, wheel in enumerate(case.gears.wheels):
-        tell(progress, n / len(case.gears.wheels), Text("tip cut of {wheel}", wheel=wheel.name))
-        reached = list(uncut)
-        for k in cut_steps(case, wheel):
+        reached, steps = list(uncut), cut_steps(case, wheel)
+        for i, k in enumerate(steps):
+            tell(progress, (n + i / len(steps)) / len(case.gears.wheels), Text("tip cut of {wheel}", wheel=wheel.name))
             for row in _optima(case, way, {wheel.name: k}, Name(wheel.name)) if k != wheel.tip_shortening else ():
                 if all(row.largest < one.largest - GAIN for one in reached if _keeps(case, one, row.bar)):
                     reached.append(row)
