@@ -10,7 +10,7 @@ from assistant.offers import gears as offered
 from calc.gears.selection.search import search
 
 from .command import run
-from .conftest import GAMMA, DESIGNS
+from .conftest import DESIGNS, GAMMA
 
 
 @pytest.fixture
@@ -128,10 +128,11 @@ def test_what_can_not_be_chosen_is_said():
 
 
 def test_the_progress_of_the_search_moves_on_and_never_stands() -> None:
-    from assistant.offers.offer import offer
     from calc.design_file import design, read
 
     told: list[float] = []
-    offer("gears", design(read(GAMMA)), "gamma", lambda share, what: told.append(share))
+    gears = design(read(GAMMA)).gears
+    assert gears is not None
+    search(gears, lambda share, what: told.append(share))
     assert told == sorted(told) and len(told) > 20 and told[0] == 0
     assert max(b - a for a, b in zip(told, [*told[1:], 1.0])) < 0.25
