@@ -78,7 +78,7 @@ Ways = dict[str, tuple[tuple[tuple[str, ...], str], ...]]
 WAYS: Ways = {
     "countershaft": ((("countershaft.residual", "countershaft.residual_force"), "shaft.balance"),
                      (("countershaft.crossing",), "shaft.shorter_journals")),
-    "bearings": ((("*",), "bearings.repair"),),
+    "bearings": ((("*",), "journals.repair"),),
     "gears": (
         (("*.contact_ratio", "*.contact_ratio_least", "*.interference", "*.interference_least", "*.tip_clearance_least", "*.undercut",
           "*.tip_thickness"), "teeth.repair"),

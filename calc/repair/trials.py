@@ -4,19 +4,18 @@
 from math import copysign, isnan, nan
 
 from ..addresses import value_at
-from ..locks import locked
 from ..sheet.changes import Changes
 from ..sheet.check import THIN_MARGIN, Check
 from ..sheet.errors import BadInput, NoSolution
-from ..sheet.progress import Progress, part, tell
+from ..sheet.progress import Progress, tell
 from ..sheet.search import rounded
 from ..sheet.step import Outcome
 from ..sheet.text import Text
 from .kinds import called
-from .levers import Lever, Plan, levers
+from .levers import Lever, Plan
 from .state import State
 from .way import ALL_CORNERS, AS_GIVEN, BREAKS, NEAR, Way, made_way
-from .words import PLACES, named, published
+from .words import published
 
 PROBE = 0.02  # of the number, by which it is moved to see what it does
 FARTHEST = {1.0: 0.6, -1.0: 0.9}  # relative change up and down that is still believed
@@ -213,19 +212,3 @@ class Trials:
         if lever.about.kind != "integer":
             return number
         return lever.now + copysign(max(1.0, abs(round(number - lever.now))), number - lever.now)
-
-
-def longer_journals(state: State, failing: tuple[Check, ...], progress: Progress | None = None) -> State:
-    """Journals as much longer as their films ask for, outwards where the masses leave no room.  Raises NoSolution."""
-    for n, place in enumerate(PLACES):
-        group = tuple(c for c in failing if c.id.startswith(f"bearings.{place}."))
-        key = f"bearings.{place}.length_mm"
-        if not group:
-            continue
-        here = part(progress, n / len(PLACES), (n + 1) / len(PLACES))
-        reason = locked(state.document.data, key)
-        way = Trials(state, "bearings", group, here, named(state.document, key)).best(Plan((key,), tuple(levers(state, [key]))))
-        if reason or way is None or way.quality > AS_GIVEN:
-            raise NoSolution(Text("no longer journal is enough, {place}", place=PLACES[place]))
-        state = state.with_changes(dict(way.made))
-    return state
