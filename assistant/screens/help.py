@@ -101,7 +101,7 @@ class HelpScreen(Once, ModalScreen[None]):
             else Text("F1 once more: all keys   ↑ ↓ scroll   Esc closes")
         )
         self.query_one("#help-foot", Static).update(Content.styled(self.app.say(foot), "dim"))
-        self.query_one("#help-all" if all else "#help-text").focus()
+        self.set_focus(self.query_one("#help-all" if all else "#help-text"))  # now, and not after the keys that are waiting
 
     def action_turn(self) -> None:
         self.show_page(not self.query_one("#help-all").display)

@@ -49,7 +49,9 @@ async def help_(pilot: Pilot[int], do: Do) -> None:
     await over(pilot, HelpScreen)
     assert "Step 2 of 6: Imbalance" in text(pilot)
     assert all(word in text(pilot) for word in ("Go on", "See why", "Mend", "Take back", "Write"))
-    await strike(pilot, "f1", "end")
+    await strike(pilot, "f1")
+    await until(pilot, lambda: "This screen" in text(pilot))
+    await strike(pilot, "end")
     await until(pilot, lambda: "Step 6: Friction" in text(pilot) and "Tab Shift+Tab" in text(pilot))  # the keys, at the end
     await back(pilot)
 
