@@ -24,6 +24,7 @@ from ..base_app import BaseApp
 from .reading import axis, finite_limits
 from .sight import TURN, Sight
 from .signs import Look, Signs
+from .ticks import even_ticks, ticks
 
 if TYPE_CHECKING:
     from .reading import Reading
@@ -32,7 +33,6 @@ ROUND = 2.0  # how much higher than wide a cell of a terminal is
 ROOM = 0.04  # of the height, above and below
 DOTS = np.array([2.0, 4.0])  # of braille in a cell, across and down
 DASHES = ((1.0, 0.0), (4.0, 3.0), (1.0, 2.5), (7.0, 2.0, 1.0, 2.0))  # of each pattern, in dots: drawn, left out; the last a chain
-DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)  # steps of an axis of angles
 TURNS = 2  # cells after which lines that run over each other take turns
 EIGHTHS = " ▁▂▃▄▅▆▇█"
 Cell = tuple[int, int]  # column and row
@@ -93,7 +93,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         self.set_x_formatter(Numbers())
         self.set_y_formatter(Numbers())
         self.bars: list[Bars] = []
-        self.marks: list[tuple[complex, str]] = []
+        self.marks: list[tuple[complex, str, str]] = []  # place, sign and its colour, if it has one of its own
         self.reading: Reading | None = None
         self._taken: dict[Cell, tuple[str, str]] = {}  # character and colour of the cells that series run through
         self._shown: tuple[Sight, Signs] | None = None
@@ -152,6 +152,9 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         for _, limit in finite_limits(curve):
             self._line(np.array([x_low, x_high]), np.array([limit, limit]), signs.limit())
         self._vectors(sight, signs)
+        if curve.point is not None:
+            mark = (signs.mark("fail"), signs.limit().colour) if curve.fails else ("@" if signs.ascii else "●", "")
+            self.marks.append((complex(curve.point[1], curve.point[0]), *mark))
         room = ROOM * (y_high - y_low) or 0.5 * abs(y_high) or 1.0
         y_low, y_high = y_low - (room if y_low or not curve.bars else 0.0), y_high + room
         if x_low == x_high:
@@ -186,7 +189,7 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             for tail, tip in pairwise(points):
                 self._line(np.array([tail.imag, tip.imag]), np.array([tail.real, tip.real]), signs.look(n))
                 n += 1
-            self.marks += [(points[0], "+" if signs.ascii else "┼"), (points[-1], "@" if signs.ascii else "●")]
+            self.marks += [(points[0], "+" if signs.ascii else "┼", ""), (points[-1], "@" if signs.ascii else "●", "")]
 
     # --- drawing
     def _render_plot(self) -> None:
@@ -199,8 +202,8 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
             self._render_bars(canvas, bars)
         style = str(self.get_component_rich_style("plot--tick"))
         self._name_limits(canvas)
-        for point, char in self.marks:
-            canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, style)
+        for point, char, colour in self.marks:
+            canvas.set_pixel(*self.get_pixel_from_coordinate(point.imag, point.real), char, colour or style)
         if self.reading is not None:
             self._render_cursor(canvas, self.reading, style)
 
@@ -345,49 +348,6 @@ def _extent(parts: Sequence[Any]) -> tuple[float, float]:
     values = np.concatenate([np.asarray(part, float).ravel() for part in parts])
     values = values[np.isfinite(values)]
     return (float(values.min()), float(values.max())) if values.size else (math.nan, math.nan)
-
-
-def ticks(low: float, high: float, most: int, *, degrees: bool = False) -> list[float]:
-    """At most so many places at 1, 2 or 5 times a power of ten; of angles at parts of a turn."""
-    span = high - low
-    if not span > 0:
-        return [low]
-    power = 10.0 ** math.floor(math.log10(span / most))
-    step = next((n * power for n in (1, 2, 5, 10, 20) if span / (n * power) <= most), 50 * power)
-    if degrees and step > 1:
-        step = next((float(n) for n in DEGREES if span / n <= most), step)
-    first = math.ceil(low / step - 1e-9)
-    last = math.floor(high / step + 1e-9)
-    return [n * step for n in range(first, last + 1)]
-
-
-def even_ticks(low: float, high: float, rows: int, *, grounded: bool = False) -> tuple[float, float, list[float]]:
-    """Limits that are hardly wider, with which the ticks stand equally many rows apart, and the ticks.
-
-    `grounded`: the lower limit stays, else each tick is in the middle of its row.
-    """
-    span = high - low
-    if not span > 0:
-        return low, high, [low]
-    power = 10.0 ** math.floor(math.log10(span / rows))
-    best: tuple[float, float, float, float] | None = None  # how much wider, step, rows apart, lower limit
-    for step in (n * power * ten for ten in (1, 10) for n in (1, 2, 2.5, 5)):
-        for apart in range(int(rows * step / span + 1e-9), 1, -1):
-            row = step / apart
-            first = math.ceil(low / step - 1e-9) * step
-            start = low if grounded else first - (math.ceil((first - low) / row - 0.5 - 1e-9) + 0.5) * row
-            spare = math.floor((start + rows * row - high) / row + 1e-9)
-            if spare >= 0:
-                start -= 0.0 if grounded else spare // 2 * row
-                wider = rows * row / span
-                if rows >= 2 * apart and (best is None or wider < 0.9 * best[0]):
-                    best = wider, step, row, start
-                break
-    if best is None:
-        return low, high, ticks(low, high, max(2, rows // 2))
-    _, step, row, start = best
-    end = start + rows * row * (1 - 1e-9)  # so that rounding puts no tick of a grounded scale into the row below
-    return start, end, [n * step for n in range(math.ceil(start / step - 1e-9), math.floor(end / step + 1e-9) + 1)]
 
 
 def _round(x_low: float, x_high: float, y_low: float, y_high: float, width: int, height: int) -> tuple[float, float, float, float]:

@@ -44,11 +44,11 @@ class Corners:
 
     clearance_min: Metre = value("Smallest clearance of the fits", "µm", "g_min")
     clearance_max: Metre = value("Largest clearance of the fits", "µm", "g_max")
-    clearance_cold: Metre = value("Smallest clearance at the lowest temperature", "µm", "g_cold")
-    film: Metre | None = value("Thinnest film of the corners", "µm", "h_0")
-    film_edge: Metre | None = value("Thinnest film at the edge of the corners", "µm", "h_edge")
-    film_double_load: Metre | None = value("Thinnest film at twice the load of the corners", "µm", "h_2F")
-    outlet_temperature: Celsius | None = value("Hottest outlet of the corners", "°C", "T_out")
+    clearance_cold: Metre = value("Smallest clearance at the lowest temperature", "µm", "g_cold,min")
+    film: Metre | None = value("Thinnest film of the corners", "µm", "h_0,min")
+    film_edge: Metre | None = value("Thinnest film at the edge of the corners", "µm", "h_edge,min")
+    film_double_load: Metre | None = value("Thinnest film at twice the load of the corners", "µm", "h_2F,min")
+    outlet_temperature: Celsius | None = value("Hottest outlet of the corners", "°C", "T_out,max")
     names: tuple[str, ...]
     columns: dict[str, Array]  # one array over the corners for each quantity above and more
 

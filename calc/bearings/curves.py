@@ -27,7 +27,8 @@ def _over_speed(place: str, r: BearingResult) -> Curve:
     title = Text("Smallest film of the {place} bearing over speed, warm", place=IN_WORDS[place])
     return Curve(f"film_{place}", title, axis_label("speed", "rpm"), axis_label("h_0", "µm"),
         (Series(Text("mid-bearing"), rpm, film), Series(Text("at the edge"), rpm, film - edge)),
-        limits=((Text("Kreisle"), r.kreisle_film * 1e6),))  # fmt: skip
+        limits=((Text("Kreisle"), r.kreisle_film * 1e6),), point=(r.duty.speed * 60, r.film_edge * 1e6),
+        fails=r.film_edge < r.kreisle_film)  # fmt: skip
 
 
 def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
@@ -52,4 +53,5 @@ def _over_clearance(place: str, r: BearingResult) -> Curve:
     T_ref = Amount(r.seat.inputs.clearance_reference_temperature, form="g")
     title = Text("Film of the {place} bearing over its clearance at {clearance_reference_temperature} °C", place=IN_WORDS[place],
         clearance_reference_temperature=T_ref)  # fmt: skip
-    return Curve(f"film_over_clearance_{place}", title, axis_label("clearance", "µm"), axis_label("h", "µm"), series, limits=limits)
+    return Curve(f"film_over_clearance_{place}", title, axis_label("clearance", "µm"), axis_label("h", "µm"), series, limits=limits,
+        point=(r.clearance * 1e6, r.film_edge * 1e6), fails=r.film_edge < r.kreisle_film)  # fmt: skip

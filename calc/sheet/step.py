@@ -78,6 +78,7 @@ class Curve:
     `equal`: both axes in true scale.  `bars`: the series are groups of bars at their x; with `names` the groups at 1, 2, … have these, and
     paper lays them on their side.  `variants`: the terminal shows one of them at
     a time, paper all.  `turning`: the vectors whose ends draw the loci.
+    `point`: where the design stands on it, and `fails`: whether it is on the wrong side of a limit there.
     `along`: what all series run along, where it is not x, as of loci: its label and its value at each of their points.
     """
 
@@ -93,6 +94,8 @@ class Curve:
     variants: tuple[Text, ...] = ()
     turning: tuple[Turning, ...] = ()
     along: tuple[Text, Array] | None = None
+    point: tuple[float, float] | None = None
+    fails: bool = False
 
 
 @record

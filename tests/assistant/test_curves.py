@@ -345,3 +345,14 @@ async def test_a_table_that_is_too_wide_is_leafed_by_columns(screen: Screen) -> 
         await strike(pilot, "shift+left")
         await drawn(pilot)
         assert "column19" not in legend(pane)
+
+
+async def test_the_design_is_marked_on_its_curve(screen: Screen) -> None:
+    holds = replace(PLAIN, point=(0.5, 0.5))
+    fails = replace(PLAIN, id="fails", point=(0.5, 0.5), fails=True)
+    async with screen(size=(120, 40)) as pilot:
+        pane = await show(pilot, holds, fails)
+        assert sum(row.count("●") for row in picture(pane)) == 1
+        pane.choose("fails")
+        await drawn(pilot)
+        assert sum(row.count("✗") for row in picture(pane)) == 1

@@ -12,9 +12,10 @@ from textual.pilot import Pilot
 from textual_plot.plot_widget import map_coordinate_to_pixel
 
 from assistant.widgets.curve_pane import CurvePane
-from assistant.widgets.plot import Plot, even_ticks, ticks
+from assistant.widgets.plot import Plot
 from assistant.widgets.reading import Digits, Reader, Reading, axis, step_of
 from assistant.widgets.sight import Cursor, Sight
+from assistant.widgets.ticks import even_ticks, ticks
 from calc.sheet.step import Curve, Series
 
 from .conftest import Screen, solved

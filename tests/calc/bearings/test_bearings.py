@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -242,3 +243,26 @@ def test_values_found_among_many_lead_back_to_the_inputs(gamma_results):
     for value in ("corners.film_edge", "corners.film_double_load", "corners.outlet_temperature", "thinnest_film"):
         inputs = {key for link in chain(gamma_results, f"bearings.front.{value}") for key in link.inputs}
         assert {"bearings.front.diameter_mm", "bearings.front.clearance_factor"} <= inputs, value
+
+
+def test_the_worst_of_the_corners_has_symbols_of_its_own(gamma_results):
+    """One quantity, one symbol: the film as designed and that of the worst corner are two."""
+    values = {v.id: v for v in gamma_results.outcomes["bearings"].values() if v.id.startswith("bearings.front.")}
+    worst = {id: v for id, v in values.items() if ".corners." in id and v.symbol}
+    assert len(worst) >= 5
+    designed = {v.symbol for id, v in values.items() if id not in worst}
+    assert [id for id, v in worst.items() if v.symbol in designed] == []
+
+
+def test_the_design_stands_on_its_curves_and_fails_with_its_film(gamma_results):
+    found = gamma_results.outcomes["bearings"]
+    judged = verdicts(found)
+    curves = {c.id: c for c in found.curves}
+    for place in ("front", "rear"):
+        over_speed, over_clearance = curves[f"film_{place}"], curves[f"film_over_clearance_{place}"]
+        x, y = over_clearance.point
+        line = next(s for s in over_clearance.series if s.label == "at the edge")
+        assert np.interp(x, line.x, line.y) == pytest.approx(y, rel=1e-6)
+        assert over_speed.point == pytest.approx((2600, y))  # with the oil of the design, the line has that of the bench run
+        assert over_speed.fails == over_clearance.fails == (judged[f"bearings.{place}.film_edge"] == "fail")
+    assert {judged[f"bearings.{place}.film_edge"] for place in ("front", "rear")} >= {"fail"}
