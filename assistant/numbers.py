@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `-167.5; 167.5`.
+"""What a person types into a field, understood: `3,5` and `3.5`, `1.2e-3`, `3.7 in`, `92.4/2`, `3/8 in`, `-167.5; 167.5`.
 
 The comma is a decimal sign, never a separator of thousands: `1,234.5` is refused with the reason, because a wrong guess would be
 a factor of a thousand.  The answer stands in the unit of the field, as the design file has it.
 """
 
+import math
 import re
 from typing import Any
 
@@ -25,7 +26,12 @@ NUMBER = re.compile(
 )
 GROUPED = re.compile(r"[+-]?\d+(?:[.,'’_ ]\d+){2,}|[+-]?\d+['’_ ]\d|[+-]?\d[\d.,]*,\d*\.|[+-]?\d[\d.,]*\.\d*,")
 
-UNFINISHED = re.compile(r"[+-]?(?:\d+[.,]?\d*[eE][+-]?)?\Z|[+-]?[.,]\Z")
+SUM = re.compile(  # 92.4/2  3/8 in  2*(45+1)
+    r"(?P<sum>(?=.*[\d)]\s*[-+*/×]\s*[-+(\d.,])[-+(\d.,][-+*/×().,\deE\s]*?)\s*(?P<unit>(?![eE]\d)[^-+*/×().,\d\s^][^()]*)?\Z"
+)
+TOKEN = re.compile(r"\s*(?:(?P<number>(?:\d+(?:[.,]\d*)?|[.,]\d+)(?:[eE][+-]?\d{1,3})?)|(?P<sign>[-+*/×()]))")
+POWER_OF_TEN = re.compile(r"[·*x×]\s*10\s*(?:\^|[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹])")
+UNFINISHED = re.compile(r"[+-]?(?:\d+[.,]?\d*[eE][+-]?)?\Z|[+-]?[.,]\Z|[\d(][-+*/×().,\de\s]*[-+*/×(]\Z")
 
 
 class NotUnderstood(ValueError):
@@ -111,6 +117,8 @@ def _parts(text: str, about: Quantity) -> tuple[float, str]:
             digits, behind = plain.removesuffix(name).rstrip(), name
     if UNFINISHED.match(digits):
         raise NotUnderstood(Text("is not finished"))
+    if (worked := SUM.match(digits)) is not None and not POWER_OF_TEN.search(digits):
+        return _Sum(worked["sum"], about).value(), behind or (worked["unit"] or "").strip()
     if GROUPED.match(digits):
         raise NotUnderstood(Text("is ambiguous: the thousands are not separated here; write {number}", number=_ungrouped(digits)))
     found = NUMBER.match(digits)
@@ -121,6 +129,57 @@ def _parts(text: str, about: Quantity) -> tuple[float, str]:
     mantissa = found["number"].replace(",", ".")
     power = found["e"] or found["power"] or (found["raised"] or "0").translate(RAISED)
     return float(f"{mantissa}e{int(power)}"), behind or (found["unit"] or "").strip()
+
+
+class _Sum:
+    """A little arithmetic: + - * / and brackets, by recursive descent."""
+
+    def __init__(self, text: str, about: Quantity) -> None:
+        self._refused = NotUnderstood(Text("is no sum that can be worked out; needs {allowed}", allowed=about.allowed()))
+        self._tokens: list[str] = []
+        end = 0
+        while end < len(text.rstrip()):
+            if (found := TOKEN.match(text, end)) is None:
+                raise self._refused
+            self._tokens.append((found["number"] or found["sign"]).replace(",", ".").replace("×", "*"))
+            end = found.end()
+        self._tokens.reverse()
+
+    def value(self) -> float:
+        made = self._terms()
+        if self._tokens or not math.isfinite(made):
+            raise self._refused
+        return float(f"{made:.12g}")
+
+    def _next(self, *signs: str) -> str:
+        return self._tokens.pop() if self._tokens and self._tokens[-1] in signs else ""
+
+    def _terms(self) -> float:
+        made = self._factors()
+        while sign := self._next("+", "-"):
+            made += self._factors() if sign == "+" else -self._factors()
+        return made
+
+    def _factors(self) -> float:
+        made = self._single()
+        while sign := self._next("*", "/"):
+            by = self._single()
+            if sign == "/" and not by:
+                raise self._refused
+            made = made * by if sign == "*" else made / by
+        return made
+
+    def _single(self) -> float:
+        if sign := self._next("+", "-"):
+            return self._single() if sign == "+" else -self._single()
+        if self._next("("):
+            made = self._terms()
+            if not self._next(")"):
+                raise self._refused
+            return made
+        if not self._tokens or self._tokens[-1] in "+-*/()":
+            raise NotUnderstood(Text("is not finished")) if not self._tokens else self._refused
+        return float(self._tokens.pop())
 
 
 def _ungrouped(text: str) -> str:

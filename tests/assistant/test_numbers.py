@@ -28,6 +28,7 @@ def about(kind: str = "number", unit: str = "mm", optional: bool = False) -> Qua
         ("2600 RPM", "rpm", 2600.0), ("272.27136331112 rad/s", "rpm", pytest.approx(2600.0)), ("248 °F", "°C", 120.0), ("393.15 K", "°C", 120.0),
         ("12 Nm", "N·m", 12.0), ("12 N m", "N·m", 12.0), ("12 lbf ft", "N·m", pytest.approx(16.2698, rel=1e-5)), ("1 kg m2", "kg·m²", 1.0),
         ("5'", "°", pytest.approx(1 / 12)), ("50 %", "", 0.5), ("1.5 g/cm3", "kg/m³", 1500.0), ("11 cSt", "mm²/s", 11.0), ("2 hp", "kW", pytest.approx(1.4914, rel=1e-4)),
+        ("92,4/2", "mm", 46.2), ("3/8 in", "mm", 9.525), ("2*(45 + 1)-1", "mm", 91.0), ("-3-4", "mm", -7.0), ("2600 1/min", "rpm", 2600.0),
     ],
 )  # fmt: skip
 def test_a_number_is_understood(text: str, unit: str, value: float) -> None:
@@ -38,8 +39,8 @@ def test_a_number_is_understood(text: str, unit: str, value: float) -> None:
     ("text", "reason"),
     [
         ("1,234.5", "write 1234.5"), ("1.234,5", "write 1234.5"), ("1,234,567", "write 1234567"), ("1 234", "write 1234"), ("1'234.5", "write 1234.5"),
-        ("1_000", "write 1000"), ("", "is empty"), ("abc", "is no number"), ("--1", "is no number"), ("3..5", "is no number"), ("1-2", "is no number"),
-        ("-", "is not finished"), ("1e", "is not finished"), ("1e-", "is not finished"), ("3 kg", "is no unit of this field"), ("0x10", "is no unit"),
+        ("1_000", "write 1000"), ("", "is empty"), ("abc", "is no number"), ("--1", "is no number"), ("3..5", "is no number"), ("1/0", "is no sum"),
+        ("-", "is not finished"), ("92.4/", "is not finished"), ("1,234.5/2", "is no sum"), ("1e300*1e300-1e300*1e300", "is no sum"), ("1e", "is not finished"), ("1e-", "is not finished"), ("3 kg", "is no unit of this field"), ("0x10", "is no unit"),
         ("nan", "finite"), ("inf", "finite"), ("-Infinity", "finite"), ("1e400", "finite"), ("1" * 300, "longer than"), ("3 mm mm", "no unit"),
     ],
 )  # fmt: skip
