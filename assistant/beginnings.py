@@ -125,10 +125,9 @@ def _verdicts(results: "Results") -> list[Text]:
 
 def _shaking(id: str) -> Finding:
     """What the crank train of a shipped engine leaves, and what balancing it calls for."""
+    from calc.design_file import Document, design
     from calc.engine.sketch import icon
     from calc.starter.balancing import options, what_shakes, with_imbalance
-
-    from calc.design_file import Document, design
 
     document = Document({"schema": 1, "name": id, "engine": engine_table(id)})
     results = with_imbalance(document)

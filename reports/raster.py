@@ -30,7 +30,7 @@ def pixels(curve: Curve, width: float, height: float, say: Language) -> NDArray[
 
     axes = _made(curve, width, height, say)
     axes.figure.set_dpi(DPI)
-    canvas = FigureCanvasAgg(axes.figure)
+    canvas: Any = FigureCanvasAgg(axes.figure)
     canvas.draw()
     return np.asarray(canvas.buffer_rgba())[:, :, :3]
 
@@ -60,7 +60,7 @@ def _made(curve: Curve, width: float, height: float, say: Language) -> Any:
     axes.set_xlabel(plain(curve.x_label), fontsize=LEGEND)
     axes.set_ylabel(plain(curve.y_label), fontsize=LEGEND)
     axes.set_title(plain(curve.title), fontsize=LEGEND + 2, loc="left")
-    shown = [
+    shown: list[Any] = [
         Line2D([], [], color=colour, lw=thick, ls="--" if dashes else "-", label=series_label(curve, series))
         for i, series in enumerate(curve.series)
         if series_label(curve, series) and not curve.bars
