@@ -1,73 +1,135 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The rows of a form, read from the descriptions of the inputs; nothing here knows a screen.
+"""The rows of a form, read from the descriptions of the inputs and put into the order of the route; nothing here knows a screen.
 
 A table that may be left out has fields only where it is there.
-A short array of tables stands there whole.  Of a long one only one element does, and its heading leafs through them.
+Elements stand side by side where they fit; else a short array stands there whole, and of a long one only one element does: its
+heading leafs through them.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from calc.addresses import Table
+from calc.design import Design
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Step
-from calc.sheet.text import Text
 
 from ..places import Place
+from ..route import NAMING, ROUTE, covers, fold_of, idle, path_of
 
-FURTHER = Quantity("table", Text("Further"))
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
+STROKE = "stroke_mm"  # a field that no file has: twice the crank radius
 
 
 @dataclass(frozen=True)
 class Row:
     """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array (heading of an
-    array of tables) or field."""
+    array of tables), columns (names of tables side by side), cells (one input of each of them), fold (heading of what is folded) or
+    field."""
 
     kind: str
     place: Place
     about: Quantity
     required: bool = False  # must be there because its table is
     shown: int | None = None  # of an array that is shown one element at a time: which
+    inside: tuple["Row", ...] = ()  # cells: the fields; columns: their headings; fold: what lies in it
+    open: bool = False  # a fold
 
 
-def rows(step: Step, data: Table, chosen: Mapping[Place, int], held: Sequence[Place] = ()) -> list[Row]:
-    """All rows of a step's form.  `chosen`: which element of a long array is shown.  `held`: fields that stay although their table is
-    not there: the one that is being edited and has just been emptied, and those in which something is not accepted."""
-    return list(_rows(step.inputs, data.get(step.key, {}), (step.key,), chosen, held, True))
+@dataclass(frozen=True)
+class Asked:
+    """`chosen`: which element of a long array is shown.  `held`: fields that stay although their table is not there: the one that is
+    being edited and has just been emptied, and those in which something is not accepted.  `side`: how many elements fit side by side."""
+
+    chosen: Mapping[Place, int]
+    held: Sequence[Place] = ()
+    side: int = 1
 
 
-def _rows(cls: type, data: Any, place: Place, chosen: Mapping[Place, int], held: Sequence[Place], there: bool) -> Iterator[Row]:
-    behind = False  # a table: what follows is the step's own again
-    for key, known in keys(cls).items():
-        about, here = known.about, (*place, key)
-        content = data.get(key) if isinstance(data, dict) else None
-        if about.kind not in ("table", "tables") and behind:
-            yield Row("heading", place, FURTHER)
-        behind = about.kind in ("table", "tables")
-        if about.kind == "table":
-            yield from _table(about, content, here, chosen, held, there)
-        elif about.kind == "tables":
-            yield from _array(about, content or [], here, chosen, held)
+def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
+    """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
+    leg = ROUTE[step.key]
+    found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
+    naming = [Row("field", place, keys(Design)[str(place[0])].about, required=place == NAMING[0]) for place in NAMING]
+    made = naming if step.key == "engine" else []
+    in_fold: list[list[Row]] = [[] for _ in leg.folds]
+    deciding: list[list[Row]] = [[] for _ in leg.deciding]
+    for row in found:
+        path = path_of(row.place)
+        if (n := fold_of(step.key, path)) is None:
+            deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(pattern, path))].append(row)
+        elif row.kind in ("array", "columns") and any(pattern.startswith(f"{path}.") for pattern in leg.deciding):
+            deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
         else:
-            yield Row("field", here, about, required=there and not about.optional)
+            in_fold[n].append(row)
+    for group in deciding:
+        made += group
+    for n, (title, _) in enumerate(leg.folds):
+        if inside := in_fold[n]:
+            made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
+            made += inside if n in opened else []
+    return made
 
 
-def _table(about: Quantity, content: Any, here: Place, chosen: Mapping[Place, int], held: Sequence[Place], there: bool) -> Iterator[Row]:
+def rows(step: Step, data: Table, asked: Asked) -> list[Row]:
+    """All rows of a step's form, in the order of the file."""
+    return list(_rows(step.inputs, data.get(step.key, {}), (step.key,), asked, True))
+
+
+def _rows(cls: type, data: Any, place: Place, asked: Asked, there: bool) -> Iterator[Row]:
+    """Plain inputs before tables, so that none seems to belong to the table above it."""
+    known = {key: one.about for key, one in keys(cls).items()}
+    tables = [about.table for about in known.values() if about.kind == "table" and not about.optional]
+    twins = [key for key, about in known.items() if about.kind == "table" and tables.count(about.table) > 1]
+    for key in sorted(known, key=lambda key: known[key].kind in ("table", "tables")):
+        yield from _one(cls, key, data, place, asked, there, twins)
+
+
+def _one(cls: type, key: str, data: Any, place: Place, asked: Asked, there: bool, twins: list[str]) -> Iterator[Row]:
+    about, here = keys(cls)[key].about, (*place, key)
+    content = data.get(key) if isinstance(data, dict) else None
+    if key in twins and asked.side >= len(twins):
+        if key == twins[0]:
+            yield from _side_by_side([(Row("heading", (*place, twin), keys(cls)[twin].about), data.get(twin)) for twin in twins])
+    elif about.kind == "table":
+        yield from _table(about, content, here, asked, there)
+    elif about.kind == "tables":
+        yield from _array(about, content or [], here, asked)
+    else:
+        yield Row("field", here, about, required=there and not about.optional)
+
+
+def _side_by_side(tables: Sequence[tuple[Row, Any]]) -> Iterator[Row]:
+    """One row for each input of tables of one kind."""
+    first = tables[0][0]
+    assert first.about.table is not None
+    yield Row("columns", first.place, first.about, inside=tuple(heading for heading, _ in tables))
+    for key, known in keys(first.about.table).items():
+        about = known.about
+        cells = tuple(Row("field", (*heading.place, key), about, required=not about.optional) for heading, _ in tables)
+        yield Row("cells", cells[0].place, about, inside=cells)
+
+
+def _table(about: Quantity, content: Any, here: Place, asked: Asked, there: bool) -> Iterator[Row]:
     assert about.table is not None
     yield Row("option" if about.optional else "heading", here, about)
-    if content is not None or not about.optional or any(here == place[: len(here)] for place in held):
-        yield from _rows(about.table, content or {}, here, chosen, held, content is not None or (there and not about.optional))
+    if content is not None or not about.optional or any(here == place[: len(here)] for place in asked.held):
+        yield from _rows(about.table, content or {}, here, asked, content is not None or (there and not about.optional))
 
 
-def _array(about: Quantity, content: list[Any], here: Place, chosen: Mapping[Place, int], held: Sequence[Place]) -> Iterator[Row]:
+def _array(about: Quantity, content: list[Any], here: Place, asked: Asked) -> Iterator[Row]:
     assert about.table is not None
+    flat = all(key.about.kind not in ("table", "tables") for key in keys(about.table).values())
+    if flat and 1 < len(content) <= asked.side:
+        yield Row("array", here, about)
+        yield from list(_side_by_side([(Row("heading", (*here, i), about), item) for i, item in enumerate(content)]))[1:]
+        return
     long = len(content) > 1 and len(content) * len(keys(about.table)) > MOST
-    shown = min(chosen.get(here, 0), len(content) - 1) if long else None
+    shown = min(asked.chosen.get(here, 0), len(content) - 1) if long else None
     yield Row("array", here, about, shown=shown)
     for i, item in enumerate(content):
         if shown is None or i == shown:
             if not long:
                 yield Row("heading", (*here, i), about)
-            yield from _rows(about.table, item, (*here, i), chosen, held, True)
+            yield from _rows(about.table, item, (*here, i), asked, True)
