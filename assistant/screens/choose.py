@@ -20,11 +20,11 @@ class Choose(Once, ModalScreen[str | None]):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]
 
-    def __init__(self, words: tuple[str, ...], value: str, prompt: str, beside: Region) -> None:
+    def __init__(self, words: tuple[str, ...], value: str, prompt: str, beside: Region, typed: str = "") -> None:
         super().__init__()
         self.words = (*([""] if prompt else []), *words)
         self.value, self.prompt, self.beside = value, prompt, beside
-        self._typed = ""
+        self._typed = typed.lower()
 
     def compose(self) -> ComposeResult:
         options = OptionList(*[Option(Content(word or self.prompt)) for word in self.words], id="choose", compact=True)
@@ -40,6 +40,8 @@ class Choose(Once, ModalScreen[str | None]):
         options = self.query_one(OptionList)
         options.highlighted = self.words.index(self.value) if self.value in self.words else 0
         options.focus()
+        if self._typed:
+            self._find()
 
     def on_key(self, event: events.Key) -> None:
         """Letters find a word: typed together, its beginning or a part of it."""
@@ -51,6 +53,10 @@ class Choose(Once, ModalScreen[str | None]):
             return
         event.stop()
         event.prevent_default()
+        self._find()
+
+    def _find(self) -> None:
+        """Put the cursor on the word that begins with, or has in it, what was typed."""
         low = [word.lower() for word in self.words]
         found = next(
             (n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(low) if self._typed in w), None)
@@ -58,7 +64,7 @@ class Choose(Once, ModalScreen[str | None]):
         if found is not None:
             self.query_one(OptionList).highlighted = found
         else:
-            self._typed = event.character.lower() if event.character else ""
+            self._typed = self._typed[-1:]
 
     def on_option_list_option_selected(self, event: OptionList.OptionSelected) -> None:
         event.stop()

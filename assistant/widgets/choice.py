@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One of several words, in one row.  Enter or space opens the list; in the list, letters find a word."""
+"""One of several words, in one row.  Space, → or a letter opens the list, in which letters find a word; Enter goes on."""
 
 from dataclasses import dataclass
 from typing import ClassVar
@@ -10,8 +10,9 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 
+from ..actions import BY_ID
 from ..base_app import BaseApp
-from .entry import LEAVING
+from .entry import LEAVING, LOCK
 from .wrap import fit
 
 
@@ -19,12 +20,22 @@ class Choice(Widget, can_focus=True):
     """The arrows stay free for going from field to field.  `prompt` stands there while nothing is chosen."""
 
     app: BaseApp
-    BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter,space", "open", "Show the list", show=False)]
+    BINDINGS: ClassVar[list[BindingType]] = [
+        *LEAVING,
+        Binding("enter", f"screen.{BY_ID['go_on'].does}", "Go on", show=False, priority=True),
+        Binding("space,right", "open", "Show the list", show=False),
+    ]
 
     @dataclass
     class Changed(Message):
         choice: "Choice"
         value: str
+
+    @dataclass
+    class Locked(Message):
+        """The lock of the input is asked for."""
+
+        choice: "Choice"
 
     def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str) -> None:
         super().__init__()
@@ -57,15 +68,30 @@ class Choice(Widget, can_focus=True):
         text = fit(self.value or self.prompt, room)
         return Content.assemble((f"{text:<{room}} ", "" if self.value else "italic dim"), (mark, "dim"))
 
-    def action_open(self) -> None:
+    def on_key(self, event: events.Key) -> None:
+        """A letter or a digit begins a word; `k` is the key of the lock."""
+        if not event.is_printable or not event.character or not event.character.isalnum():
+            return
+        event.stop()
+        event.prevent_default()
+        if self.app.screen is not self.screen:  # struck while the list was being opened
+            self.app.screen.post_message(event)
+        elif event.key == LOCK:
+            self.post_message(self.Locked(self))
+        else:
+            self.action_open(event.character)
+
+    def action_open(self, typed: str = "") -> None:
         from ..screens.choose import Choose
 
         words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
-        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region), self._chosen)
+        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed), self._chosen)
 
-    def _chosen(self, word: str | None) -> None:
+    async def _chosen(self, word: str | None) -> None:
+        """Enter in the list takes the word and goes on."""
         if word is not None:
             self.take(word)
+            await self.run_action(f"screen.{BY_ID['go_on'].does}")
 
     def on_click(self, event: events.Click) -> None:
         event.stop()

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """The place where a value is typed.  What it means is the session's business: `3,5` must not become 35."""
 
+from dataclasses import dataclass
 from typing import ClassVar
 
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.geometry import Size
+from textual.message import Message
 from textual.reactive import Reactive
 from textual.widgets import Input
 from textual.widgets.input import Selection
@@ -20,11 +22,14 @@ LEAVING: tuple[Binding, ...] = (
     Binding("down", f"screen.{BY_ID['down'].does}", "Next field", show=False, priority=True),
     Binding("up", f"screen.{BY_ID['up'].does}", "Previous field", show=False, priority=True),
 )
+LOCK = "k"
 EDITS = {binding.key: binding.action for binding in Binding.make_bindings(Input.BINDINGS)}
 
 
 class Entry(Input):
-    """A one-row text input.  The first key replaces the text, as in a table.
+    """A one-row text input.  The first key replaces the text, as in a table; from then on it is being edited, and Esc takes it back.
+
+    `numeric`: no letter begins a number, so letters may be keys before anything is typed.
 
     A form has thirty of them, so the text and the compact look are put in without waking up the watchers of `Input`, each of
     which would style the field anew and report the first text as an edit.
@@ -33,8 +38,29 @@ class Entry(Input):
     BINDINGS: ClassVar[list[BindingType]] = [*LEAVING, Binding("enter", "accept", "Accept, go on", show=False, priority=True)]
     virtual_size = Reactive(Size(0, 0), layout=False)  # the box keeps its size whatever is typed; nothing else has to move
 
-    def __init__(self, value: str, placeholder: str = "") -> None:
+    @dataclass
+    class Began(Message):
+        """The first key was struck."""
+
+        entry: "Entry"
+
+    @dataclass
+    class Locked(Message):
+        """The lock of the input is asked for."""
+
+        entry: "Entry"
+
+    @dataclass
+    class Pasted(Message):
+        """Several values at once."""
+
+        entry: "Entry"
+        values: list[str]
+
+    def __init__(self, value: str, placeholder: str = "", *, numeric: bool = False) -> None:
         super().__init__(select_on_focus=True, validate_on=[])
+        self.numeric = numeric
+        self.editing = False
         self.add_class("-textual-compact", update=False)
         self.set_reactive(Input.compact, True)
         self.set_reactive(Input.placeholder, placeholder)
@@ -47,13 +73,46 @@ class Entry(Input):
 
     async def _on_key(self, event: events.Key) -> None:
         """Keys that edit act at once and not when they have come back from all parents: those that were struck later would come first."""
+        if event.key == LOCK and self.numeric and not self.editing:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Locked(self))
+            return
         action = EDITS.get(event.key)
+        if action is not None or event.is_printable:
+            self._begin()
         if action is None or event.is_printable:
             await super()._on_key(event)
             return
         event.stop()
         event.prevent_default()
         await self.run_action(action)
+
+    def _begin(self) -> None:
+        if not self.editing:
+            self.editing = True
+            self.post_message(self.Began(self))
+
+    def arrive(self, text: str) -> None:
+        """As if it had just got the focus, with this text in it."""
+        self.show(text)
+        self.editing = False
+        self.action_select_all()
+
+    def _on_blur(self, event: events.Blur) -> None:
+        self.editing = False
+        super()._on_blur(event)
+
+    def _on_paste(self, event: events.Paste) -> None:
+        """Several lines, or cells of a table, are several values; nothing of them is dropped."""
+        self._begin()
+        values = [part.strip() for line in event.text.strip().splitlines() for part in line.split("\t")]
+        if len(values) > 1:
+            event.stop()
+            event.prevent_default()
+            self.post_message(self.Pasted(self, values))
+        else:
+            super()._on_paste(event)
 
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""

@@ -13,7 +13,7 @@ from textual.widget import Widget
 from textual.widgets import Input
 
 from calc.sheet.quantity import Quantity, keys
-from calc.sheet.text import EMPTY, Amount, Text
+from calc.sheet.text import EMPTY, Amount, Name, Text
 
 from .. import numbers
 from ..base_app import BaseApp
@@ -26,6 +26,8 @@ from .rows import Row
 from .wrap import fit, pad, wrap
 
 LABEL, LABEL_NARROW = 23, 30  # cells, as in the style sheet
+LABEL_CELLS = 19
+CELL = 9  # cells of the box of an input that stands beside others
 BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "text": 20, "choice": 20}
 WORD_NARROW = 30
 PLAIN = re.compile(r"-?\d*\.?\d*")  # needs no word on how it was understood
@@ -45,9 +47,11 @@ class Field(Widget):
         field: "Field"
         text: str
 
-    def __init__(self, row: Row, session: Session, words: tuple[str, ...]) -> None:
-        super().__init__(classes="-" + row.about.kind)
+    def __init__(self, row: Row, session: Session, words: tuple[str, ...], *, cell: bool = False) -> None:
+        super().__init__(classes=f"-{row.about.kind}{' -cell' if cell else ''}")
         self.row = row
+        self.cell = cell  # it stands beside others, which have the label and the unit
+        self.was = ""  # the text that it had when it got the focus
         self.session = session
         self.words = words or row.about.choices
         self.reason = EMPTY
@@ -67,12 +71,29 @@ class Field(Widget):
     def box(self) -> Entry | Choice:
         return self._box
 
+    @property
+    def text(self) -> str:
+        """What the design has to show here."""
+        return self.session.text(self.place)
+
+    @property
+    def content(self) -> Any:
+        return self.session.value(self.place)
+
+    @property
+    def editing(self) -> bool:
+        """Whether it has been typed into since it got the focus."""
+        return isinstance(self.box, Entry) and self.box.editing
+
     def explained(self) -> tuple[str, str, str]:
         """What the foot of the form says about it."""
-        return self.about.label, meaning(self.about, self.app.say), allowed(self.about, self.app.say)
+        locked, say = self.session.lock_reason(self.place), self.app.say
+        said = meaning(self.about, say)
+        text = f"{say(Text('Locked: {reason}', reason=locked))}. {said}".strip() if locked else said
+        return self.about.label, text, allowed(self.about, say)
 
     def _made(self) -> Entry | Choice:
-        text, optional = self.session.text(self.place), self.about.optional
+        text, optional = self.text, self.about.optional
         if self.words:
             return Choice(
                 self.words,
@@ -80,7 +101,7 @@ class Field(Widget):
                 optional=optional,
                 prompt=f"{self.default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
             )
-        return Entry(text, self._prompt())
+        return Entry(text, self._prompt(), numeric=self.about.kind != "text")
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
@@ -99,6 +120,22 @@ class Field(Widget):
         event.stop()
         self.post_message(self.Edited(self, event.value))
 
+    def on_entry_began(self, event: Entry.Began) -> None:
+        event.stop()
+        self.redraw()
+
+    def arrive(self) -> None:
+        """It has got the focus."""
+        self.was = self.text
+        self.redraw()
+
+    def restore(self) -> None:
+        """Take back what was typed since it got the focus."""
+        if isinstance(self.box, Entry):
+            self.box.arrive(self.was)
+        self.post_message(self.Edited(self, self.was))
+        self.redraw()
+
     def nudge(self, by: int) -> str:
         """One step up or down; gives the new text, or the same where there is no step to make."""
         if isinstance(box := self.box, Choice):
@@ -112,7 +149,7 @@ class Field(Widget):
         changed = reason != self.reason
         self.reason = reason
         if not self.box.has_focus:
-            self.box.show(self.session.text(self.place))
+            self.box.show(self.text)
         if changed:
             self.set_class(bool(reason), "-invalid")
             if isinstance(self.box, Entry):  # what is missing is not chosen by the program
@@ -122,35 +159,40 @@ class Field(Widget):
 
     def redraw(self) -> None:
         """Draw anew if there is something new to draw."""
-        looks = (self.note(), self.reason, self.box.has_focus)
+        looks = (self.note(), self.reason, self.box.has_focus, self.editing)
         if looks != self._looks:
             self._looks = looks
             self.refresh()
 
     def rewrite(self) -> None:
         """The text as it was understood: 3,5 becomes 3.5, and 3.7 in a number of mm."""
-        self.box.show(self.session.text(self.place))
+        self.box.show(self.text)
 
     def note(self) -> tuple[str, str]:
         """The note behind the unit, and its state."""
-        text = self.session.text(self.place)
-        content = self.session.value(self.place)
+        text, content = self.text, self.content
         if self.reason or content is None:
             return (AUTO, "auto") if not self.reason and self.default and isinstance(self.box, Entry) else ("", "")
         typed = self.box.value if isinstance(self.box, Entry) else text
         if isinstance(self.box, Entry) and self.box.has_focus and typed.strip() != text and not PLAIN.fullmatch(typed.strip()):
             return f"= {text}", "muted"
+        if self.editing and self.was and self.was != text:
+            return self.app.say(Text("was {text}", text=Name(self.was))), "muted"
         if (usual := self.about.usual) and not all(usual[0] <= one <= usual[1] for one in _numbers(content)):
             return (
                 f"{self.app.signs.mark('warn')} {self.app.say(Text('{low}–{high}', low=Amount(usual[0]), high=Amount(usual[1])))}",
                 "warn",
             )
+        if self.session.lock_reason(self.place):
+            return self.app.say(Text("locked")), "muted"
         return "", ""
 
     def _label_width(self) -> int:
         return LABEL_NARROW if self.size.width >= NARROW else LABEL
 
     def _rows(self, width: int) -> tuple[list[str], list[str]]:
+        if self.cell:
+            return [""], []
         label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)  # a blank before it and one behind
         mark = self.app.signs.mark("invalid")
         return label, wrap(f"{mark} {key_at(self.place)}: {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
@@ -164,25 +206,55 @@ class Field(Widget):
         signs = self.app.signs
         labels, errors = self._rows(width)
         label = self._label_width()
+        focused = self.box.has_focus if self.is_mounted else False
+        left, right = ("[", "]") if isinstance(self.box, Entry) else (" ", " ")
+        if self.cell:
+            mark = signs.mark("invalid") if self.reason else signs.mark("editing") if self.editing else left
+            style = signs.style("invalid") if self.reason else "bold" if focused else "dim"
+            return Content.assemble((mark, style), " " * CELL, (right, "dim"))
         box = BOX[self.about.kind]
         if label == LABEL_NARROW and box == BOX["text"]:
             box = WORD_NARROW
         note, state = self.note()
-        focused = self.box.has_focus if self.is_mounted else False
-        left, right = ("[", "]") if isinstance(self.box, Entry) else (" ", " ")
         room = max(0, width - label - box - 4)
         unit = self.about.unit
         gap = " " if unit and note else ""
         if len(unit) + len(gap) + len(note) > room:
             note = "" if state == "auto" else fit(note, max(0, room - len(unit) - len(gap)))
         first = Content.assemble(
-            (pad(" " + labels[0], label), "bold" if focused else ""),
+            (pad((signs.mark("editing") if self.editing else " ") + labels[0], label), "bold" if focused else ""),
             (left, "dim"), " " * box, (right, "dim"), " ", (unit, "dim"), gap,
             (note, "italic dim" if state == "auto" else signs.style("warn") if state == "warn" else "dim"),
         )  # fmt: skip
         lines = [first, *(Content(" " + text) for text in labels[1:])]
         lines += [Content.styled("  " + text, signs.style("invalid")) for text in errors]
         return Content("\n").join(lines)
+
+
+class StrokeField(Field):
+    """The stroke, which no design file has: its place is that of the crank radius, half of it."""
+
+    @property
+    def place(self) -> Place:
+        return RADIUS
+
+    @property
+    def text(self) -> str:
+        radius = self.content
+        return super().text if self.session.reason(RADIUS) or radius is None else numbers.written(float(f"{2 * radius:.12g}"), self.about)
+
+    def on_input_changed(self, event: Input.Changed) -> None:
+        event.stop()
+        try:
+            text = numbers.written(float(f"{numbers.value(event.value, self.about) / 2:.12g}"), self.about)
+        except numbers.NotUnderstood:
+            text = event.value
+        self.post_message(self.Edited(self, text))
+
+    def restore(self) -> None:
+        if isinstance(self.box, Entry):
+            self.box.arrive(self.was)
+            self.on_input_changed(Input.Changed(self.box, self.was))
 
 
 def _numbers(content: object) -> list[int | float]:

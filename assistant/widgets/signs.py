@@ -13,14 +13,14 @@ WORDS = {
 }  # fmt: skip
 MARKS = SIGNS | {
     "invalid": "!", "edited": "●", "read_only": "▪", "solving": "◌", "cursor": "▸", "here": "◀", "from": "←", "yes": "✓", "more": "…",
-    "then": "→", "recording": "●",
+    "then": "→", "recording": "●", "editing": "✎",
     "todo": "○", "needs": "!", "waits": "◌", "ready": "✓", "folded": "▸", "unfolded": "▾",
 }  # fmt: skip
 ASCII = {
     "pass": "+", "warn": "!", "fail": "x", "note": "-", "not_verified": "?", "accepted": "+", "blocked": "o", "not_asked": ".",
     "no_solution": "x",
     "invalid": "!", "edited": "*", "read_only": "#", "solving": "o", "cursor": ">", "here": "<", "from": "<-", "yes": "+", "more": "...",
-    "then": "->", "recording": "@",
+    "then": "->", "recording": "@", "editing": "*",
     "todo": "o", "needs": "!", "waits": "o", "ready": "+", "folded": "...", "unfolded": ":",
 }  # fmt: skip
 
