@@ -173,6 +173,22 @@ class Editing:
         self.seal()
         return EMPTY
 
+    def take_balancing(self, id: str) -> None:
+        """Crank and shaft of one of the balancings, by rules, as one step of the undo.  Raises BadInput where there is none."""
+        from calc.starter.build import built
+
+        self._put(built(self.document, "countershaft", id).data)
+
+    def leave_out(self, step: str, reason: str) -> None:
+        """Say that the design does without a step that it does not have."""
+        without = self._state.data.get("without")
+        self._put(changed(self._state.data, ("without",), {**(without if isinstance(without, dict) else {}), step: reason}))
+
+    def _put(self, data: Table) -> None:
+        self.seal()
+        self._step(State(data, self._state.texts), None)
+        self.seal()
+
     def undo(self) -> Place | None:
         """Back by one step.  Gives the place that changed, () where it is no single one, None where there is nothing to undo."""
         return self._travelled(self.history.undo)

@@ -89,7 +89,8 @@ IDLE: dict[tuple[str, str], Callable[[Table], bool]] = {
     ("bearings", "groove_arc_deg"): lambda step: step.get("supply") != "groove",
     ("bearings", "pocket_width_mm"): lambda step: step.get("supply") != "pocket",
     ("bearings", "pocket_length_mm"): lambda step: step.get("supply") != "pocket",
-    **{("bearings", f"axial_groove_{key}"): lambda step: step.get("supply") != "axial_groove" for key in ("angles_deg", "width_mm", "length_mm")},
+    **{("bearings", f"axial_groove_{key}"): lambda step: step.get("supply") != "axial_groove"
+       for key in ("angles_deg", "width_mm", "length_mm")},
 }  # fmt: skip
 
 

@@ -9,9 +9,7 @@ from calc.sheet.text import Text
 from ..places import Place
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import sorted_checks
-from ..widgets.choice import Choice
 from ..widgets.curve_pane import CurvePane
-from ..widgets.entry import Entry
 from ..widgets.item_list import ItemList
 from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
@@ -119,7 +117,7 @@ class Moves:
         elif isinstance(focused, ItemList):
             before = focused.cursor
             focused.move(by)
-            if focused.cursor == before and host.pane_layout.pane == "inputs" and by < 0:
+            if focused.cursor == before and host.pane_layout.pane == "inputs":
                 host.form.go(by)
         elif host.pane_layout.pane == "inputs":
             host.form.go(by)
@@ -152,7 +150,9 @@ class Moves:
     def leave(self) -> None:
         """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
         host = self._host
-        if isinstance(host.focused, (Entry, Choice)):
+        if host.form.restore():
+            pass
+        elif host.form.here() is not None:
             host.form.focus(scroll_visible=False)
         elif host.pane_layout.pane == "curve" and host.curve_pane.put_away():
             pass
@@ -169,10 +169,7 @@ class Moves:
         if isinstance(host.focused, ItemList):
             host.focused.choose()
         elif host.focused is host.form:
-            if host.step.key in host.session.data:
-                host.form.focus_place(None)
-            else:
-                host.form.ask()
+            host.form.focus_place(None)
         elif isinstance(host.focused, (ArrayHeading, TableHeading)) and host.focused.adds:
             host.focused.action_add()
         elif host.pane_layout.pane == "inputs":

@@ -31,12 +31,14 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.field_help import FieldHelp
+from ..widgets.fold import Fold
 from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.message_line import MessageLine
 from ..widgets.pane import Pane
 from ..widgets.picture import Picture
+from ..widgets.radio import Radio
 from ..widgets.step_bar import StepBar
 from ..widgets.steps import READY, Steps
 from ..widgets.table_heading import TableHeading
@@ -244,6 +246,16 @@ class Workbench(Screen[None]):
         self.session.ask(event.step.key)
         self.edited()
 
+    def on_form_changed(self, event: Form.Changed) -> None:
+        event.stop()
+        self.edited()
+
+    def on_key(self, event: events.Key) -> None:
+        """A letter that was struck before its field had the focus goes to the field."""
+        if event.is_printable and isinstance(self.focused, Entry):
+            event.stop()
+            self.focused.post_message(event)
+
     def edited(self) -> None:
         """The design has changed: solve, say what is not accepted, and keep the edit aside, each in its time."""
         self.background.solve()
@@ -371,7 +383,7 @@ class Workbench(Screen[None]):
         if not self.stands or not self.query(f"#form-{self.step.key}"):
             return
         source, say = self.form.field or self.focused, self.app.say
-        if isinstance(source, (Field, ArrayHeading, TableHeading, Taken)):
+        if isinstance(source, (Field, ArrayHeading, TableHeading, Fold, Radio, Taken)):
             self.query_one(FieldHelp).show(*source.explained())
         elif source is not None and self.pane_layout.pane == "inputs":
             self.query_one(FieldHelp).show(

@@ -22,7 +22,7 @@ from ..session import Session
 from .choice import Choice
 from .entry import Entry
 from .field_help import allowed, meaning
-from .rows import Row
+from .rows import RADIUS, Row
 from .wrap import fit, pad, wrap
 
 LABEL, LABEL_NARROW = 23, 30  # cells, as in the style sheet

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The inputs of one step, generated from their descriptions."""
 
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, replace
+from functools import partial
 
 from textual import events
 from textual.containers import VerticalScroll
@@ -11,24 +13,33 @@ from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
+from calc.languages import Language
 from calc.languages.outcome import in_language
+from calc.sheet.errors import BadInput
 from calc.sheet.step import Step
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
 from ..places import Place, content_at, key_at
+from ..route import fold_of, path_of
 from ..session import Session
 from ..upstream import NAMED
 from .array_heading import ArrayHeading
+from .cells import Cells, Columns, side
 from .choice import Choice
 from .entry import Entry
-from .field import Field
+from .field import Field, StrokeField
+from .fold import Fold
 from .guide_text import GuideText
-from .rows import Row, rows
+from .item_list import ItemList
+from .radio import Balance, Radio, Todo
+from .rows import Asked, Row, routed
 from .table_heading import TableHeading
 from .upstream_values import Taken
 
-Shape = list[tuple[str, Place]]  # kind and place of each row
+Identity = tuple[object, ...]  # of a widget: kind and place of its row
+LEFT_OUT = Text("left out on purpose")
+WIDE = 46  # cells of the form beside the other panes
 
 
 class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
@@ -42,55 +53,85 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
         step: Step
 
+    class Changed(Message):
+        """The design was changed in more than the text of a field."""
+
     def __init__(self, step: Step, session: Session) -> None:
         super().__init__(id=f"form-{step.key}", classes="form")
         self.step = step
         self.session = session
         self.chosen: dict[Place, int] = {}
-        self._shape: Shape = []
+        self.opened: set[int] = set()  # the folds that are open
         self.last: Place | None = None  # the field that was edited last
-        self._stale = False  # the form has to be made anew
+        self._stale = False  # the form has to be put in order
         self._remaking = False
         self._wanted: Place | None = None  # where the focus goes when the form stands again
-        self._back = False  # the focus was in the form
+        self._back = False  # the focus was on a part that goes
+        self._ahead: list[events.Key] = []  # struck while the form is put in order
+        self._identities: dict[Widget, Identity] = {}
+        self._side = side(min(WIDE, self.app.size.width - 1))
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
-        yield from self._widgets()
+        for identity, make in self._parts():
+            yield self._made(identity, make)
 
-    def _widgets(self) -> list[Widget]:
-        if self.step.key not in self.session.data:
-            self._shape = []
-            texts = (
-                Text("This design has no step {title}.", title=self.step.title),
-                Text("Enter adds it, with the values of the example; undo takes it out."),
-            )
-            return [Static(Content("\n\n".join(f" {self.app.say(text)}" for text in texts)))]
-        found = self._rows()
-        self._shape = _shape(found)
-        made: list[Widget] = [GuideText(self.session, self.step.key)]
-        for row in found:
-            match row.kind:
-                case "field":
-                    made.append(Field(row, self.session, self._words(row)))
-                case "array":
-                    made.append(ArrayHeading(row, self.session))
-                case "option":
-                    made.append(TableHeading(row, self.session))
-                case _:
-                    first = bool(made) and isinstance(made[-1], ArrayHeading)
-                    made.append(Static(self._heading(row), classes="heading -first" if first else "heading"))
-        return [*made, Taken(self.session, self.step.key)]
+    def _made(self, identity: Identity, make: Callable[[], Widget]) -> Widget:
+        widget = make()
+        self._identities[widget] = identity
+        return widget
 
-    def _standing(self) -> list[Widget]:
-        """What stands for the rows of the form, in their order."""
-        return [child for child in self.children if child.display and not isinstance(child, GuideText)]
+    def _parts(self) -> list[tuple[Identity, Callable[[], Widget]]]:
+        """What the form consists of, in order: what tells each part from all others, and how it is made."""
+        key, session = self.step.key, self.session
+        parts: list[tuple[Identity, Callable[[], Widget]]] = [(("guide",), lambda: GuideText(session, key))]
+        if key == "imbalance" and "engine" in session.data:
+            parts.append((("balance",), lambda: Balance(session, key)))
+        elif not self.there:
+            parts.append((("todo",), lambda: Todo(session, key)))
+        if self.there:
+            for row in self._rows():
+                parts.append((_identity(row), partial(self._widget, row)))
+            parts.append((("taken",), lambda: Taken(session, key)))
+        return parts
+
+    def _widget(self, row: Row) -> Widget:
+        session = self.session
+        match row.kind:
+            case "field":
+                return Field(row, session, self._words(row))
+            case "stroke":
+                return StrokeField(row, session, ())
+            case "cells":
+                return Cells(row, [Field(cell, session, self._words(cell), cell=True) for cell in row.inside])
+            case "columns":
+                return Columns(row)
+            case "array":
+                return ArrayHeading(row, session)
+            case "option":
+                return TableHeading(row, session)
+            case "fold":
+                return Fold(row, session)
+            case _:
+                return Static(self._heading(row), classes="heading")
+
+    @property
+    def there(self) -> bool:
+        """Whether the design has the step."""
+        return self.step.key in self.session.data
 
     def _rows(self) -> list[Row]:
+        reasons = self.session.reasons()
         editing = [self.field.place] if self.is_mounted and self.field is not None else []
-        found = rows(self.step, self.session.data, self.chosen, [*editing, *self.session.reasons()])
+        if not (editing and self.field is not None and self.field.editing):
+            self.opened |= {n for place in reasons if (n := self._fold(place)) is not None}
+        found = routed(self.step, self.session.data, Asked(self.chosen, [*editing, *reasons], self._side), self.opened)
         say = self.app.say
-        return found if say.code == "en" else [replace(row, about=in_language(row.about, say)) for row in found]
+        return found if say.code == "en" else [_said(row, say) for row in found]
+
+    def _fold(self, place: Place) -> int | None:
+        """The fold that a place lies in."""
+        return fold_of(self.step.key, path_of(place)) if len(place) > 1 and place[0] == self.step.key else None
 
     def _heading(self, row: Row) -> Content:
         last = row.place[-1]
@@ -103,59 +144,53 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         return tuple(getattr(self.session.design, catalogue)) if catalogue else ()
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
-        """Show what the session says; a design of another shape gets another form."""
-        if self.step.key not in self.session.data or not self._shape:
-            if bool(self._shape) != (self.step.key in self.session.data):
-                self.rebuild()
-            return
-        found = self._rows()
-        if not self._remaking:
-            self._hide(_shape(found))
-        if _shape(found) != self._shape:
+        """Show what the session says; a design of another shape gets a form of another shape."""
+        found = {_identity(row): row for row in self._rows()} if self.there else {}
+        for todo in self.query(Todo):
+            todo.rebuild()
+        if [self._identities.get(child) for child in self.children] != [identity for identity, _ in self._parts()]:
             self.rebuild()
-            return
-        by_place = {row.place: row for row in found}
-        standing = self._standing()
-        for child in standing:
+        for child in self.children:
+            row = found.get(self._identities.get(child, ()))
+            if row is None:
+                continue
             if isinstance(child, Field):
-                child.row = by_place[child.place]
+                child.row = row
                 child.show(reasons.get(child.place, EMPTY))
+            elif isinstance(child, Cells):
+                child.redraw(row, reasons)
             elif isinstance(child, (ArrayHeading, TableHeading)):
-                child.redraw(by_place[child.row.place], reasons.get(child.row.place, EMPTY))
-        headings = [row for row in found if row.kind == "heading"]
-        for row, heading in zip(headings, (child for child in standing if isinstance(child, Static))):
-            made = self._heading(row)
-            if str(heading.content) != made.plain:
-                heading.update(made, layout=False)
+                child.redraw(row, reasons.get(row.place, EMPTY))
+            elif isinstance(child, (Fold, Columns)):
+                child.redraw(row)
+            elif isinstance(child, Static) and str(child.content) != (made := self._heading(row)).plain:
+                child.update(made, layout=False)
 
     def _settle(self) -> None:
-        """A table that lost its last key loses its fields when the focus has left them."""
-        if self.display and self._shape and not self._remaking:
-            self._hide(_shape(self._rows()))
-
-    def _hide(self, shape: Shape) -> None:
-        """Hide the fields of tables that are no longer there.  They are not taken away: no key is lost that is typed meanwhile."""
-        absent = [place for kind, place in shape if kind == "option" and content_at(self.session.data, place) is None]
-        gone = [entry for entry in self._shape if entry not in shape and any(entry[1][: len(place)] == place for place in absent)]
-        if gone and [entry for entry in self._shape if entry not in gone] == shape:
-            for child, entry in zip(self._standing(), self._shape):
-                child.display = entry not in gone
-            self._shape = shape
+        """When the focus has left a field: fields of a table that lost its last key go, and folds with mistakes open."""
+        if self.display and self.is_attached:
+            self.refresh_fields(self.session.reasons())
 
     def refresh_taken(self) -> None:
         for guide in self.query(GuideText):
             guide.redraw()
+        for balance in self.query(Balance):
+            balance.refresh_options()
+            balance.rebuild()
         for taken in self.query(Taken):
             taken.rebuild()
 
+    def on_resize(self, event: events.Resize) -> None:
+        if (side_ := side(event.size.width)) != self._side:
+            self._side = side_
+            self.rebuild()
+
     def rebuild(self, focus: Place | None = None) -> None:
-        """Make the form anew; the focus stays on the same place, where it still exists."""
-        inside = self.screen.focused is not None and self.screen.focused in self.walk_children()
-        self._wanted = focus or self.here() or (self._wanted if self._remaking else None)
+        """Put the form in order: what goes is taken away, what is new is put in, and all else stays as it is, the focus too."""
+        if focus is not None:
+            self._wanted, self._back = focus, True
+            self.screen.set_focus(self, scroll_visible=False)  # keys wait here
         self._stale = True
-        if inside:
-            self.focus(scroll_visible=False)
-        self._back = self._back or inside
         if not self._remaking:
             self._remaking = True
             _: Worker[None] = self.run_worker(self._remake, group=f"form-{self.step.key}")
@@ -166,15 +201,50 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             while self._stale:
                 self._stale = False
                 with self.app.batch_update():
-                    await self.remove_children()
-                    await self.mount(*self._widgets())
-                self.refresh_fields(self.session.reasons())
+                    await self._put_in_order()
         finally:
             self._remaking = False
-        if self._back or self._wanted is not None:
+        self.refresh_fields(self.session.reasons())
+        if self._stale:
+            return  # once more, and then the focus
+        if self._back:
             self._back = False
-            self.focus_place(self._wanted)
+            wanted, self._wanted = self._wanted, None
+            self.focus_place(wanted, at_once=True)
             self.call_after_refresh(self.bring_into_view)
+        ahead, self._ahead = self._ahead, []
+        for event in ahead:
+            await self.app.on_event(events.Key(event.key, event.character))
+
+    async def _put_in_order(self) -> None:
+        parts = self._parts()
+        wanted = {identity for identity, _ in parts}
+        gone = [child for child in self.children if self._identities.get(child) not in wanted]
+        focused = self.screen.focused
+        if focused is not None and any(child in focused.ancestors_with_self for child in gone):
+            self._wanted, self._back = self._wanted or self.here(), True
+            self.screen.set_focus(self, scroll_visible=False)
+        if gone:
+            await self.remove_children(gone)
+        for child in gone:
+            self._identities.pop(child, None)
+        standing = {self._identities[child]: child for child in self.children}
+        new: list[Widget] = []
+        for identity, make in parts:
+            if (there := standing.get(identity)) is None:
+                new.append(self._made(identity, make))
+            elif new:
+                await self.mount(*new, before=there)
+                new = []
+        if new:
+            await self.mount(*new)
+
+    def on_key(self, event: events.Key) -> None:
+        """Keys that are struck while the form is put in order wait for the field that they are meant for."""
+        if self._remaking and self.screen.focused is self:
+            event.stop()
+            event.prevent_default()
+            self._ahead.append(event)
 
     def bring_into_view(self) -> None:
         """What has the focus in a form that was just made: it had no place yet when it got the focus."""
@@ -187,18 +257,18 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         """Everything in the form that takes the focus, in order."""
         found: list[Widget] = []
         for child in self.children:
-            if not child.display:
-                continue
             if isinstance(child, Field):
                 found.append(child.box)
-            elif isinstance(child, (ArrayHeading, TableHeading)) or (isinstance(child, Taken) and child.items):
+            elif isinstance(child, Cells):
+                found += [field.box for field in child.fields]
+            elif isinstance(child, (ArrayHeading, TableHeading, Fold, Radio)) or (isinstance(child, Taken) and child.items):
                 found.append(child)
         return found
 
     def here(self) -> Place | None:
         """The place that has the focus."""
         focused = self.screen.focused
-        if isinstance(focused, (ArrayHeading, TableHeading)):
+        if isinstance(focused, (ArrayHeading, TableHeading, Fold)):
             return focused.row.place
         field = self.field
         return field.place if field is not None else None
@@ -209,22 +279,37 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         focused = self.screen.focused
         return focused.parent if isinstance(focused, (Entry, Choice)) and isinstance(focused.parent, Field) else None
 
-    def focus_place(self, place: Place | None) -> None:
+    def focus_place(self, place: Place | None, *, at_once: bool = False) -> None:
         """Focus the field at a place; without one, or where it is gone, the one edited last, or the first."""
-        stops = {}
+        if self._remaking:
+            self.rebuild(place or self._wanted or self.last or ())
+            return
+        stops: dict[Place, Widget] = {}
         for stop in self.stops():
             owner = stop.parent if isinstance(stop.parent, Field) else stop
-            stops[owner.row.place if isinstance(owner, (Field, ArrayHeading, TableHeading)) else ()] = stop
+            stops[owner.row.place if isinstance(owner, (Field, ArrayHeading, TableHeading, Fold)) else ()] = stop
         wanted = stops.get(place) if place else stops.get(self.last) if self.last else None
-        if wanted is None and place and any(isinstance(part, int) for part in place):
-            for end, part in enumerate(place):  # an element that is not shown: leaf to it
-                if isinstance(part, int) and self.chosen.get(place[:end], 0) != part and place[:end] in stops:
-                    self.chosen[place[:end]] = part
-                    self.rebuild(place)
-                    return
+        if wanted is None and place and self._bring_out(place, stops):
+            self.rebuild(place)
+            return
         around = [place[:end] for end in range(len(place) - 1, 1, -1) if place[:end] in stops] if place else []
-        target = wanted or (stops[around[0]] if around else next(iter(stops.values()), self))
-        target.focus()
+        target = wanted or (stops[around[0]] if around else next(iter(self.stops()), self))
+        if at_once:
+            self.screen.set_focus(target)
+        else:
+            target.focus()
+
+    def _bring_out(self, place: Place, stops: Collection[Place]) -> bool:
+        """Open the fold, or leaf to the element, that a place lies in; whether there was something to do."""
+        n, uncovered = self._fold(place), False
+        if self.there and n is not None and n not in self.opened:
+            self.opened.add(n)
+            uncovered = True
+        for end, part in enumerate(place):
+            if isinstance(part, int) and self.chosen.get(place[:end], 0) != part and (uncovered or place[:end] in stops):
+                self.chosen[place[:end]] = part
+                uncovered = True
+        return uncovered
 
     def go(self, by: int) -> None:
         """To the next field, or the one before."""
@@ -240,7 +325,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         if (field := self.field) is not None:
             self.last = field.place
-            field.redraw()
+            field.arrive()
+            self._redraw_around(field)
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         owner = event.widget.parent
@@ -248,7 +334,19 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.session.seal()
             owner.rewrite()
             owner.redraw()
+            self._redraw_around(owner)
             self.call_after_refresh(self._settle)
+
+    def _redraw_around(self, field: Field) -> None:
+        if isinstance(field.parent, Cells):
+            field.parent.refresh()
+
+    def restore(self) -> bool:
+        """Take back what was typed into the field that is being edited; whether there was any."""
+        if (field := self.field) is None or not field.editing:
+            return False
+        field.restore()
+        return True
 
     def on_input_submitted(self, event: Input.Submitted) -> None:
         """Enter accepts and goes on."""
@@ -256,6 +354,59 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if isinstance(owner := event.input.parent, Field):
             self.session.seal()
             owner.rewrite()
+        self.go(1)
+
+    def on_entry_pasted(self, event: Entry.Pasted) -> None:
+        """Several values: a list takes them all, else they go into this field and those after it."""
+        event.stop()
+        if not isinstance(owner := event.entry.parent, Field):
+            return
+        fields = [stop.parent for stop in self.stops() if isinstance(stop.parent, Field)]
+        fields = fields[fields.index(owner) :]
+        values = event.values
+        if owner.about.kind in ("series", "integers"):
+            values = ["; ".join(values)]
+        self.session.seal()
+        for field, text in zip(fields, values):
+            field.box.show(text)
+            field.post_message(Field.Edited(field, text) if not isinstance(field, StrokeField) else Input.Changed(event.entry, text))
+        if left := values[len(fields) :]:
+            self.app.tell(Text("There is no field left for {values}.", values="; ".join(left)), "warning")
+        self.screen.set_focus(fields[min(len(values), len(fields)) - 1].box)
+
+    def on_entry_locked(self, event: Entry.Locked | Choice.Locked) -> None:
+        """Lock the input against remedies and searches, or unlock it."""
+        event.stop()
+        if (field := self.field) is not None:
+            self.session.toggle_lock(field.place)
+            field.redraw()
+            self.post_message(self.Changed())
+
+    on_choice_locked = on_entry_locked
+
+    def on_fold_turned(self, event: Fold.Turned) -> None:
+        event.stop()
+        n = int(str(event.fold.row.place[-1]))
+        self.opened = self.opened | {n} if event.open else self.opened - {n}
+        self.refresh_fields(self.session.reasons())
+
+    def on_item_list_chosen(self, event: ItemList.Chosen) -> None:
+        """What a step offers first is taken."""
+        if not isinstance(event.source, Radio):
+            return
+        event.stop()
+        try:
+            if isinstance(event.source, Balance):
+                self.session.take_balancing(event.key)
+            elif event.key == Todo.LEAVE:
+                self.session.leave_out(self.step.key, self.app.say(LEFT_OUT))
+            else:
+                self.ask()
+                return
+        except BadInput as no:
+            self.app.tell(no.errors[0].reason, "warning")
+            return
+        self.post_message(self.Changed())
         self.go(1)
 
     # --- arrays
@@ -266,9 +417,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def ask(self) -> None:
         """Enter on the form of a step that the design does not have."""
-        if self.step.key not in self.session.data:
+        if not self.there:
             self.post_message(self.Asked(self.step))
 
 
-def _shape(found: list[Row]) -> Shape:
-    return [(row.kind, row.place) for row in found]
+def _identity(row: Row) -> Identity:
+    return (row.kind, row.place, len(row.inside)) if row.kind == "cells" else (row.kind, row.place)
+
+
+def _said(row: Row, say: Language) -> Row:
+    """A row with its words in the user's language."""
+    return replace(row, about=in_language(row.about, say), inside=tuple(_said(one, say) for one in row.inside))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""At the head of a form: what is to be decided in this step, and what a good answer looks like or, where a check fails, what to try."""
+"""At the head of a form: the question of the step, and what a good answer looks like or, where a check fails, what to try."""
 
 from textual.content import Content
 from textual.widgets import Static
@@ -8,6 +8,7 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 from ..guide import GUIDES
+from ..route import ROUTE
 from ..session import Session
 
 
@@ -18,6 +19,7 @@ class GuideText(Static):
         super().__init__(classes="guide")
         self.session, self.step = session, step
         self._shown: Text | None = None
+        self._guiding = True
 
     def on_mount(self) -> None:
         self.redraw()
@@ -27,9 +29,7 @@ class GuideText(Static):
         guide, results = GUIDES[self.step], self.session.results
         fails = results is not None and results.outcomes[self.step].verdict in ("fail", "no_solution")
         word, text = (Text("Try"), guide.trying) if fails else (Text("Good"), guide.good)
-        self.display = self.app.guiding
-        if word != self._shown:
-            self._shown = word
-            self.update(
-                Content.assemble((f"{say(Text('Decide'))}: ", "bold"), f"{say(guide.decide)}\n", (f"{say(word)}: ", "bold"), say(text))
-            )
+        if word != self._shown or self.app.guiding != self._guiding:
+            self._shown, self._guiding = word, self.app.guiding
+            question = Content.styled(say(ROUTE[self.step].question), "bold")
+            self.update(Content.assemble(question, f"\n{say(word)}: {say(text)}") if self._guiding else question)

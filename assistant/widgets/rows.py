@@ -3,7 +3,7 @@
 
 A table that may be left out has fields only where it is there.
 Elements stand side by side where they fit; else a short array stands there whole, and of a long one only one element does: its
-heading leafs through them.
+heading leafs through them.  The stroke stands beside the crank radius, which is half of it.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -14,19 +14,21 @@ from calc.addresses import Table
 from calc.design import Design
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Step
+from calc.sheet.text import Text
 
 from ..places import Place
 from ..route import NAMING, ROUTE, covers, fold_of, idle, path_of
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
-STROKE = "stroke_mm"  # a field that no file has: twice the crank radius
+RADIUS: Place = ("engine", "crank_radius_mm")
+STROKE = Quantity("number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has."))  # in no file
 
 
 @dataclass(frozen=True)
 class Row:
     """`kind`: heading (of a sub-table, or of one element), option (heading of a sub-table that may be left out), array (heading of an
-    array of tables), columns (names of tables side by side), cells (one input of each of them), fold (heading of what is folded) or
-    field."""
+    array of tables), columns (names of tables side by side), cells (one input of each of them), fold (heading of what is folded),
+    stroke or field."""
 
     kind: str
     place: Place
@@ -63,8 +65,10 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
             deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
         else:
             in_fold[n].append(row)
-    for group in deciding:
-        made += group
+    for row in (row for group in deciding for row in group):
+        if row.place == RADIUS:
+            made.append(Row("stroke", ("engine", "stroke_mm"), STROKE, required=row.required))
+        made.append(row)
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
             made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))

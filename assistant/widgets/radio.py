@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a step offers first, one row each: ↑ ↓ choose, Enter or Space takes."""
+
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.binding import Binding, BindingType
+from textual.content import Content
+from textual.worker import get_current_worker
+
+from calc.sheet.errors import BadInput
+from calc.sheet.text import Amount, Text
+
+from ..route import ROUTE
+from ..session import Session
+from .item_list import Item, ItemList
+from .wrap import pad, wrap
+
+if TYPE_CHECKING:
+    from calc.starter.balancing import Balancing
+
+LABEL = 22  # cells
+
+
+class Radio(ItemList):
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "take", "Take it", show=False)]
+
+    def __init__(self, session: Session, step: str, id: str) -> None:
+        super().__init__(id=f"{id}-{step}")
+        self.session, self.step = session, step
+
+    def explained(self) -> tuple[str, str]:
+        """What the foot of the form says about it."""
+        say = self.app.say
+        return say(ROUTE[self.step].question), say(Text("↑ ↓ choose, Enter takes it; undo takes it back."))
+
+    def action_take(self) -> None:
+        self.choose()
+
+    def button(self, on: bool) -> str:
+        return f"({'*' if self.app.signs.ascii else '•'}) " if on else "( ) "
+
+
+class Todo(Radio):
+    """Of a step that the design does not have: it is built by rules, or left out."""
+
+    BUILD, LEAVE = "build", "leave"
+
+    def __init__(self, session: Session, step: str) -> None:
+        super().__init__(session, step, "todo")
+
+    def build(self, width: int) -> list[Item]:
+        say = self.app.say
+        without = self.session.data.get("without", {})
+        reason = without.get(self.step, "") if isinstance(without, dict) else ""
+        offers = ((self.BUILD, Text("{builds}", builds=ROUTE[self.step].builds)), (self.LEAVE, Text("leave it out")))
+        items = []
+        for key, text in offers:
+            said = f"{say(text)}: {reason}" if key == self.LEAVE and reason else say(text)
+            rows = wrap(self.button(bool(reason) and key == self.LEAVE) + said, width - 1, 4)
+            items.append(Item(key, [Content(row) for row in rows], line=said))
+        return items
+
+
+class Balance(Radio):
+    """The ways to balance the engine, with what each leaves."""
+
+    def __init__(self, session: Session, step: str) -> None:
+        super().__init__(session, step, "balance")
+        self._known: tuple[Balancing, ...] = ()
+        self._of: object = None  # the results that they are of
+
+    def on_mount(self) -> None:
+        self.refresh_options()
+
+    def refresh_options(self) -> None:
+        """Find them anew where the engine, or what is chosen, is another; in another thread."""
+        results = self.session.results
+        if results is not None and self.session.current and results is not self._of:
+            self._of = results
+            self.run_worker(self._find, group="balance", exclusive=True, thread=True, exit_on_error=False)
+
+    def _find(self) -> None:
+        """Runs in another thread."""
+        from calc.starter.balancing import options
+
+        worker = get_current_worker()
+        try:
+            found = options(self.session.document, self.session.results)
+        except BadInput:
+            found = ()
+        if not worker.is_cancelled:
+            self.app.call_from_thread(self._show, found)
+
+    def _show(self, found: "tuple[Balancing, ...]") -> None:
+        first = not self._known
+        self._known = found
+        self.rebuild()
+        if first and (wanted := self.made() or next((one.id for one in found if one.called_for), "")):
+            self.go_to(wanted)
+
+    def made(self) -> str:
+        from calc.starter.build import choice_made
+
+        return choice_made(self.session.document)
+
+    def explained(self) -> tuple[str, str]:
+        known = next((one for one in self._known if one.id == self.key), None)
+        title, text = super().explained()
+        return title, f"{self.app.say(known.why)} {text}" if known is not None else text
+
+    def build(self, width: int) -> list[Item]:
+        say = self.app.say
+        if not self._known:
+            return [Item("", [Content.styled(say(Text("What each balancing leaves is being computed …")), "dim")])]
+        items, made = [], self.made()
+        for one in self._known:
+            left = [
+                say(Text("{before} → {after}", before=Amount(x.before, digits=3), after=Amount(x.after, x.unit, digits=3)))
+                if x.before != x.after
+                else say(Text("{after}", after=Amount(x.after, x.unit, digits=3)))
+                for x in one.left
+            ]
+            mass = say(Text("{mass}", mass=Amount(one.mass, "kg", digits=3))) if one.mass is not None else ""
+            first = pad(self.button(one.id == made) + say(one.label), LABEL) + (left[0] if left else "")
+            sign = f" {self.app.signs.mark('here')}" if one.called_for else ""
+            end = f"{mass}{sign}"
+            head = Content.assemble(f"{first:<{max(len(first) + 1, width - len(end) - 1)}}", end)
+            more = [Content.styled(" " * LABEL + text, "dim") for text in left[1:]]
+            items.append(Item(one.id, [head.stylize("bold") if one.called_for else head, *more], line=head.plain))
+        return items
