@@ -64,7 +64,7 @@ class Fold(Widget, can_focus=True):
         return [name if name[1:2].isupper() else name[:1].lower() + name[1:] for name in dict.fromkeys(names)]
 
     def render(self) -> Content:
-        mark = self.app.signs.mark("open" if self.row.open else "closed")
+        mark = self.app.signs.mark("unfolded" if self.row.open else "folded")
         title = f" {mark} {self._title()}"
         rest = "" if self.row.open else fit(f": {', '.join(self._names())}", max(0, self.size.width - len(title) - 1))
         return Content.assemble((title, "bold"), (rest, "dim"))
