@@ -48,7 +48,7 @@ ROUTE: dict[str, Leg] = {
     ),
     "bearings": Leg(
         Text("Do the films carry, at every corner?"),
-        ("oil", "front", "rear", "supply_temperature_C", "supply_pressure_bar"),
+        ("oil", "supply_temperature_C", "supply_pressure_bar", "front", "rear"),
         ((MORE, ()), (Text("Materials and fits"),
                       ("housing_material", "bush_material", "journal_material", "application", "journal_fit", "seat_fit", "roughness_ratio",
                        "clearance_reference_temperature_C", "expansion_restraint"))),

@@ -152,7 +152,7 @@ class Moves:
         host = self._host
         if host.form.restore():
             pass
-        elif host.form.here() is not None:
+        elif host.focused in host.form.stops():
             host.form.focus(scroll_visible=False)
         elif host.pane_layout.pane == "curve" and host.curve_pane.put_away():
             pass

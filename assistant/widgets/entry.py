@@ -101,7 +101,6 @@ class Entry(Input):
 
     def _on_blur(self, event: events.Blur) -> None:
         self.editing = False
-        super()._on_blur(event)
 
     def _on_paste(self, event: events.Paste) -> None:
         """Several lines, or cells of a table, are several values; nothing of them is dropped."""
@@ -111,8 +110,6 @@ class Entry(Input):
             event.stop()
             event.prevent_default()
             self.post_message(self.Pasted(self, values))
-        else:
-            super()._on_paste(event)
 
     async def action_accept(self) -> None:
         """Go on; at the end of the form there is nowhere to go, and the text is accepted when all of it is there."""

@@ -114,7 +114,15 @@ class Field(Widget):
     def on_input_changed(self, event: Input.Changed) -> None:
         """What is typed is passed on even where it is what the design has: an edit before it may still be on its way."""
         event.stop()
-        self.post_message(self.Edited(self, event.value))
+        self.enter(event.value)
+
+    def enter(self, typed: str) -> None:
+        """What was typed goes into the design."""
+        self.post_message(self.Edited(self, self.meant(typed)))
+
+    def meant(self, typed: str) -> str:
+        """What goes into the design for what is typed here."""
+        return typed
 
     def on_choice_changed(self, event: Choice.Changed) -> None:
         event.stop()
@@ -133,7 +141,7 @@ class Field(Widget):
         """Take back what was typed since it got the focus."""
         if isinstance(self.box, Entry):
             self.box.arrive(self.was)
-        self.post_message(self.Edited(self, self.was))
+        self.enter(self.was)
         self.redraw()
 
     def nudge(self, by: int) -> str:
@@ -243,18 +251,11 @@ class StrokeField(Field):
         radius = self.content
         return super().text if self.session.reason(RADIUS) or radius is None else numbers.written(float(f"{2 * radius:.12g}"), self.about)
 
-    def on_input_changed(self, event: Input.Changed) -> None:
-        event.stop()
+    def meant(self, typed: str) -> str:
         try:
-            text = numbers.written(float(f"{numbers.value(event.value, self.about) / 2:.12g}"), self.about)
+            return numbers.written(float(f"{numbers.value(typed, self.about) / 2:.12g}"), self.about)
         except numbers.NotUnderstood:
-            text = event.value
-        self.post_message(self.Edited(self, text))
-
-    def restore(self) -> None:
-        if isinstance(self.box, Entry):
-            self.box.arrive(self.was)
-            self.on_input_changed(Input.Changed(self.box, self.was))
+            return typed
 
 
 def _numbers(content: object) -> list[int | float]:

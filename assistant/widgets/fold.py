@@ -36,7 +36,7 @@ class Fold(Widget, can_focus=True):
         open: bool
 
     def __init__(self, row: Row, session: Session) -> None:
-        super().__init__()
+        super().__init__(classes="" if row.place[-1] == "+0" else "-further")
         self.row = row
         self.session = session
         self._looks: tuple[object, ...] = ()

@@ -369,7 +369,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self.session.seal()
         for field, text in zip(fields, values):
             field.box.show(text)
-            field.post_message(Field.Edited(field, text) if not isinstance(field, StrokeField) else Input.Changed(event.entry, text))
+            self.session.edit(field.place, field.meant(text))
+            self.session.seal()
+        self.post_message(self.Changed())
         if left := values[len(fields) :]:
             self.app.tell(Text("There is no field left for {values}.", values="; ".join(left)), "warning")
         self.screen.set_focus(fields[min(len(values), len(fields)) - 1].box)

@@ -60,7 +60,7 @@ async def test_what_is_typed_after_a_jump_goes_where_it_leads(screen: Screen, li
 async def test_enter_twice_in_a_list_of_words(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.layout")
-        await strike(pilot, "enter")
+        await strike(pilot, "space")
         await until(pilot, lambda: isinstance(pilot.app.screen, Choose) and pilot.app.focused is not None)
         burst(pilot, "down", "enter", "enter", "enter")
         await until(pilot, lambda: not isinstance(pilot.app.screen, Choose))

@@ -63,6 +63,9 @@ def heading_of(pilot: Pilot[int]) -> TableHeading:
 
 
 async def to_heading(pilot: Pilot[int]) -> TableHeading:
+    form = work(pilot).form
+    form.opened |= {0, 1}
+    form.rebuild()
     await settled(pilot)
     heading = heading_of(pilot)
     heading.focus()

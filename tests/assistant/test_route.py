@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The form that leads: one question first, what decides it, the rest folded; typing that loses and overwrites nothing."""
+
+import pytest
+from textual import events
+
+from assistant.places import Place
+from assistant.route import ROUTE, fold_of
+from assistant.session import Session
+from assistant.widgets.entry import Entry
+from assistant.widgets.field import Field, StrokeField
+from assistant.widgets.fold import Fold
+from assistant.widgets.radio import Balance
+from calc.design import STEPS
+from calc.sheet.quantity import keys
+
+from .conftest import Screen, solved
+from .driving import go_to, rows, settled, strike, told, type_in, until, work
+
+
+def places(pilot: object) -> list[Place]:
+    return [field.row.place for field in work(pilot).form.query(Field)]  # type: ignore[arg-type]
+
+
+def test_the_route_names_keys_that_there_are() -> None:
+    for step in STEPS:
+        leg = ROUTE[step.key]
+        for pattern in (*leg.deciding, *(pattern for _, patterns in leg.folds for pattern in patterns)):
+            cls = step.inputs
+            for part in pattern.split("."):
+                assert part in keys(cls), (step.key, pattern)
+                cls = keys(cls)[part].about.table or cls
+    assert fold_of("engine", "bore_mm") is None and fold_of("engine", "firing_order") == 0 and fold_of("gears", "wheels.quality") == 1
+
+
+async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        assert "Which engine shakes?" in rows(pilot) and ("engine", "firing_order") not in places(pilot)
+        fold = work(pilot).form.query(Fold).first()
+        fold.focus()
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert ("engine", "firing_order") in places(pilot) and "assumed (" in rows(pilot)
+        await strike(pilot, "left")
+        await settled(pilot)
+        assert ("engine", "firing_order") not in places(pilot) and pilot.app.focused is fold
+        await go_to(pilot, "engine.firing_order")
+        assert ("engine", "bank_angle_deg") not in places(pilot)  # an inline engine has none
+
+
+async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) -> None:
+    async with screen() as pilot:
+        bench = work(pilot)
+        await bench.moves.to_field(("engine", "rated_power_kW"))
+        await type_in(pilot, "61")
+        await settled(pilot)
+        assert bench.number == 1 and bench.session.value("engine.rated_power_kW") == 61.0
+
+
+async def test_the_stroke_is_twice_the_crank_radius(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await strike(pilot, "enter")
+        assert isinstance(work(pilot).form.field, StrokeField)
+        await type_in(pilot, "92,4")
+        await strike(pilot, "enter")
+        await settled(pilot)
+        assert work(pilot).session.value("engine.crank_radius_mm") == 46.2
+        assert [field.box.value for field in work(pilot).form.query(Field) if field.place[-1] == "crank_radius_mm"] == ["92.4", "46.2"]
+
+
+async def test_escape_gives_the_old_text_back_and_a_second_one_leaves(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.bore_mm")
+        await type_in(pilot, "9")
+        await settled(pilot)
+        assert "was 94" in rows(pilot) and "✎Bore" in rows(pilot)
+        await strike(pilot, "escape")
+        await settled(pilot)
+        assert box.value == "94" and box.has_focus and work(pilot).session.value("engine.bore_mm") == 94.0
+        assert not work(pilot).session.dirty
+        await strike(pilot, "escape")
+        assert not box.has_focus
+
+
+async def test_what_is_pasted_in_several_lines_fills_the_fields_one_after_the_other(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "engine.rod_length_mm")
+        assert isinstance(box, Entry)
+        box.post_message(events.Paste("160\n1100\t990\n"))
+        await settled(pilot)
+        engine = work(pilot).session.data["engine"]
+        assert (engine["rod_length_mm"], engine["piston_mass_g"], engine["rod_mass_g"]) == (160.0, 1100.0, 990.0)
+        await go_to(pilot, "engine.firing_order")
+        pilot.app.focused.post_message(events.Paste("1\n2\n3"))  # type: ignore[union-attr]
+        await settled(pilot)
+        assert work(pilot).session.value("engine.firing_order") == [1, 2, 3]
+
+
+async def test_k_locks_the_field_that_is_not_being_typed_into(screen: Screen) -> None:
+    async with screen() as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        await strike(pilot, "k")
+        await settled(pilot)
+        assert work(pilot).session.lock_reason("engine.bore_mm") and "locked" in rows(pilot)
+        assert work(pilot).session.value("engine.bore_mm") == 94.0
+
+
+@pytest.mark.slow
+async def test_a_balancing_is_taken_as_one_step(screen: Screen, light: Session) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "2")
+        balance = work(pilot).form.query_one(Balance)
+        await until(pilot, lambda: balance.key == "shaft")  # the one that the design has
+        before = light.data
+        balance.focus()
+        await strike(pilot, "up", "enter")
+        await solved(pilot)
+        await until(pilot, lambda: light.data is not before)
+        assert "countershaft" not in light.data and light.data["imbalance"]["crank_balance_fraction"] == 0.5
+        assert light.undo() is not None and light.data == before and "locked" not in told(pilot)
