@@ -6,7 +6,7 @@ field while the last valid design stays as it was.
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -25,6 +25,15 @@ from .places import Place, content_at, described, error_place, named_key, option
 from .recording import Recording
 
 LOCKED_HERE = "locked in the session"
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What was built for the tables of a design; `why`: it can not be built."""
+
+    of: Table = field(repr=False)
+    data: Table = field(repr=False)
+    why: Text = EMPTY
 
 
 class Editing:
@@ -156,28 +165,30 @@ class Editing:
         self._step(State(data, self._state.texts), None)
         self.seal()
 
-    def ask(self, step: str, balancing: str = "") -> Text:
-        """Build a step that the design does not have, by the rules behind `new`, as one step of the undo.
+    def plan(self, step: str, balancing: str = "") -> "Plan":
+        """A step that the design does not have, or (`balancing`) crank and shaft of a balancing, built by the rules behind `new`.
 
-        `balancing`: which, where the step is the counter-shaft.  Gives the reason why it can not be built, or nothing.
+        Changes nothing, and so may run in another thread; `take` puts it in.
         """
         from calc.starter.build import built
 
+        document = self.document
         try:
-            data = built(self.document, step, balancing).data
+            return Plan(document.data, built(document, step, balancing).data)
         except (BadInput, NoSolution) as error:
-            return text_of(error)
-        texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
-        self.seal()
-        self._step(State(data, texts), (step,))
-        self.seal()
-        return EMPTY
+            return Plan(document.data, document.data, text_of(error))
 
-    def take_balancing(self, id: str) -> None:
-        """Crank and shaft of one of the balancings, by rules, as one step of the undo.  Raises BadInput where there is none."""
-        from calc.starter.build import built
+    def take(self, plan: "Plan") -> Text:
+        """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""
+        if plan.of is not self.document.data:
+            return Text("The design has changed meanwhile: build it once more.")
+        if not plan.why:
+            self._put(plan.data)
+        return plan.why
 
-        self._put(built(self.document, "countershaft", id).data)
+    def ask(self, step: str, balancing: str = "") -> Text:
+        """Build a step here and now.  Gives the reason why it can not be built, or nothing."""
+        return self.take(self.plan(step, balancing))
 
     def leave_out(self, step: str, reason: str) -> None:
         """Say that the design does without a step that it does not have."""
@@ -185,8 +196,9 @@ class Editing:
         self._put(changed(self._state.data, ("without",), {**(without if isinstance(without, dict) else {}), step: reason}))
 
     def _put(self, data: Table) -> None:
+        texts = {where: text for where, text in self._state.texts.items() if where[0] in data}
         self.seal()
-        self._step(State(data, self._state.texts), None)
+        self._step(State(data, texts), None)
         self.seal()
 
     def undo(self) -> Place | None:

@@ -62,7 +62,14 @@ class Host(Protocol):
     def forms(self) -> list[Form]:
         """Of all steps that have been opened."""
 
+    @property
+    def done(self) -> bool:
+        """Whether nothing is left to do in the step."""
+
     # --- what it does
+    def close_route(self) -> None:
+        """Behind the last step: the closing page."""
+
     async def open_step(self, step: Step, focus: Place | None = None, *, stay: bool = False) -> None:
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
 

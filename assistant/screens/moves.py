@@ -17,7 +17,7 @@ from .host import Host
 from .pane_layout import VIEWS
 
 WRITING = Text("The calculation is still being written out.")
-FIRST, LAST = Text("This is the first step."), Text("This is the last step.")
+FIRST = Text("This is the first step.")
 
 LAID_OUT = 0.1  # s after which a form that was just made has its size
 
@@ -32,12 +32,14 @@ class Moves:
 
     async def turn_step(self, by: int) -> None:
         host = self._host
-        host.app.forget(FIRST, LAST)
+        host.app.forget(FIRST)
         n = host.number - 1 + by
         if 0 <= n < len(STEPS):
             await host.open_step(STEPS[n])
+        elif by > 0:
+            host.close_route()
         else:
-            host.app.tell(LAST if by > 0 else FIRST)
+            host.app.tell(FIRST)
 
     async def trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""
@@ -163,14 +165,16 @@ class Moves:
             host.at_pane("inputs")
             host.form.focus(scroll_visible=False)
 
-    def go_on(self) -> None:
-        """Enter: choose in a list, go into the form, add an element, or on to the next field."""
+    async def go_on(self) -> None:
+        """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to the next."""
         host = self._host
         if isinstance(host.focused, ItemList):
             host.focused.choose()
-        elif host.focused is host.form:
+        elif host.focused is host.form and not host.done:
             host.form.focus_place(None)
+        elif host.focused is host.form:
+            await self.turn_step(1)
         elif isinstance(host.focused, (ArrayHeading, TableHeading)) and host.focused.adds:
             host.focused.action_add()
         elif host.pane_layout.pane == "inputs":
-            host.form.go(1)
+            host.form.go_on()

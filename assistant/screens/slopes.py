@@ -33,7 +33,7 @@ class Slopes:
         self._host = host
         self._results: Results | None = None
         self._known: dict[str, Text] = {}  # id of a check, or key of an input
-        self._wanted = ""
+        self._wanted = {"check": "", "key": ""}  # what is looked at now
         self._then: Callable[[Text], None] | None = None  # shows what an input moves
 
     def want(self, check: Check) -> None:
@@ -41,17 +41,20 @@ class Slopes:
         if (known := self._look_up(check.id)) is not None:
             self._host.checks.show_slopes(check.id, known)
         elif self._current:
-            self._wanted = check.id
-            self._host.set_timer(WAIT, partial(self._begin, check.id))
+            self._soon("check", check.id)
 
     def of_key(self, key: str, then: Callable[[Text], None]) -> Text:
         """What an input moves most, "film at the edge, front +0.45 µm per mm"; where it is not known it is looked for, and `then` told."""
         if (known := self._look_up(key)) is not None:
             return known
         if self._current:
-            self._wanted, self._then = key, then
-            self._host.set_timer(WAIT, partial(self._begin, key))
+            self._then = then
+            self._soon("key", key)
         return EMPTY
+
+    def _soon(self, kind: str, name: str) -> None:
+        self._wanted[kind] = name
+        self._host.set_timer(WAIT, partial(self._begin, kind, name))
 
     @property
     def _current(self) -> bool:
@@ -64,10 +67,10 @@ class Slopes:
             self._results, self._known = results, {}
         return self._known.get(name)
 
-    def _begin(self, name: str) -> None:
+    def _begin(self, kind: str, name: str) -> None:
         host = self._host
-        if host.stands and self._wanted == name and self._current and (results := host.session.results) is not None:
-            host.in_thread("slopes", partial(self._find, name, host.session.document, results))
+        if host.stands and self._wanted[kind] == name and self._current and (results := host.session.results) is not None:
+            host.in_thread(f"slopes of a {kind}", partial(self._find, name, host.session.document, results))
 
     def _find(self, name: str, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
@@ -92,7 +95,7 @@ class Slopes:
         self._known[name] = words
         if check and words:
             host.checks.show_slopes(name, words)
-        elif words and self._then is not None and self._wanted == name:
+        elif words and self._then is not None and self._wanted["key"] == name:
             self._then(words)
 
 

@@ -2,6 +2,7 @@
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
 from collections.abc import Callable
+from functools import partial
 from typing import ClassVar
 
 from textual import events
@@ -20,8 +21,9 @@ from calc.sheet.text import EMPTY, Text, plural
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
+from ..editing import Plan
 from ..offers.offer import CHOICES
-from ..places import Place, first_key
+from ..places import Place, first_key, named_key
 from ..session import Session
 from ..sheets import Sheet
 from ..widgets.array_heading import ArrayHeading
@@ -40,7 +42,7 @@ from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
 from ..widgets.step_bar import StepBar
-from ..widgets.steps import READY, Steps
+from ..widgets.steps import READY, Steps, states_of
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
@@ -57,6 +59,7 @@ from .reading_actions import ReadingActions
 from .ready import ReadyActions
 from .slopes import Slopes
 
+BUILDING = Text("It is being built by the rules …")
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
 
 
@@ -203,6 +206,13 @@ class Workbench(Screen[None]):
         return self.query_one(f"#form-{self.step.key}", Form)
 
     @property
+    def done(self) -> bool:
+        return next(state.done for state in states_of(self.session) if state.key == self.step.key)
+
+    def close_route(self) -> None:
+        self.closing.ready()
+
+    @property
     def number(self) -> int:
         return STEPS.index(self.step) + 1
 
@@ -242,9 +252,32 @@ class Workbench(Screen[None]):
         self.edited()
 
     def on_form_asked(self, event: Form.Asked) -> None:
+        """Build it in another thread: that may take a second."""
         event.stop()
-        self.session.ask(event.step.key)
-        self.edited()
+        self.app.tell(BUILDING)
+        self.in_thread("build", partial(self._build, self.session, event.step, event.balancing))
+
+    def _build(self, session: Session, step: str, balancing: str) -> None:
+        """Runs in another thread."""
+        try:
+            plan = session.plan(step, balancing)
+        except Exception as error:  # a mistake of the program must not take the user's work with it
+            why = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+            plan = Plan({}, {}, why)
+        self.call_later(self._built, session, plan)
+
+    def _built(self, session: Session, plan: Plan) -> None:
+        self.app.forget(BUILDING)
+        if session is not self.session or not self.stands:
+            return
+        if why := plan.why or session.take(plan):
+            self.app.tell(why, "warning")
+        else:
+            self.edited()
+
+    async def on_form_done(self, event: Form.Done) -> None:
+        event.stop()
+        await self.moves.turn_step(1)
 
     def on_form_changed(self, event: Form.Changed) -> None:
         event.stop()
@@ -290,7 +323,15 @@ class Workbench(Screen[None]):
             self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
         self.query_one(TopLine).refresh()  # the last line of the screen follows: what lies between two lines is painted with them
 
+    def show_picture(self) -> None:
+        """The picture of the step, with what the edited field changes lit."""
+        session, field = self.session, self.form.field if self.query(f"#form-{self.step.key}") else None
+        lit = named_key(session.data, field.place) if field is not None else ""
+        design = session.results.design if session.results is not None else None
+        self.query_one(Picture).show(self.step.key, design, session.results, lit)
+
     def show_written(self) -> None:
+        self.show_picture()
         page = self.background.pages.get(self.step.key)
         self.calculation.show(page.sheet if page is not None else Sheet())
         self.curve_pane.show(self.step.key, page.leaves if page is not None else (), page is None)
@@ -383,7 +424,11 @@ class Workbench(Screen[None]):
         if not self.stands or not self.query(f"#form-{self.step.key}"):
             return
         source, say = self.form.field or self.focused, self.app.say
-        if isinstance(source, (Field, ArrayHeading, TableHeading, Fold, Radio, Taken)):
+        self.show_picture()
+        if isinstance(source, Field):
+            moves = self.slopes.of_key(named_key(self.session.data, source.place), lambda words: self._show_help())
+            self.query_one(FieldHelp).show(*source.explained(), say(Text("Moves {moved}.", moved=moves)) if moves else "")
+        elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
             self.query_one(FieldHelp).show(*source.explained())
         elif source is not None and self.pane_layout.pane == "inputs":
             self.query_one(FieldHelp).show(

@@ -15,7 +15,6 @@ from textual.worker import Worker
 
 from calc.languages import Language
 from calc.languages.outcome import in_language
-from calc.sheet.errors import BadInput
 from calc.sheet.step import Step
 from calc.sheet.text import EMPTY, Text
 
@@ -49,9 +48,13 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     @dataclass
     class Asked(Message):
-        """The step, which the design does not have, is wanted."""
+        """A step that the design does not have is to be built, or (`balancing`) crank and shaft of a balancing."""
 
-        step: Step
+        step: str
+        balancing: str = ""
+
+    class Done(Message):
+        """Nothing is left to do in this form: on to the next step."""
 
     class Changed(Message):
         """The design was changed in more than the text of a field."""
@@ -322,6 +325,16 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         else:
             self.focus_place(None)
 
+    def go_on(self) -> None:
+        """To the next field below, past headings and folds; from the last one to the next step."""
+        stops = self.stops()
+        here = stops.index(self.screen.focused) if self.screen.focused in stops else -1
+        below = (stop for stop in stops[here + 1 :] if isinstance(stop, (Entry, Choice)))
+        if (stop := next(below, None)) is not None:
+            self.screen.set_focus(stop)
+        else:
+            self.post_message(self.Done())
+
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         if (field := self.field) is not None:
             self.last = field.place
@@ -397,19 +410,17 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         if not isinstance(event.source, Radio):
             return
         event.stop()
-        try:
-            if isinstance(event.source, Balance):
-                self.session.take_balancing(event.key)
-            elif event.key == Todo.LEAVE:
-                self.session.leave_out(self.step.key, self.app.say(LEFT_OUT))
-            else:
-                self.ask()
-                return
-        except BadInput as no:
-            self.app.tell(no.errors[0].reason, "warning")
-            return
-        self.post_message(self.Changed())
-        self.go(1)
+        source = event.source
+        if isinstance(source, Balance) and event.key != source.made():
+            self.post_message(self.Asked("countershaft", event.key))
+        elif isinstance(source, Balance):
+            self.post_message(self.Done())
+        elif event.key == Todo.LEAVE:
+            self.session.leave_out(self.step.key, self.app.say(LEFT_OUT))
+            self.post_message(self.Changed())
+            self.post_message(self.Done())
+        else:
+            self.ask()
 
     # --- arrays
     def on_array_heading_leafed(self, event: ArrayHeading.Leafed) -> None:
@@ -420,7 +431,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
     def ask(self) -> None:
         """Enter on the form of a step that the design does not have."""
         if not self.there:
-            self.post_message(self.Asked(self.step))
+            self.post_message(self.Asked(self.step.key))
 
 
 def _identity(row: Row) -> Identity:
