@@ -41,6 +41,14 @@ class Moves:
         else:
             host.app.tell(FIRST)
 
+    async def lead_on(self) -> None:
+        """The step after; where nothing is left to do in it, no field of it is edited, so that the next Enter leads on again."""
+        host = self._host
+        before = host.step
+        await self.turn_step(1)
+        if host.step is not before and host.done:
+            host.form.focus(scroll_visible=False)
+
     async def trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""
         host, session = self._host, self._host.session
@@ -173,7 +181,7 @@ class Moves:
         elif host.focused is host.form and not host.done:
             host.form.focus_place(None)
         elif host.focused is host.form:
-            await self.turn_step(1)
+            await self.lead_on()
         elif isinstance(host.focused, (ArrayHeading, TableHeading)) and host.focused.adds:
             host.focused.action_add()
         elif host.pane_layout.pane == "inputs":

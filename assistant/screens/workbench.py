@@ -272,12 +272,13 @@ class Workbench(Screen[None]):
             return
         if why := plan.why or session.take(plan):
             self.app.tell(why, "warning")
-        else:
-            self.edited()
+            return
+        self.form.focus(scroll_visible=False)
+        self.edited()
 
     async def on_form_done(self, event: Form.Done) -> None:
         event.stop()
-        await self.moves.turn_step(1)
+        await self.moves.lead_on()
 
     def on_form_changed(self, event: Form.Changed) -> None:
         event.stop()

@@ -39,6 +39,7 @@ from .drawing import drawn, reach, silhouette, upwards
 from .inputs import CountershaftInputs, EccentricMass, Holes
 from .outline import Outline, Piece
 from .result import CountershaftResult
+from .sizing.sectors import SizedSector
 
 STEP = "countershaft"
 MASSES, OUTER, CORE, LENGTH = f"{STEP}.masses", f"{STEP}.outer_radius_mm", f"{STEP}.core_radius_mm", f"{STEP}.half_length_mm"
@@ -81,8 +82,12 @@ def sketch(design: Designed, results: Solved) -> Sketch:
     masses = judged(checks, *(f"{STEP}.{id}" for id in ("residual", "residual_force", "envelope", "envelope_length", "outline_force")))
     if found.outline is not None:
         view, notes = _shaped(shaft, found.outline, masses), [Text("lengths in mm")]
-    else:
+    elif found.sector:
+        view, notes = _envelope(shaft, tuple(found.sector.values()), masses), [Text("lengths in mm"), Text("without its journals")]
+    elif shaft.masses:
         view, notes = _points(shaft, masses), [Text("lengths in mm"), Text("masses as points")]
+    else:
+        return Sketch(notes=(Text("The picture waits for the masses of the shaft."),))
     side: list[Mark] = [Polyline(AXIS, ((view.start - SUPPORT * view.length, 0.0), (view.end + SUPPORT * view.length, 0.0)))]
     side += _side(view, found.outline)
     side += _supports(view, checks)
@@ -99,6 +104,17 @@ def _shaped(shaft: CountershaftInputs, outline: Outline, state: State) -> View:
     up = upwards(outline)
     largest = max(max(reach(piece, up)) for piece in outline.pieces)
     return View(shaft, tuple(drawn(outline)), up, largest, outline.start, outline.end, state)
+
+
+def _envelope(shaft: CountershaftInputs, sectors: tuple[SizedSector, ...], state: State) -> View:
+    """A shaft that is sized, but has no journals yet: its sectors on the core, from bearing to bearing."""
+    start, end = shaft.bearing_positions[0], shaft.bearing_positions[-1]
+    R, r_0 = shaft.outer_radius or 0.0, shaft.core_radius or 0.0
+    heavy = sorted((one for one in sectors if one.half_angle), key=lambda one: one.z)
+    pieces = [Piece(one.z - one.length / 2, one.z + one.length / 2, R, r_0, one.half_angle, one.angle, "sector") for one in heavy]
+    edges = [start, *(edge for piece in pieces for edge in (piece.start, piece.end)), end]
+    pieces += [Piece(a, b, r_0, 0.0, None, 0.0, "core") for a, b in zip(edges[::2], edges[1::2]) if b > a]
+    return View(shaft, tuple(pieces), heavy[0].angle if heavy else 0.0, R, start, end, state)
 
 
 def _points(shaft: CountershaftInputs, state: State) -> View:
