@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 LABEL = 22  # cells
 
 
-class Radio(ItemList):
+class Radio(ItemList, inherit_bindings=False):
     BINDINGS: ClassVar[list[BindingType]] = [Binding("space", "take", "Take it", show=False)]
 
     def __init__(self, session: Session, step: str, id: str) -> None:

@@ -69,6 +69,8 @@ async def to_heading(pilot: Pilot[int]) -> TableHeading:
     await settled(pilot)
     heading = heading_of(pilot)
     heading.focus()
+    heading.scroll_visible(animate=False)
+    await settled(pilot)
     await until(pilot, lambda: pilot.app.focused is heading)
     return heading
 

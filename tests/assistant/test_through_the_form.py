@@ -32,7 +32,7 @@ async def enter(pilot: Pilot[int], key: str, value: Any) -> None:
     text = written(value, described(session.place(key)))
     box = await go_to(pilot, key)
     if isinstance(box, Choice):
-        await strike(pilot, "enter")
+        await strike(pilot, "space")
         await pilot.pause()
         await type_in(pilot, text)  # letters find a word
         await strike(pilot, "enter")
