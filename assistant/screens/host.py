@@ -64,7 +64,7 @@ class Host(Protocol):
 
     @property
     def done(self) -> bool:
-        """Whether nothing is left to do in the step."""
+        """Whether nothing is left to do in the step, or what is waits for a later one."""
 
     # --- what it does
     def close_route(self) -> None:
