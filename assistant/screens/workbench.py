@@ -447,6 +447,8 @@ class Workbench(Screen[None]):
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
         if isinstance(event.source, Checks) and self.stands:
             self.show_finding()
+        if isinstance(event.source, Radio):
+            self._show_help()
         if isinstance(event.source, Calculation) and self.stands:
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 

@@ -112,7 +112,8 @@ class Balance(Radio):
         say = self.app.say
         if not self._known:
             return [Item("", [Content.styled(say(Text("What each balancing leaves is being computed …")), "dim")])]
-        items, made = [], self.made()
+        what = [Content.styled(" " * LABEL + say(left.what), "dim") for left in self._known[0].left]
+        items, made = [Item("", [*what])] if what else [], self.made()
         for one in self._known:
             left = [
                 say(Text("{before} → {after}", before=Amount(x.before, digits=3), after=Amount(x.after, x.unit, digits=3)))
