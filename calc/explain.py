@@ -62,16 +62,23 @@ class Chains:
         """The value that a check is on; None where it judges none that is published."""
         if check.value_id in self.values:
             return check.value_id
-        return next((self.value_of[leaf] for leaf in self._judged(check) if isinstance(leaf, Line) and leaf in self.value_of), None)
+        return next((self.value_of[leaf] for leaf in self.judged(check) if isinstance(leaf, Line) and leaf in self.value_of), None)
 
     def of_check(self, check: Check) -> tuple[list[Link], list[str]]:
         """The chain of the number that a check judges, published or not, and the inputs that it is taken from straight away."""
-        found = self._judged(check)
+        found = self.judged(check)
         return self._links([leaf for leaf in found if isinstance(leaf, Line)]), [leaf for leaf in found if isinstance(leaf, str)]
 
-    def _judged(self, check: Check) -> tuple[Line | str, ...]:
+    def judged(self, check: Check) -> tuple[Line | str, ...]:
+        """The lines that gave the number which a check judges, and the inputs that it was taken from."""
         known = next((one for one in self.results.checks() if one.id == check.id), check)
         return leaves(link_of(known.value))
+
+    def asked(self, check: Check) -> tuple[Line | str, ...]:
+        """The same of the limit that it is held against; nothing where the limit stands for itself."""
+        known = next((one for one in self.results.checks() if one.id == check.id), check)
+        of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
+        return leaves(link_of(known.limit)) or leaves(link_of(of_value))
 
     def leading_to(self, value_ids: Iterable[str]) -> set[int]:
         """The numbers, among the lines of all steps in their order, of those that lead to any of these values."""

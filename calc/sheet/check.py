@@ -153,7 +153,7 @@ def check(
     """
     rule = rule_of(id, index)
     shown = UNITS[unit].shown
-    bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else shown(limit)
+    bound = (shown(limit[0]), shown(limit[1])) if isinstance(limit, tuple) else linked(shown(limit), link_of(limit))
     number = shown(value) if math.isfinite(value) else value
     made = Check(
         id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,

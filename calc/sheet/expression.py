@@ -137,9 +137,10 @@ class Shown:
 
 
 GOVERNS = {"max": Text("largest of {size}, number {number}"), "min": Text("smallest of {size}, number {number}")}
+NUMBERED = Text("number {number} of {size}")
 
 
-def _governing(line: Line) -> tuple[int, ...] | None:
+def governing(line: Line) -> tuple[int, ...] | None:
     """The index of the element to show, None for a value that is no array."""
     import numpy as np
 
@@ -180,9 +181,15 @@ def _result_unit(formula: Equation) -> tuple[str, float]:
     return ("°", math.pi / 180) if inside == "rad" else (inside, 1.0)
 
 
-def result(line: Line) -> tuple[str, str]:
-    """The value of a line, of an array that which governs, with its unit."""
-    return _result(line.formula, _element(line.value, _governing(line), getattr(line.value, "shape", ())))
+def result(line: Line, at: tuple[int, ...] | None = None) -> tuple[str, str]:
+    """The value of a line with its unit; of an array that which governs, or the one at this place of it."""
+    return _result(line.formula, _element(line.value, _place(line, at), getattr(line.value, "shape", ())))
+
+
+def _place(line: Line, at: tuple[int, ...] | None) -> tuple[int, ...] | None:
+    """The index of the element to show: the one asked for where the value has it, else the one that governs."""
+    shape = getattr(line.value, "shape", ())
+    return at if at and len(at) == len(shape) and all(i < n for i, n in zip(at, shape)) else governing(line)
 
 
 def _result(formula: Equation, value: object) -> tuple[str, str]:
@@ -191,9 +198,10 @@ def _result(formula: Equation, value: object) -> tuple[str, str]:
     return scalar(value / factor), unit
 
 
-def show(line: Line) -> Shown:
+def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
+    """A line made readable; of arrays the element that governs, or the one at the place `at`."""
     formula = line.formula
-    index = _governing(line)
+    index = _place(line, at)
     shape = getattr(line.value, "shape", ())
     value = _element(line.value, index, shape)
     arguments = {name: _element(x, index, shape) for name, x in line.arguments.items()}
@@ -210,7 +218,8 @@ def show(line: Line) -> Shown:
         shows = Text("{name}({given})", name=formula.__name__, given=given)
     where = EMPTY
     if index is not None and (size := math.prod(shape)) > 1:
-        where = Text(GOVERNS[formula.governs].template, size=size, number=index[-1] + 1)
+        template = NUMBERED if index == at else GOVERNS[formula.governs]
+        where = Text(template.template, size=size, number=index[-1] + 1)
     return Shown(formula.symbol, tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
 
 

@@ -63,12 +63,29 @@ def rule_of(id: str, index: int | None = None) -> Rule:
 
     Raises KeyError where there is none: every check has its row.
     """
+    return _filled(*_row(id), index)
+
+
+@cache
+def pattern_of(id: str) -> str:
+    """The id of the row of a check, letters in place of its elements: the same for both bearings, and for all meshes.
+
+    The id itself where there is no row.
+    """
+    try:
+        return _row(id)[0].id
+    except KeyError:
+        return id
+
+
+def _row(id: str) -> tuple[Rule, dict[str, str]]:
+    """The row of a check, and the elements that its letters stand for."""
     parts = id.split(".")
     ends = (parts[-1], parts[-1].partition("_")[0] + "_")
     for rule in [rule for end in ends for rule in _by_end().get((parts[0], len(parts), end), ())]:
         names = _names(rule.id.split("."), parts)
         if names is not None:
-            return _filled(rule, names, index)
+            return rule, names
     raise KeyError(f"the check {id} has no row in {TABLE.name}")
 
 
