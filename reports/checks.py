@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 
 from calc.sheet.check import URGENT, Check, grouped, with_it
 from calc.sheet.step import Erratum
@@ -13,13 +14,18 @@ from calc.sheet.text import Amount, Text
 from .context import Context
 from .flow import Block
 from .fonts import BOLD
-from .prose import CELL, NOTE, Style
+from .prose import CELL, NOTE, STRONG, Style
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS, verdict
 
 VERDICT, LONG_VERDICT = 42.0, 62.0
 LONG = ("not_verified", "accepted")
 SIGN = {state: Style(CELL.size, CELL.leading, BOLD, colour) for state, colour in STATE_COLOURS.items()}
+
+
+def sign_style(context: Context, state: str) -> Cell:
+    """The verdict in the heading of a proof."""
+    return Cell(verdict(context.words, state), replace(STRONG, colour=STATE_COLOURS[state]))
 
 
 def sign_cell(context: Context, state: str) -> Cell:

@@ -7,21 +7,18 @@ from calc.design import STEPS, Design
 from calc.design_file import Document
 from calc.explain import Chains
 from calc.id_words import belongs
-from calc.languages import Language, language
+from calc.key_values import CURVES, concerns, like
+from calc.languages import Language
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
-from calc.sheet.trace import Equation, Line
 from calc.solve import Results
 
 from .words import WORDS
 
 DEPTHS = ("summary", "engineer", "audit")
-CURVES = 2  # of a step, in the design calculation
-
-
-Deciding = dict[tuple[str, Equation], set[str]]  # step and formula → variants
+NEAR = 0.1  # margin up to which a check that holds is proven
 
 
 @dataclass(slots=True)
@@ -38,7 +35,7 @@ class Context:
     sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
     words: dict[str, str] = field(init=False)  # the report's own, in its language
-    _deciding: Deciding = field(default_factory=dict)
+    _chains: Chains | None = None
     _values: dict[str, Published] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
@@ -68,14 +65,12 @@ class Context:
     def audit(self) -> bool:
         return self.depth == "audit"
 
-    def lines(self, key: str) -> list[Line]:
-        """The lines of a step's calculation: all of them for an audit, else those of the formulas that decide."""
-        lines = list(self.results.outcomes[key].lines)
-        if self.audit:
-            return lines
-        if not self._deciding:
-            self._deciding.update(_deciding(self.results))
-        return [line for line in lines if variant(line) in self._deciding.get((key, line.formula), ())]
+    @property
+    def chains(self) -> Chains:
+        """The chains of lines that lead to values and checks."""
+        if self._chains is None:
+            self._chains = Chains(self.original or self.results)
+        return self._chains
 
     def steps(self) -> list[tuple[int, Step, Outcome[object]]]:
         return [(n, step, self.results.outcomes[step.key]) for n, step in enumerate(STEPS, 1) if step.key in self.results.outcomes]
@@ -93,37 +88,30 @@ class Context:
         """What a value or check belongs to: `bearings.front.film_edge` → ["front"], in the report's language."""
         return [self.say(word) for word in belongs(id)]
 
-    def holds_all(self, outcome: Outcome[object]) -> bool:
-        """Whether all curves and tables of a step stand in the report."""
-        return self.audit or (len(outcome.curves) <= CURVES and outcome.further is None)
-
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
-        """The curves of a step with their numbers: all of them for an audit, else the first two."""
-        curves = curves if self.audit else curves[:CURVES]
+        """The curves of a step with their numbers: all of them for an audit, else the main ones, at least one."""
+        if not self.audit:
+            firsts = [next((c for c in curves if like(c.id, (pattern,))), None) for pattern in CURVES]
+            curves = tuple(curve for curve in firsts if curve is not None) or curves[:1]
         first = self.figures + 1
         self.figures += len(curves)
         return list(enumerate(curves, first))
 
+    def outside(self, check: Check) -> list[Check]:
+        """The checks of the method that put a check outside the validity of its formula."""
+        checks = self.results.outcomes[check.id.partition(".")[0]].checks
+        return [one for one in checks if one.kind == "method" and not one.holds and concerns(one.id, check.id)]
 
-def variant(line: Line) -> str:
-    """What of a part a line is about: "front bearing, twice the load" → "twice the load"; all parts are treated alike."""
-    return language("en").halves(line.about)[1]
+    def state(self, check: Check) -> str:
+        """The verdict of a check; one that holds by a formula outside its validity is not called a pass."""
+        return "outside" if check.verdict == "pass" and self.outside(check) else check.verdict
 
 
-def _deciding(results: Results) -> Deciding:
-    """The formulas, each with its step and variants, that lead to the values which stand for the steps, to the limit that each step
-    comes closest to (where it has none, to the advice), and to whatever fails."""
-    chains = Chains(results)
-    values = {id for step in STEPS if (id := step.headline(chains.values)) is not None}
-    for outcome in results.outcomes.values():
-        limits = [check for check in outcome.checks if check.kind in ("limit", "caution")] or outcome.checks
-        judged = [*sorted(limits, key=closeness)[:1], *(check for check in limits if check.verdict == "fail")]
-        values |= {value for check in judged if (value := chains.behind(check)) is not None}
-    keys = list(results.outcomes)
-    found: Deciding = {}
-    for n in chains.leading_to(values):
-        found.setdefault((keys[chains.steps[n]], chains.lines[n].formula), set()).add(variant(chains.lines[n]))
-    return found
+def near(check: Check) -> bool:
+    """Whether a check is to be proven: a limit or caution that is passed over or can not be judged, or that is kept by at most a tenth."""
+    if check.kind not in ("limit", "caution"):
+        return False
+    return check.verdict != "pass" or not check.holds or (check.nearest[1] != 0 and check.margin <= NEAR)
 
 
 def closeness(check: Check) -> tuple[bool, int, int, float]:

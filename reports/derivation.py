@@ -1,337 +1,40 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The traced lines of a step as formulas: symbol = formula = numbers = value, the source beside it.
-
-A formula that is used for several parts (front and rear bearing, order 1 to 8) stands once, with a line of numbers for each part
-under it.  At depth "audit" every line stands as it was computed, in its order.
-"""
+"""Every traced line of a step as it was computed, in its order: what the audit has."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
-from calc.languages import Language
-from calc.sheet.expression import Shown, plain, respelled, result, show, text
 from calc.sheet.step import Step
-from calc.sheet.text import Name, with_unit
-from calc.sheet.trace import Equation, Line
+from calc.sheet.trace import Line
 
-from .boxes import Box, row, space
-from .boxes import text as text_box
 from .context import Context
+from .equation import SIGN, Entry, Label, Labelled, entry_blocks
 from .flow import Block, heading, paragraph
-from .fonts import clean
-from .paper import WIDTH
-from .prose import CELL, GROUP, NOTE, SOURCE
-from .prose import lines as text_lines
-from .typeset import Piece, formula, lines, symbol
-
-if TYPE_CHECKING:
-    from typing import Any
-
-    from .pen import Pen
-
-SIZE = 8.2
-LEAD = 3.0  # between the lines of one formula
-GAP = 5.0  # between formulas
-SOURCE_WIDTH = 128.0
-COLUMN = WIDTH - SOURCE_WIDTH - 14.0  # of the formulas
-SIGN = 36.0  # where the equals sign stands, unless labels need more
-PARTS = 4  # shown with their numbers
-MOST = 4  # lines of one formula for one part
-LISTED = 24  # further values
-TALL = 1.7 * SIZE  # a line of numbers that is no taller is short
-ALIKE = 0.6  # share of formulas in common that makes two parts one kind
+from .prose import GROUP, NOTE
 
 
-def derivation(context: Context, step: Step, traced: list[Line], total: int) -> list[Block]:
-    """The blocks of the formulas of a step; `total` lines were traced."""
-    words = context.words
-    shown_lines = [line for line in traced if context.audit or not _zero(line.value)]
-    if not shown_lines and total:
-        return paragraph(context.text("resting", n=total), NOTE)
-    if not shown_lines:
+def derivation(context: Context, step: Step, traced: list[Line]) -> list[Block]:
+    """The blocks of the formulas of a step."""
+    if not traced:
         return []
-    made = paragraph(words["substitution"], NOTE, gap=1.0)
-    if len(shown_lines) < len(traced):
-        made += paragraph(words["zero_lines"], NOTE, gap=0.0)
-    if len(traced) < total:
-        made += paragraph(context.text("resting", n=total - len(traced)), NOTE, gap=0.0)
-    made = [replace(block, keep=True) for block in made]  # with the first formula
-    labels_of = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in shown_lines)}
-    labelled = [(labels_of[line.about], line) for line in shown_lines]
-    for about, entries in _runs(labelled) if context.audit else _clusters(labelled):
+    made = paragraph(context.words["substitution"], NOTE, gap=1.0, keep=True)
+    labels = {about: Label(*context.say.halves(about)) for about in dict.fromkeys(line.about for line in traced)}
+    for about, entries in _runs([(labels[line.about], line) for line in traced]):
         if about:
             made += heading(about[:1].upper() + about[1:], GROUP, gap=7.0, after=1.0)
-        labels = {label for entry in entries for label, _ in entry.lines}
-        single = len(labels) <= 1 or context.audit
-        full = {lines[0][0] for entry in entries for lines in list(_parts(entry.lines).values())[:PARTS]}
-        wide = 0.0 if single else max(text_box(label.text(), NOTE.size).width for label in full) + 8.0
-        sign = min(max(SIGN, wide), 0.34 * COLUMN)
         for entry in entries:
-            source = context.cite(entry.formula.source, step)
-            made += _entry(entry, source, sign, labelled=not single, context=context)
+            made += entry_blocks(entry, context.cite(entry.formula.source, step), SIGN, labelled=False, context=context)
     return made
 
 
-def _zero(value: Any) -> bool:
-    if hasattr(value, "any"):
-        return not value.any()
-    return isinstance(value, (int, float, complex)) and value == 0
-
-
-# --- which lines belong together ---------------------------------------------------------------------------------------------
-@dataclass(frozen=True, slots=True)
-class Label:
-    """Whose calculation a line is, in the report's language: a part ("front bearing"), and which of its calculations ("twice the load")."""
-
-    part: str
-    variant: str = ""
-
-    def text(self) -> str:
-        return f"{self.part}, {self.variant}" if self.variant else self.part
-
-
-Labelled = tuple[Label, Line]
-
-
-@dataclass(slots=True)
-class _Entry:
-    """One formula with its lines, each with the part it was computed for."""
-
-    formula: Equation
-    lines: list[Labelled]
-
-
-def _runs(traced: list[Labelled]) -> Iterable[tuple[str, list[_Entry]]]:
+def _runs(traced: list[Labelled]) -> Iterable[tuple[str, list[Entry]]]:
     """Every line for itself, under the part whose calculation it is."""
-    entries: list[_Entry] = []
+    entries: list[Entry] = []
     about = traced[0][0]
     for label, line in traced:
         if label != about:
             yield about.text(), entries
             entries, about = [], label
-        entries.append(_Entry(line.formula, [(label, line)]))
+        entries.append(Entry(line.formula, [(label, line)]))
     yield about.text(), entries
-
-
-def _clusters(traced: list[Labelled]) -> Iterable[tuple[str, list[_Entry]]]:
-    """Parts that go through much the same formulas are one cluster; each of its formulas stands once."""
-    used: dict[Label, dict[str, None]] = {}
-    for label, line in traced:
-        used.setdefault(label, {})[_name(line)] = None
-    clusters: list[list[Label]] = []
-    for about, names in used.items():
-        for cluster in clusters:
-            first = used[cluster[0]]
-            if about.part and cluster[0].part and len(names.keys() & first.keys()) >= ALIKE * min(len(names), len(first)):
-                cluster.append(about)
-                break
-        else:
-            clusters.append([about])
-    for cluster in clusters:
-        entries: dict[str, _Entry] = {}
-        for label, line in traced:
-            if label in cluster:
-                entries.setdefault(_name(line), _Entry(line.formula, [])).lines.append((label, line))
-        yield _joined(cluster), list(entries.values())
-
-
-def _name(line: Line) -> str:
-    return f"{line.formula.function.__module__}.{line.formula.__name__}"
-
-
-def _joined(labels: list[Label]) -> str:
-    """What a cluster is about: its parts, and after a colon what is calculated for each of them."""
-    parts = list(dict.fromkeys(label.part for label in labels))
-    variants = list(dict.fromkeys(label.variant for label in labels))
-    words = ", ".join(parts)
-    words = words if len(words) <= 90 else f"{parts[0]} … {parts[-1]}"
-    words += f": {', '.join(v for v in variants if v)}" if any(variants) else ""
-    return words
-
-
-# --- setting -----------------------------------------------------------------------------------------------------------------
-def _entry(entry: _Entry, source: str, sign: float, *, labelled: bool, context: Context) -> list[Block]:
-    """A formula with its lines of numbers.
-
-    Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
-    their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
-    """
-    first = shown(entry.lines[0][1], context.say)
-    head = symbol(first.symbol, SIZE)
-    sign = max(sign, head.width + 4.0)
-    if len(entry.lines) == 1 and not labelled:
-        copied = f"{spoken(first)} {spoken_numbers(first)}"
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, copied, gap=GAP)]
-    rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
-    words_of_all = [spoken(first)]
-    parts = list(_parts(entry.lines).values())
-    groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
-    rest: list[Labelled] = []
-    for n, calculations in enumerate(parts):
-        if n >= PARTS:
-            rest += calculations
-            continue
-        own, said, others = _calculated(calculations, sign, context.say, labelled=labelled)
-        if n and len(parts) > 2 and (len(own) > 1 or own[0][1].height > TALL):
-            rest += calculations
-            continue
-        more = _others(others, own, said, context)
-        own += [("", line) for line in text_lines(more, NOTE, COLUMN - sign, 8)] if more else []
-        groups.append((own, [*said, more]))
-    if more := _others(rest, [], [], context):
-        groups.append(([("", line) for line in text_lines(more, NOTE, COLUMN - sign, 12)], [more]))
-    (own, said), *later = groups
-    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), gap=GAP)
-    return [first_block, *(_block(None, own, sign, "", " ".join(said), gap=LEAD) for own, said in later)]
-
-
-def _calculated(
-    calculations: list[Labelled], sign: float, say: Language, *, labelled: bool
-) -> tuple[list[tuple[str, Box]], list[str], list[Labelled]]:
-    """The first calculation of a part with its numbers: its rows, the same as words, and the part's other calculations."""
-    full = calculations[0][0]
-    own: list[tuple[str, Box]] = []
-    said: list[str] = []
-    others: list[Labelled] = []
-    for label, line in calculations:
-        if label != full or len(said) >= MOST:
-            others.append((label, line))
-        elif (again := spoken_numbers(made := shown(line, say))) not in said:
-            name = label.text() if labelled and not said else ""
-            said.append(again)
-            own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
-    return own, said, others
-
-
-def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
-    """The lines by part."""
-    parts: dict[str, list[Labelled]] = {}
-    for label, line in labelled:
-        parts.setdefault(label.part, []).append((label, line))
-    return parts
-
-
-def _others(rest: list[Labelled], own: list[tuple[str, Box]], said: list[str], context: Context) -> str:
-    """The further calculations of a part by their values; what says the same as the one in full is left out."""
-    known = {s.rpartition("= ")[2] for s in said}
-    found: dict[str, dict[str, None]] = {}
-    told: set[tuple[str, str]] = set()  # a part's values: what a variant has in common with the part is not repeated
-    unit = ""
-    for label, line in rest:
-        value, of = result(line)
-        value = context.say.number(value)
-        if with_unit(value, of) not in known:
-            if label.variant and (label.part, value) in told:
-                continue
-            told.add((label.part, value))
-            found.setdefault("" if own else label.part, {})[f"{label.variant} {value}".strip()] = None
-            unit = of
-    if not found:
-        return ""
-    listed = [f"{part} {', '.join(values)}".strip() for part, values in found.items()]
-    more = f"; {context.text('more', count=len(listed) - LISTED)}" if len(listed) > LISTED else ""
-    return context.text("others", values=with_unit("; ".join(listed[:LISTED]), unit) + more)
-
-
-def spoken(line: Shown) -> str:
-    """The formula of a line as plain text, for whoever copies it."""
-    return f"{plain(line.symbol)}: {line.shows}" if line.formula is None else f"{plain(line.symbol)} = {text(line.formula)}"
-
-
-def spoken_numbers(line: Shown) -> str:
-    value = f"= {with_unit(line.value, line.unit)}"
-    return value if line.numbers is None else f"= {text(line.numbers)} {value}"
-
-
-def _equals(pieces: list[Piece]) -> list[Piece]:
-    """Pieces after an equals sign, before which a line may break at best."""
-    return [Piece(row([text_box("=", SIZE), space(0.28 * SIZE)]), 0.0), *pieces]
-
-
-def _value(line: Shown) -> list[Piece]:
-    words = with_unit(line.value, line.unit)
-    boxes = [text_box("=", SIZE), space(0.28 * SIZE), text_box(words, SIZE)]
-    if line.where:
-        boxes += [space(6.0), text_box(line.where, NOTE.size, colour=NOTE.colour)]
-    return [Piece(space(0.34 * SIZE)), Piece(row(boxes), -0.5)]
-
-
-def shown(line: Line, say: Language) -> Shown:
-    """A line as the report shows it."""
-    made = show(line)
-    number = say.number
-    return replace(
-        made, shows=Name(say(made.shows)), where=Name(say(made.where)), value=number(made.value),
-        formula=made.formula and respelled(made.formula, number), numbers=made.numbers and respelled(made.numbers, number),
-    )  # fmt: skip
-
-
-def _formula_lines(line: Shown, sign: float) -> list[Box]:
-    width = COLUMN - sign
-    if line.formula is None:
-        return text_lines(line.shows, CELL, width)
-    inner = width - 1.2 * SIZE
-    return _hung(lines(_equals(formula(line.formula, SIZE, inner)), width))
-
-
-def _number_lines(line: Shown, sign: float) -> list[Box]:
-    width = COLUMN - sign
-    if line.numbers is None:
-        return [row([p.box for p in _value(line)[1:]])]
-    return _hung(lines([*_equals(formula(line.numbers, SIZE, width - 1.2 * SIZE)), *_value(line)], width))
-
-
-def _whole(line: Shown, sign: float) -> list[Box]:
-    """Formula, numbers and value: on one line where they fit."""
-    width = COLUMN - sign
-    if line.formula is None or line.numbers is None:
-        return [*_formula_lines(line, sign), *_number_lines(line, sign)]
-    head = _equals(formula(line.formula, SIZE, width - 1.2 * SIZE))
-    tail = [*_equals(formula(line.numbers, SIZE, width - 1.2 * SIZE)), *_value(line)]
-    both = [*head, Piece(space(0.34 * SIZE)), *tail]
-    if sum(p.box.width for p in both) <= width:
-        return [row([p.box for p in both])]
-    return [*_hung(lines(head, width)), *_hung(lines(tail, width))]
-
-
-def _hung(set_lines: list[Box]) -> list[Box]:
-    """Lines after the first go in a little, behind the equals sign."""
-    indent = 1.1 * SIZE
-    made = set_lines[:1]
-    for line in set_lines[1:]:
-        starts_equal = bool(line.marks) and line.marks[0][0] == "text" and line.marks[0][3] == "="
-        made.append(line if starts_equal or line.width + indent > COLUMN else row([space(indent), line]))
-    return made
-
-
-def _block(head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, *, gap: float, keep: bool = False) -> Block:
-    """One formula as a block: its lines below each other, the source to the right."""
-    beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
-    labels = [text_lines(label, NOTE, sign - 6.0, 3) if label else [] for label, _ in rows]
-    bases: list[float] = []
-    y = 0.0
-    for i, (_, line) in enumerate(rows):
-        up, down = max(line.up, 0.76 * SIZE, head.up if head is not None and i == 0 else 0.0), max(line.down, 0.24 * SIZE)
-        y += up
-        bases.append(y)
-        y += max(down, (len(labels[i]) - 1) * NOTE.leading + 0.24 * SIZE) + (LEAD if i < len(rows) - 1 else 0.0)
-    lift = bases[0] - SOURCE.size * 0.76
-    height = max(y, (lift if lift > 0 else 0.0) + len(beside) * SOURCE.leading)
-    start = ("begin", 0.0, 0.0, clean(said))
-
-    def draw(pen: Pen, top: float) -> None:
-        pen.put(Box(0.0, 0.0, 0.0, (start,)), 0.0, top)
-        if head is not None:
-            pen.put(head, 0.0, top - bases[0])
-        for (_, line), label, base in zip(rows, labels, bases):
-            for i, part in enumerate(label):
-                pen.put(part, 0.0, top - base - i * NOTE.leading)
-            pen.put(line, sign, top - base)
-        pen.put(Box(0.0, 0.0, 0.0, (("end", 0.0, 0.0),)), 0.0, top)
-        for i, part in enumerate(beside):
-            pen.put(part, WIDTH - SOURCE_WIDTH, top - lift - i * SOURCE.leading - 0.76 * SOURCE.size)
-
-    return Block(height, draw, gap, keep)

@@ -53,13 +53,13 @@ SAMPLE = 20.0  # width of a legend's sample
 Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the left margin, height of its middle
 
 
-def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots) -> list[Block]:
-    """Figures two beside each other, each with its number and title below."""
+def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
+    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, unless its scale forbids it."""
     blocks = []
     curves = [part for number, curve in numbered for part in _apart(number, curve)]
     n = 0
     while n < len(curves):
-        row = curves[n : n + 1] if _alone(curves[n : n + 2]) else curves[n : n + 2]
+        row = curves[n : n + 1] if _alone(curves[n : n + 2], wide) else curves[n : n + 2]
         alone = len(row) == 1
         pair = [_Figure(number, c, word, plots, WIDTH if _broad(c) or (alone and not c.equal) else PART) for number, c in row]
         n += len(row)
@@ -87,8 +87,10 @@ def _apart(number: int, curve: Curve) -> list[tuple[str, Curve]]:
     return made
 
 
-def _alone(two: list[tuple[str, Curve]]) -> bool:
+def _alone(two: list[tuple[str, Curve]], wide: bool) -> bool:
     """Whether the first of two figures takes a row for itself: broad ones do, and the figures a and b of one curve stay together."""
+    if wide and not two[0][0].endswith("a") and not all(curve.equal for _, curve in two):
+        return True
     return len(two) < 2 or any(_broad(curve) for _, curve in two) or two[1][0].endswith("a")
 
 

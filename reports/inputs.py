@@ -19,13 +19,13 @@ from calc.sheet.units import UNITS
 from .context import Context
 from .flow import Block, paragraph
 from .prose import CELL, KEY, NOTE
-from .tables import Cell, Column, Row, named_table, table
+from .tables import Cell, Column, Group, Row, named_table, table
 from .typeset import symbol
 
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
-LONG, ENDS = 24, 4  # of a list with more parts so many of either end are shown, unless everything is asked for
+LONG, ENDS = 8, 3  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
 def exact(value: Any, *, rounded: bool = False) -> str:
@@ -110,7 +110,9 @@ class _Tables:
             rows.append((
                 self.say(key.about.label), _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
             ))  # fmt: skip
-        if rows:
+        if rows and not self.all:
+            self.blocks += self.paired(title, [r for r in rows if not isinstance(r, Group)])
+        elif rows:
             w = self.words
             columns = (
                 Column(w["quantity"], width=138.0), Column(w["symbol"], width=42.0), Column(w["value"], "r", width=104.0),
@@ -118,6 +120,15 @@ class _Tables:
             )  # fmt: skip
             self.blocks += named_table(title, columns, rows)
         self.inside(inner, data, prefix)
+
+    def paired(self, title: str, rows: list[Sequence[str | Cell]]) -> list[Block]:
+        """Inputs two beside each other, down one column and then the next, without their keys."""
+        w = self.words
+        half = -(-len(rows) // 2)
+        none = ("", "", "", "", "")
+        columns = (Column(w["quantity"]), Column(w["symbol"], width=34.0), Column(w["value"], "r", width=62.0), Column(w["unit"], width=30.0))
+        both = [(*left[:4], *right[:4]) for left, right in zip(rows[:half], [*rows[half:], none])]
+        return named_table(title, (*columns, *columns), both)
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str) -> None:
         """Tables in a table: neighbours of one class stand beside each other."""
@@ -215,7 +226,7 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
     w = context.words
     if made.default:
         made.blocks += paragraph(w["defaults"], NOTE, gap=3.0)
-    if made.left_out:
+    if made.left_out and context.audit:
         made.blocks += paragraph(context.text("left_out", names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
     return made.blocks
 

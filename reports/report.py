@@ -7,7 +7,6 @@ The same design file and program give the same bytes: no date of printing, no pa
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,6 +19,7 @@ from calc.solve import Results
 
 from . import attach
 from .binding import bind, put
+from .chapter import Parts, chapter_parts
 from .checks import check_blocks, errata_blocks
 from .contents import Entry, contents_blocks, source_blocks
 from .context import DEPTHS, Context
@@ -39,6 +39,7 @@ from .words import verdict
 
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
+CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "inputs", "figures")
 NEED = 0.36 * PAGE[1]  # a step begins on a new page unless so much is left
 
 
@@ -96,7 +97,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     entries: list[Entry] = []
     body: list[Block] = []
     plots = Plots()
-    steps = context.steps()
+    steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
     for number, step, outcome in steps:
         done = part(progress, (number - 1) / len(steps), number / len(steps))
         body += _step(context, number, step, outcome, entries, plots, done)
@@ -117,10 +118,10 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     sources = source_blocks(context)
     body += _section(f"{number}  {w['sources']}", "sources", entries, need=160.0)
     body += sources
-    if index := index_blocks(body):
+    if context.audit and (index := index_blocks(body)):
         body += _section(f"{number + 1}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
-    return summary + contents_blocks(context, entries, [w[key] for key in LISTED]) + body
+    return summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
 
 
 def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> list[Block]:
@@ -128,15 +129,10 @@ def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> l
     return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
-def _further(context: Context, outcome: Outcome[object]) -> list[Block]:
-    """That there is more, where there is."""
-    return [] if context.holds_all(outcome) else paragraph(context.words["further"], NOTE, gap=3.0)
-
-
 def _step(
     context: Context, number: int, step: Step, outcome: Outcome[object], entries: list[Entry], plots: Plots, progress: Progress | None
 ) -> list[Block]:
-    """One step: inputs, assumptions, formulas, results, tables, checks, figures; or why there is nothing to show."""
+    """One step with its parts; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
     title = context.say(step.title)
@@ -154,23 +150,28 @@ def _step(
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)
-    parts: tuple[tuple[str, Callable[[], list[Block]]], ...] = (
-        ("inputs", lambda: input_blocks(context, step)),
-        ("notes", lambda: [block for note in outcome.notes for block in bullet(note)]),
-        ("formulas", lambda: derivation(context, step, context.lines(step.key), len(outcome.lines))),
-        ("results", lambda: value_blocks(context, outcome)),
-        ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
-        ("tables", lambda: table_blocks(context, outcome.tables)),
-        ("checks", lambda: check_blocks(context, outcome.checks)),
-        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), w["figure"], plots) + _further(context, outcome)),
-        ("errata", lambda: errata_blocks(context, outcome.errata)),
-    )
+    parts = _everything(context, step, outcome, plots) if context.audit else chapter_parts(context, number, step, outcome, plots)
     for n, (key, make) in enumerate(parts):
         tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
             anchor = f"{step.key}-{key}"
             made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)
             made += section
-            if key in LISTED:
+            if key in (LISTED if context.audit else CHAPTERS):
                 entries[-1].parts[w[key]] = anchor
     return made
+
+
+def _everything(context: Context, step: Step, outcome: Outcome[object], plots: Plots) -> Parts:
+    """The parts of a step's chapter in the audit report."""
+    return (
+        ("inputs", lambda: input_blocks(context, step)),
+        ("notes", lambda: [block for note in outcome.notes for block in bullet(note)]),
+        ("formulas", lambda: derivation(context, step, list(outcome.lines))),
+        ("results", lambda: value_blocks(context, outcome, outcome.values())),
+        ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
+        ("tables", lambda: table_blocks(context, outcome.tables)),
+        ("checks", lambda: check_blocks(context, outcome.checks)),
+        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), context.words["figure"], plots)),
+        ("errata", lambda: errata_blocks(context, outcome.errata)),
+    )

@@ -37,14 +37,10 @@ class _Part:
         return all(v.shown == 0 for v in self.values.values())
 
 
-def value_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
-    """All values of a step.  What is zero throughout is named, not tabulated, and what one of the step's tables covers is left to it,
-    unless everything is asked for."""
-    covered = () if context.audit else tuple(prefix for t in outcome.tables for prefix in t.covers)
+def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Published]) -> list[Block]:
+    """Values of a step.  What is zero throughout is named, not tabulated, unless everything is asked for."""
     parts: dict[str, _Part] = {}
-    for value in outcome.values():
-        if value.id.startswith(covered):
-            continue
+    for value in values:
         prefix, _, name = value.id.removeprefix(f"{outcome.key}.").rpartition(".")
         parts.setdefault(prefix, _Part(prefix, ", ".join(context.belongs(value.id)))).values[name] = value
     nothing = [p for p in parts.values() if p.zero and p.prefix and not context.audit]

@@ -35,6 +35,12 @@ WORDS: dict[str, Text] = {
         "stand in the audit report.",
         n=0,
     ),
+    "limit_is": Text("Limit {limit}: {source}."), "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
+    "also_judged": Text("Also judged: {checks}."), "more_twins": Text("{count} more"),
+    "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
+    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "used": Text("used {share}"),
+    "with_values": Text("With {values}."), "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"),
+    "proofs": Text("Proofs"), "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
     "nearest": Text(
         "`contralbero check` ends with the nearest design that passes, as a command with all that it changes; in the session "
         "F5 applies it."
@@ -70,11 +76,11 @@ WORDS: dict[str, Text] = {
 STATE_COLOURS: dict[str, Colour] = {
     "pass": (0.0, 0.42, 0.31), "warn": (0.66, 0.40, 0.0), "fail": (0.75, 0.16, 0.0), "blocked": (0.35, 0.35, 0.35),
     "not_asked": (0.45, 0.45, 0.45), "no_solution": (0.75, 0.16, 0.0), "note": (0.35, 0.35, 0.35), "not_verified": (0.66, 0.40, 0.0),
-    "accepted": (0.0, 0.42, 0.31),
+    "accepted": (0.0, 0.42, 0.31), "outside": (0.35, 0.35, 0.35),
 }  # fmt: skip
 STATE_PANELS: dict[str, Colour] = {"pass": (0.92, 0.97, 0.94), "warn": (0.99, 0.96, 0.88), "fail": (0.99, 0.93, 0.90)}
 
 
 def verdict(words: dict[str, str], state: str) -> str:
     """Sign and word: readable without colour."""
-    return f"{SIGNS[state]} {words[state]}"
+    return f"{SIGNS.get(state, SIGNS['note'])} {words[state]}"

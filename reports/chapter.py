@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The chapter of a step in the engineer's report: the findings first, then their proofs, what holds, the key values, and what it all stands on."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from calc.key_values import TABLES, is_key_value
+from calc.sheet.check import Check, grouped
+from calc.sheet.rules import pattern_of
+from calc.sheet.step import Outcome, Step
+from calc.sheet.text import Amount, Text
+
+from .checks import errata_blocks, name_of, shown_value, sign_cell
+from .context import Context
+from .figures import figure_blocks
+from .flow import Block, bullet
+from .inputs import input_blocks
+from .plots import Plots
+from .proof import proofs
+from .proof_blocks import proof_blocks
+from .prose import NOTE
+from .tables import Cell, Column, Row, table
+from .values import table_blocks, value_blocks
+
+LONG_VERDICT = 96.0
+NAMED = 4  # twins of a check that holds
+
+Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
+
+
+def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], plots: Plots) -> Parts:
+    """The parts of a chapter in their order, each by the word that heads it."""
+    w = context.words
+    proven = {check.id for proof in proofs(outcome.checks) for check in proof.checks}
+    values = [value for value in outcome.values() if is_key_value(value.id)]
+    return (
+        ("verdicts_of", lambda: finding_blocks(context, outcome)),
+        ("proofs", lambda: proof_blocks(context, number, step, outcome)),
+        ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
+        ("key_values", lambda: value_blocks(context, outcome, values)),
+        ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
+        ("inputs", lambda: input_blocks(context, step)),
+        ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE)]),
+        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), w["figure"], plots, wide=True)),
+        ("errata", lambda: errata_blocks(context, outcome.errata, short=True)),
+    )
+
+
+def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
+    """What is open or accepted, one line a cause, the worst first."""
+    rows: list[Row] = []
+    for group in grouped(outcome.checks):
+        found = [check for check in group if check.verdict != "pass"]
+        if found:
+            worst, more = found[0], len(found) - 1
+            name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
+            rows.append(_row(context, worst, name))
+    return table(_columns(context), rows) if rows else []
+
+
+def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
+    """What holds and is not proven: twins on one line, by the one that comes closest to its limit."""
+    twins: dict[str, list[Check]] = {}
+    for check in checks:
+        twins.setdefault(pattern_of(check.id), []).append(check)
+    rows: list[Row] = []
+    for group in twins.values():
+        least, *others = sorted(group, key=lambda check: check.margin)
+        told = [Text("{name} {value}", name=" ".join(context.belongs(one.id)) or one.name, value=Amount(one.value, one.unit))
+                for one in others[:NAMED]]  # fmt: skip
+        more = [context.text("more_twins", count=len(others) - NAMED)] if len(others) > NAMED else []
+        under = context.text("also_judged", checks="; ".join([*map(context.say, told), *more])) if others else ""
+        rows.append(_row(context, least, Cell(name_of(context, least), under=(under, NOTE))))
+    return table(_columns(context), rows) if rows else []
+
+
+def _row(context: Context, check: Check, name: str | Cell) -> Row:
+    found = shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
+    return sign_cell(context, context.state(check)), name, *found
+
+
+def _columns(context: Context) -> tuple[Column, ...]:
+    w = context.words
+    numbers = (Column(w[key], "r") for key in ("value", "limit", "margin"))
+    return (Column(w["verdict"], width=LONG_VERDICT), Column(w["check"]), *numbers)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What decides a check, walked back from the number that it judges: the lines of the calculation that a proof shows, and what they need.
+
+Twins, which are one row of the table of checks (front and rear bearing, every mesh), are one proof: those that fail or come near their
+limit with their numbers, the others by name.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from math import prod
+
+from calc.explain import needs
+from calc.key_values import PROVEN
+from calc.sheet.check import Check, severity
+from calc.sheet.expression import governing, result
+from calc.sheet.rules import pattern_of
+from calc.sheet.text import Text, with_unit
+from calc.sheet.trace import Line
+
+from .context import Context, near
+from .equation import Entry, Label, Place
+
+MOST = {"limit": 12, "caution": 7}  # formulas of a demand
+LIMIT = 3  # formulas of a limit
+COORDINATES = ("z", "θ", "φ", "α", "ξ", "n")  # what a place along an array is named by
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """Checks that are proven together, the worst first, and their twins, which hold with more room."""
+
+    checks: tuple[Check, ...]
+    others: tuple[Check, ...]
+
+    @property
+    def governing(self) -> Check:
+        return self.checks[0]
+
+
+@dataclass(frozen=True, slots=True)
+class Walk:
+    """What a number comes from: formulas with their numbers, values that these take from elsewhere, and inputs."""
+
+    entries: list[Entry]
+    quoted: list[str]  # "F = 1707 N"
+    inputs: list[str]  # keys
+
+
+def proofs(checks: Iterable[Check]) -> list[Proof]:
+    """The proofs of a step: of what fails, can not be judged or comes near its limit, the worst first; then of what is always proven."""
+    twins: dict[str, list[Check]] = {}
+    for check in checks:
+        twins.setdefault(pattern_of(check.id), []).append(check)
+    open_ones, kept = [], []
+    for pattern, group in twins.items():
+        if wanted := sorted(filter(near, group), key=severity):
+            open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
+        elif pattern in PROVEN:
+            least = min(group, key=lambda check: check.margin)
+            kept.append(Proof((least,), tuple(check for check in group if check is not least)))
+    return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
+
+
+def demand(context: Context, proof: Proof) -> Walk:
+    """What the numbers that are judged come from."""
+    check = proof.governing
+    roots = [context.chains.judged(one) for one in proof.checks]
+    return _walk(context, roots, MOST.get(check.kind, MOST["caution"]), PROVEN.get(pattern_of(check.id), ()))
+
+
+def limit(context: Context, proof: Proof) -> Walk:
+    """What the limits come from."""
+    return _walk(context, [context.chains.asked(one) for one in proof.checks], LIMIT, ())
+
+
+def value(context: Context, id: str) -> Walk:
+    """What a value comes from that no check judges."""
+    return _walk(context, [tuple(link.line for link in context.chains.of(id)[-1:])], MOST["limit"], ())
+
+
+def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...]) -> Walk:
+    """The lines nearest to the first of several numbers, `most` formulas of them and those with the symbols in `also`; the same formulas of the others."""
+    shown = _nearest(_lines(roots[0]), most, also)
+    if not shown:
+        return Walk([], [], [leaf for leaf in roots[0] if isinstance(leaf, str)])
+    count = {name: sum(_name(line) == name for line in shown) for name in map(_name, shown)}
+    for root in roots[1:]:
+        left = dict(count)
+        for line in _followed(_lines(root)):
+            if left.get(_name(line), 0) > 0 and line not in shown:
+                left[_name(line)] -= 1
+                shown.append(line)
+    place = _place(context, shown)
+    entries: dict[str, Entry] = {}
+    for line in shown:
+        entries.setdefault(_name(line), Entry(line.formula, [], place)).lines.append((Label(*context.say.halves(line.about)), line))
+    return Walk(list(entries.values()), _quoted(context, shown, place), _inputs(roots, shown))
+
+
+def _lines(leaves: Iterable[Line | str]) -> list[Line]:
+    return [leaf for leaf in leaves if isinstance(leaf, Line)]
+
+
+def _followed(roots: list[Line]) -> Iterator[Line]:
+    """These lines and all that they need, the nearest first."""
+    known, waiting = set(roots), list(roots)
+    for line in waiting:  # grows on the way
+        yield line
+        for needed in needs(line)[0]:
+            if needed not in known:
+                known.add(needed)
+                waiting.append(needed)
+
+
+def _nearest(roots: list[Line], most: int, also: tuple[str, ...]) -> list[Line]:
+    names: dict[str, None] = {}
+    shown, wanted = [], set(also)
+    for line in _followed(roots):
+        if line.formula.symbol in wanted:
+            wanted.discard(line.formula.symbol)
+        elif line not in roots and (_constant(line) or (_name(line) not in names and len(names) >= most - len(also))):
+            continue
+        names[_name(line)] = None
+        shown.append(line)
+    return shown
+
+
+def _constant(line: Line) -> bool:
+    """Whether a line says no more than its value."""
+    lines, inputs = needs(line)
+    return bool(line.formula.shows) and not lines and not inputs
+
+
+def _name(line: Line) -> str:
+    return f"{line.formula.function.__module__}.{line.formula.__name__}"
+
+
+def _quoted(context: Context, shown: list[Line], place: Place | None) -> list[str]:
+    """The values that the shown lines take from lines that are not shown."""
+    given = set(shown)
+    found: dict[str, None] = {}
+    for line in shown:
+        for needed in needs(line)[0]:
+            if needed not in given:
+                number, unit = result(needed, place and place.index)
+                found[f"{needed.formula.symbol} = {with_unit(context.say.number(number), unit)}"] = None
+    return list(found)
+
+
+def _inputs(roots: Sequence[tuple[Line | str, ...]], shown: list[Line]) -> list[str]:
+    keys = [leaf for root in roots for leaf in root if isinstance(leaf, str)]
+    return list(dict.fromkeys([*keys, *(key for line in shown for key in needs(line)[1])]))
+
+
+def _place(context: Context, shown: list[Line]) -> Place | None:
+    """The element of arrays that is followed: the one that governs the number which is judged, named by where it lies."""
+    index = governing(shown[0])
+    shape = getattr(shown[0].value, "shape", ())
+    if index is None or prod(shape) < 2:
+        return None
+    for line in _followed(shown[:1]):
+        if line.formula.symbol in COORDINATES and getattr(line.value, "shape", ()) == shape:
+            number, unit = result(line, index)
+            return Place(index, f"({line.formula.symbol} = {with_unit(context.say.number(number), unit)})")
+    return Place(index, context.say(Text("(place {number} of {size})", number=index[-1] + 1, size=shape[-1])))

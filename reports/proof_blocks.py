@@ -1,0 +1,164 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A proof as blocks: title with verdict and utilisation, the limit, the demand with its numbers, the twins, and what would mend it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from calc.addresses import value_at
+from calc.explain import shortened
+from calc.sheet.check import Check
+from calc.sheet.errors import BadInput
+from calc.sheet.step import Outcome, Step
+from calc.sheet.text import Amount, Text
+
+from .boxes import Colour
+from .checks import name_of, shown_value, sign_style
+from .context import Context
+from .equation import SIGN, column_of_signs, entry_blocks
+from .flow import Block, paragraph
+from .inputs import exact
+from .paper import WIDTH
+from .proof import Proof, Walk, demand, limit, proofs, value
+from .prose import NOTE, STRONG
+from .tables import Cell, Column, Row, table
+from .words import STATE_COLOURS
+
+if TYPE_CHECKING:
+    from .pen import Pen
+
+NAMED = 6  # twins
+QUOTED = 14  # values and inputs of a proof
+INDENT = 8.0
+BAR = 2.2
+STRIPE: Colour = (0.95, 0.95, 0.95)
+
+
+def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[object]) -> list[Block]:
+    """The proofs of a step, numbered, after what leads to the value that stands for it."""
+    found = proofs(outcome.checks)
+    made = _headline(context, step, outcome, {check.value_id for proof in found for check in proof.checks})
+    for n, proof in enumerate(found, 1):
+        made += _proof(context, f"{number}.{n}", step, proof)
+    return made
+
+
+def _headline(context: Context, step: Step, outcome: Outcome[object], proven: set[str]) -> list[Block]:
+    """How the value comes about that stands for a step, where no proof shows it."""
+    own = {value.id: value for value in outcome.values()}
+    id = step.headline(own)
+    if id is None or id in proven or not (walk := value(context, id)).entries:
+        return []
+    title = f"{context.say(own[id].label)}: {context.written(own[id].shown, own[id].unit)}"
+    return [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
+
+
+def _proof(context: Context, number: str, step: Step, proof: Proof) -> list[Block]:
+    rows: list[Row] = []
+    for n, check in enumerate(proof.checks):
+        name = f"{number}  {name_of(context, check)}" if n == 0 else name_of(context, check)
+        state = context.state(check)
+        found = Cell(f"{shown_value(context, check)} · {context.say(check.limit_text())}", STRONG)
+        rows.append((Cell(name, STRONG), found, Cell(context.say(check.margin_text()), STRONG), used(context, check), sign_style(context, state)))
+    made = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
+    for check in proof.checks[:1]:
+        context.cite(check.source, step)
+        made += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
+    made += _walked(context, step, limit(context, proof), quoting=False)
+    walk = demand(context, proof)
+    if not walk.entries:
+        made += _line(context, "no_formula")
+        moved = [key for key in proof.governing.moved_by if key not in walk.inputs]
+        walk = Walk([], [], [*walk.inputs, *moved])
+    made += _walked(context, step, walk)
+    made += _after(context, proof)
+    last = made[-1]
+    made[-1] = replace(last, keep=False)
+    return made
+
+
+def _after(context: Context, proof: Proof) -> list[Block]:
+    """The twins, what the formulas are not made for, and what would mend it."""
+    made: list[Block] = []
+    if proof.others:
+        told = [Text("{name} {value} {limit} ({margin})", name=_short(context, check), value=Amount(check.value, check.unit),
+                     limit=check.limit_text(), margin=check.margin_text()) for check in proof.others[:NAMED]]  # fmt: skip
+        more = [context.text("more_twins", count=len(proof.others) - NAMED)] if len(proof.others) > NAMED else []
+        made += _line(context, "also_judged", checks="; ".join([*map(context.say, told), *more]))
+    for method in dict.fromkeys(one for check in proof.checks for one in context.outside(check)):
+        made += _line(context, "outside_of", name=name_of(context, method), value=shown_value(context, method), limit=context.say(method.limit_text()))
+    check = proof.governing
+    if check.missing:
+        made += _line(context, "not_known", keys=", ".join(check.missing))
+    if check.accepted:
+        made += _line(context, "accepted_because", reason=check.accepted)
+    for advice in dict.fromkeys(one.advice for one in proof.checks if one.advice and not one.holds):
+        made += paragraph(context.say(advice), NOTE, x=INDENT, gap=2.0)
+    return made
+
+
+def _short(context: Context, check: Check) -> str:
+    """What tells a twin from the others."""
+    return " ".join(context.belongs(check.id)) or check.name
+
+
+def used(context: Context, check: Check) -> Cell:
+    """Demand over capacity, where both are amounts of one sign."""
+    share = check.utilisation
+    if share is None and not isinstance(check.limit, tuple) and check.unit != "°C" and check.value > 0 and check.limit > 0:
+        share = check.value / check.limit if check.sense in ("<=", "<") else check.limit / check.value
+    if share is None or not share < 100:
+        return Cell()
+    return Cell(context.text("used", share=Amount(share * 100, "%", form=".0f")), STRONG)
+
+
+def _line(context: Context, key: str, **parts: object) -> list[Block]:
+    return [replace(block, keep=True) for block in paragraph(context.text(key, **parts), NOTE, x=INDENT, gap=2.0)]
+
+
+def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
+    """The heading of a proof: a grey stripe with a bar in the colour of its verdict."""
+    columns = (Column(), Column(align="r"), Column(align="r", width=52.0), Column(align="r", width=62.0), Column(width=88.0))
+    parts = table(columns, rows, header=False)
+    tall = sum(part.height for part in parts)
+
+    def draw(pen: Pen, y: float) -> None:
+        pen.panel(0.0, y - tall, WIDTH, tall, STRIPE)
+        pen.panel(-BAR - 3.0, y - tall, BAR, tall, colour)
+        for part in parts:
+            part.draw(pen, y)
+            y -= part.height
+
+    return Block(tall, draw, 10.0, keep=True)
+
+
+def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -> list[Block]:
+    """The formulas of a walk, and below them in small type what they take from elsewhere."""
+    labels = {label for entry in walk.entries for label, _ in entry.lines}
+    labelled = len(labels) > 1
+    sign = column_of_signs(walk.entries) if labelled else SIGN
+    made: list[Block] = []
+    for entry in walk.entries:
+        made += entry_blocks(entry, context.cite(entry.formula.source, step), sign, labelled=labelled, context=context)
+    if quoting and walk.quoted:
+        made += _listed(context, "with_values", walk.quoted)
+    if quoting and walk.inputs:
+        made += _listed(context, "from_inputs", [_given(context, key) for key in shortened(walk.inputs, context.design)])
+    return made
+
+
+def _listed(context: Context, key: str, words: list[str]) -> list[Block]:
+    more = f" · {context.text('more_twins', count=len(words) - QUOTED)}" if len(words) > QUOTED else ""
+    return _line(context, key, values=" · ".join(words[:QUOTED]) + more)
+
+
+def _given(context: Context, key: str) -> str:
+    """An input as the design file has it."""
+    if "*" in key or " (" in key:
+        return key
+    try:
+        given = value_at(context.document.data, key, whole=True)
+    except BadInput:
+        return key
+    return key if given is None or isinstance(given, (dict, list)) and len(str(given)) > 40 else f"{key} = {exact(given)}"
