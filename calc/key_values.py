@@ -49,12 +49,10 @@ VALUES: dict[str, tuple[str, ...]] = {
         "loss", "efficiency", "loss_factor", "friction_mean", "lambda_min", "pressure_max", "film_min",
     ))),
 }  # fmt: skip
-NOT_VALUES = ("*.sheet.*", "*.two_term.*", "friction.*.*.*", "*.corners.*")
-
 # Of each pattern the first curve is drawn; the tables stand as they are
 CURVES = (
-    "torque", "acceleration", "locus", "orders_couple", "orders_force", "deflection", "moment", "film_front", "film_rear",
-    "backlash_temperature_*", "profile_*", "specific_film_*", "losses", "*.stribeck",
+    "torque", "locus", "orders_couple", "orders_force", "deflection", "moment", "film_front", "film_rear", "backlash_temperature_*",
+    "profile_*", "specific_film_*", "losses",
 )  # fmt: skip
 TABLES = ("measured", "balance")
 
@@ -85,13 +83,18 @@ VALIDITY: dict[str, tuple[str, ...]] = {
 
 
 def like(id: str, patterns: tuple[str, ...]) -> bool:
-    """Whether an id is of one of these patterns."""
-    return any(fnmatchcase(id, pattern) for pattern in patterns)
+    """Whether an id is of one of these patterns; a `*` stands for no more than one part of it."""
+    parts = id.split(".")
+    return any(_matches(parts, pattern.split(".")) for pattern in patterns)
+
+
+def _matches(parts: list[str], pattern: list[str]) -> bool:
+    return len(parts) == len(pattern) and all(map(fnmatchcase, parts, pattern))
 
 
 def is_key_value(id: str) -> bool:
     """Whether a value stands in a short report."""
-    return like(id, VALUES.get(id.partition(".")[0], ())) and not like(id, NOT_VALUES)
+    return like(id, VALUES.get(id.partition(".")[0], ()))
 
 
 def concerns(method: str, check: str) -> bool:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 
 from calc.key_values import TABLES, is_key_value
 from calc.sheet.check import Check, grouped
@@ -11,20 +11,20 @@ from calc.sheet.rules import pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 
-from .checks import errata_blocks, name_of, shown_value, sign_cell
+from .checks import name_of, shown_value, sign_cell
 from .context import Context
 from .figures import figure_blocks
-from .flow import Block, bullet
+from .flow import Block, bullet, paragraph
 from .inputs import input_blocks
 from .plots import Plots
 from .proof import proofs
 from .proof_blocks import proof_blocks
 from .prose import NOTE
-from .tables import Cell, Column, Row, table
+from .tables import Column, Row, table
 from .values import table_blocks, value_blocks
 
-LONG_VERDICT = 96.0
-NAMED = 4  # twins of a check that holds
+VERDICT, LONG_VERDICT = 46.0, 66.0
+LONG = ("not_verified", "accepted", "outside")
 
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 
@@ -43,7 +43,6 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
         ("inputs", lambda: input_blocks(context, step)),
         ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE)]),
         ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), w["figure"], plots, wide=True)),
-        ("errata", lambda: errata_blocks(context, outcome.errata, short=True)),
     )
 
 
@@ -56,31 +55,43 @@ def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
             worst, more = found[0], len(found) - 1
             name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
             rows.append(_row(context, worst, name))
-    return table(_columns(context), rows) if rows else []
+    return table(_columns(context, outcome.checks), rows) if rows else []
 
 
 def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
-    """What holds and is not proven: twins on one line, by the one that comes closest to its limit."""
+    """What holds and is not proven: twins on one line, by the one that comes closest to its limit; of advice and method the number."""
     twins: dict[str, list[Check]] = {}
-    for check in checks:
+    hard = [check for check in checks if check.kind in ("limit", "caution")]
+    for check in hard:
         twins.setdefault(pattern_of(check.id), []).append(check)
     rows: list[Row] = []
     for group in twins.values():
-        least, *others = sorted(group, key=lambda check: check.margin)
-        told = [Text("{name} {value}", name=" ".join(context.belongs(one.id)) or one.name, value=Amount(one.value, one.unit))
-                for one in others[:NAMED]]  # fmt: skip
-        more = [context.text("more_twins", count=len(others) - NAMED)] if len(others) > NAMED else []
-        under = context.text("also_judged", checks="; ".join([*map(context.say, told), *more])) if others else ""
-        rows.append(_row(context, least, Cell(name_of(context, least), under=(under, NOTE))))
-    return table(_columns(context), rows) if rows else []
+        least = min(group, key=lambda check: check.margin)
+        name = name_of(context, least)
+        if len(group) > 1:
+            name = context.text("alike", name=name, count=len(group) - 1)
+        rows.append(_row(context, least, name, _range(context, group)))
+    made = table(_columns(context, hard), rows) if rows else []
+    if len(hard) < len(checks):
+        made += paragraph(context.text("soft_hold", n=len(checks) - len(hard)), NOTE, gap=2.0)
+    return made
 
 
-def _row(context: Context, check: Check, name: str | Cell) -> Row:
-    found = shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
+def _range(context: Context, group: list[Check]) -> str:
+    """The values of twins from the least to the greatest."""
+    low, high = (f(group, key=lambda check: check.value) for f in (min, max))
+    if shown_value(context, low) == shown_value(context, high):
+        return shown_value(context, low)
+    return context.say(Text("{low} to {high}", low=Amount(low.value), high=Amount(high.value, high.unit)))
+
+
+def _row(context: Context, check: Check, name: str, value: str = "") -> Row:
+    found = value or shown_value(context, check), context.say(check.limit_text()), context.say(check.margin_text())
     return sign_cell(context, context.state(check)), name, *found
 
 
-def _columns(context: Context) -> tuple[Column, ...]:
+def _columns(context: Context, checks: Iterable[Check]) -> tuple[Column, ...]:
     w = context.words
     numbers = (Column(w[key], "r") for key in ("value", "limit", "margin"))
-    return (Column(w["verdict"], width=LONG_VERDICT), Column(w["check"]), *numbers)
+    wide = LONG_VERDICT if any(context.state(check) in LONG for check in checks) else VERDICT
+    return (Column(w["verdict"], width=wide), Column(w["check"]), *numbers)

@@ -79,6 +79,8 @@ def source_blocks(context: Context) -> list[Block]:
     published: dict[str, _Reference] = {}
     own: dict[str, list[str]] = {}
     for source, steps in context.sources.items():
+        if not context.audit and source not in context.cited:
+            continue
         stands, text, citations = source in context.cited, context.say(source), resolved(source).citations
         for n, citation in enumerate(citations):
             of_it = published.setdefault(citation.name, _Reference(citation.publication))
@@ -88,14 +90,16 @@ def source_blocks(context: Context) -> list[Block]:
             of_it.known |= {citation.known: None}
         if stands and not citations:
             own.setdefault(", ".join(steps), []).append(text)
-    made = paragraph(w["sources_note"] if context.audit else f"{w['sources_note']} {w['sources_rest']}", NOTE, gap=1.0)
+    made = paragraph(w["sources_note"] if context.audit else w["sources_rest"], NOTE, gap=1.0)
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
-    rows: list[Row] = [
-        (Cell(name, under=(_what(context, of_it), NOTE)), Cell(", ".join(of_it.users), NOTE))
-        for name, of_it in sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
-    ]
+    ordered = sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
+    if not context.audit:
+        columns = (Column(w["source"], width=118.0), Column(w["what_it_is"]))
+        rows: list[Row] = [(name, Cell(_what(context, of_it), NOTE)) for name, of_it in ordered]
+    else:
+        rows = [(Cell(name, under=(_what(context, of_it), NOTE)), Cell(", ".join(of_it.users), NOTE)) for name, of_it in ordered]
     made += table(columns, rows, gap=3.0) if rows else []
-    if own:
+    if own and context.audit:
         made += heading(w["own"], SECTION, gap=9.0, after=0.0)
         columns = (Column(w["used_in"], width=110.0), Column(w["source"]))
         made += table(columns, [(steps, Cell("; ".join(sources), NOTE)) for steps, sources in own.items()], gap=2.0)
@@ -120,4 +124,4 @@ def _what(context: Context, of_it: _Reference) -> str:
         together.setdefault(head + mark, []).append(rest) if mark else together.setdefault(clause, [""])
     title = context.say(of_it.publication.described(list(of_it.known)))
     listed = "; ".join(head + "; ".join(rests) for head, rests in together.items())
-    return f"{title}. {listed}" if listed else title
+    return f"{title}. {listed}" if listed and context.audit else title

@@ -69,6 +69,7 @@ class Entry:
     formula: Equation
     lines: list[Labelled]
     place: Place | None = None
+    parts: int = PARTS  # of them with their numbers, the others with their values
 
 
 def column_of_signs(entries: list[Entry]) -> float:
@@ -77,7 +78,7 @@ def column_of_signs(entries: list[Entry]) -> float:
     return min(max(SIGN, max(text_box(label.text(), NOTE.size).width for label in full) + 8.0), 0.34 * COLUMN)
 
 
-def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, context: Context) -> list[Block]:
+def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, context: Context, gap: float = GAP) -> list[Block]:
     """A formula with its lines of numbers.
 
     Of each part ("front bearing") the first calculation stands with its numbers; its others ("front bearing, twice the load") with
@@ -88,14 +89,14 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
         copied = f"{spoken(first)} {spoken_numbers(first)}"
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, copied, gap=GAP)]
+        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, copied, gap=gap)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
     words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
     groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
     rest: list[Labelled] = []
     for n, calculations in enumerate(parts):
-        if n >= PARTS:
+        if n >= entry.parts:
             rest += calculations
             continue
         own, said, others = _calculated(calculations, sign, context.say, entry.place, labelled=labelled)
@@ -108,7 +109,7 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
     if more := _others(rest, [], [], context):
         groups.append(([("", line) for line in text_lines(more, NOTE, COLUMN - sign, 12)], [more]))
     (own, said), *later = groups
-    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), gap=GAP)
+    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), gap=gap)
     return [first_block, *(_block(None, own, sign, "", " ".join(said), gap=LEAD) for own, said in later)]
 
 

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 
 GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2
-TALL, SQUARE = 128.0, 160.0  # height of the axes
+TALL, LOW_AXES, SQUARE = 128.0, 92.0, 160.0  # height of the axes: beside another, over the whole width, in true scale
 FLAT, ROOM = 2.0, 1.2  # width over height from which a drawing is flat, and the room it gets around it
 CROWDED = 4  # lines; two variants of more are drawn apart
 SAMPLE = 20.0  # width of a legend's sample
@@ -118,7 +118,7 @@ class _Figure:
         self.caption = lines(f"{word} {number}. {curve.title}", STRONG, width - LEFT_AXIS, 3)
         self.legend = _legend(curve, width - LEFT_AXIS)
         self.rows = len(self.legend)
-        self.axes = SQUARE if curve.equal else TALL
+        self.axes = SQUARE if curve.equal else TALL if width < WIDTH else LOW_AXES
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
         if _flat(curve):
             self.axes, self.wide = ROOM * (width - LEFT_AXIS - RIGHT_AXIS) / _ratio(curve), width

@@ -19,8 +19,9 @@ from calc.sheet.units import UNITS
 from .context import Context
 from .flow import Block, paragraph
 from .prose import CELL, KEY, NOTE
-from .tables import Cell, Column, Group, Row, named_table, table
+from .tables import Cell, Column, Row, named_table, table
 from .typeset import symbol
+from .values import paired_table
 
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
@@ -90,6 +91,7 @@ class _Tables:
     """Collects the tables of one step."""
 
     def __init__(self, context: Context) -> None:
+        self.context = context
         self.words, self.text, self.say, self.all = context.words, context.text, context.say, context.audit
         self.blocks: list[Block] = []
         self.left_out: list[str] = []
@@ -97,7 +99,7 @@ class _Tables:
 
     def plain(self, title: str, cls: type, data: dict[str, Any], prefix: str) -> None:
         """One table of inputs, and after it those inside it."""
-        rows: list[Row] = []
+        rows: list[tuple[str | Cell, ...]] = []
         inner: list[Key] = []
         for key in keys(cls).values():
             if key.about.kind in ("table", "tables"):
@@ -111,7 +113,7 @@ class _Tables:
                 self.say(key.about.label), _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
             ))  # fmt: skip
         if rows and not self.all:
-            self.blocks += self.paired(title, [r for r in rows if not isinstance(r, Group)])
+            self.blocks += paired_table(self.context, title, [row[:4] for row in rows])
         elif rows:
             w = self.words
             columns = (
@@ -120,15 +122,6 @@ class _Tables:
             )  # fmt: skip
             self.blocks += named_table(title, columns, rows)
         self.inside(inner, data, prefix)
-
-    def paired(self, title: str, rows: list[Sequence[str | Cell]]) -> list[Block]:
-        """Inputs two beside each other, down one column and then the next, without their keys."""
-        w = self.words
-        half = -(-len(rows) // 2)
-        none = ("", "", "", "", "")
-        columns = (Column(w["quantity"]), Column(w["symbol"], width=34.0), Column(w["value"], "r", width=62.0), Column(w["unit"], width=30.0))
-        both = [(*left[:4], *right[:4]) for left, right in zip(rows[:half], [*rows[half:], none])]
-        return named_table(title, (*columns, *columns), both)
 
     def inside(self, inner: list[Key], data: dict[str, Any], prefix: str) -> None:
         """Tables in a table: neighbours of one class stand beside each other."""

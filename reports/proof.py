@@ -20,11 +20,13 @@ from calc.sheet.text import Text, with_unit
 from calc.sheet.trace import Line
 
 from .context import Context, near
-from .equation import Entry, Label, Place
+from .equation import PARTS, Entry, Label, Place
 
-MOST = {"limit": 12, "caution": 7}  # formulas of a demand
-LIMIT = 3  # formulas of a limit
-COORDINATES = ("z", "θ", "φ", "α", "ξ", "n")  # what a place along an array is named by
+MOST = {"limit": 9, "caution": 5}  # formulas of a demand
+HELD = 5  # of one that holds, and of a value
+LIMIT = 2  # formulas of a limit
+COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
+Known = dict[str, str]  # formula → number of the proof that derives it
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,8 +46,12 @@ class Walk:
     """What a number comes from: formulas with their numbers, values that these take from elsewhere, and inputs."""
 
     entries: list[Entry]
-    quoted: list[str]  # "F = 1707 N"
+    quoted: list[str]  # "F = 1707 N [4.1]"
     inputs: list[str]  # keys
+
+    def derived(self, number: str) -> Known:
+        """Its formulas, as those of the proof with this number."""
+        return {_name(line): number for entry in self.entries for _, line in entry.lines}
 
 
 def proofs(checks: Iterable[Check]) -> list[Proof]:
@@ -63,26 +69,27 @@ def proofs(checks: Iterable[Check]) -> list[Proof]:
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
 
 
-def demand(context: Context, proof: Proof) -> Walk:
-    """What the numbers that are judged come from."""
+def demand(context: Context, proof: Proof, known: Known) -> Walk:
+    """What the numbers that are judged come from; what another proof derives is quoted from there."""
     check = proof.governing
     roots = [context.chains.judged(one) for one in proof.checks]
-    return _walk(context, roots, MOST.get(check.kind, MOST["caution"]), PROVEN.get(pattern_of(check.id), ()))
+    most = MOST[check.kind] if near(check) else HELD
+    return _walk(context, roots, most, PROVEN.get(pattern_of(check.id), ()), known)
 
 
 def limit(context: Context, proof: Proof) -> Walk:
     """What the limits come from."""
-    return _walk(context, [context.chains.asked(one) for one in proof.checks], LIMIT, ())
+    return _walk(context, [context.chains.asked(one) for one in proof.checks], LIMIT, (), {})
 
 
-def value(context: Context, id: str) -> Walk:
+def value(context: Context, id: str, known: Known) -> Walk:
     """What a value comes from that no check judges."""
-    return _walk(context, [tuple(link.line for link in context.chains.of(id)[-1:])], MOST["limit"], ())
+    return _walk(context, [tuple(link.line for link in context.chains.of(id)[-1:])], HELD, (), known)
 
 
-def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...]) -> Walk:
+def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...], known: Known) -> Walk:
     """The lines nearest to the first of several numbers, `most` formulas of them and those with the symbols in `also`; the same formulas of the others."""
-    shown = _nearest(_lines(roots[0]), most, also)
+    shown = _nearest(_lines(roots[0]), most, also, known)
     if not shown:
         return Walk([], [], [leaf for leaf in roots[0] if isinstance(leaf, str)])
     count = {name: sum(_name(line) == name for line in shown) for name in map(_name, shown)}
@@ -92,11 +99,12 @@ def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, 
             if left.get(_name(line), 0) > 0 and line not in shown:
                 left[_name(line)] -= 1
                 shown.append(line)
-    place = _place(context, shown)
+    place, first = _place(context, shown), _lines(roots[0])
     entries: dict[str, Entry] = {}
     for line in shown:
-        entries.setdefault(_name(line), Entry(line.formula, [], place)).lines.append((Label(*context.say.halves(line.about)), line))
-    return Walk(list(entries.values()), _quoted(context, shown, place), _inputs(roots, shown))
+        entry = Entry(line.formula, [], place, PARTS if line in first else 1)
+        entries.setdefault(_name(line), entry).lines.append((Label(*context.say.halves(line.about)), line))
+    return Walk(list(entries.values()), _quoted(context, shown, place, known), _inputs(roots, shown))
 
 
 def _lines(leaves: Iterable[Line | str]) -> list[Line]:
@@ -114,13 +122,13 @@ def _followed(roots: list[Line]) -> Iterator[Line]:
                 waiting.append(needed)
 
 
-def _nearest(roots: list[Line], most: int, also: tuple[str, ...]) -> list[Line]:
+def _nearest(roots: list[Line], most: int, also: tuple[str, ...], known: Known) -> list[Line]:
     names: dict[str, None] = {}
     shown, wanted = [], set(also)
     for line in _followed(roots):
         if line.formula.symbol in wanted:
             wanted.discard(line.formula.symbol)
-        elif line not in roots and (_constant(line) or (_name(line) not in names and len(names) >= most - len(also))):
+        elif line not in roots and (_constant(line) or _name(line) in known or (_name(line) not in names and len(names) >= most)):
             continue
         names[_name(line)] = None
         shown.append(line)
@@ -137,7 +145,7 @@ def _name(line: Line) -> str:
     return f"{line.formula.function.__module__}.{line.formula.__name__}"
 
 
-def _quoted(context: Context, shown: list[Line], place: Place | None) -> list[str]:
+def _quoted(context: Context, shown: list[Line], place: Place | None, known: Known) -> list[str]:
     """The values that the shown lines take from lines that are not shown."""
     given = set(shown)
     found: dict[str, None] = {}
@@ -145,7 +153,8 @@ def _quoted(context: Context, shown: list[Line], place: Place | None) -> list[st
         for needed in needs(line)[0]:
             if needed not in given:
                 number, unit = result(needed, place and place.index)
-                found[f"{needed.formula.symbol} = {with_unit(context.say.number(number), unit)}"] = None
+                where = f" [{known[_name(needed)]}]" if _name(needed) in known else ""
+                found[f"{needed.formula.symbol} = {with_unit(context.say.number(number), unit)}{where}"] = None
     return list(found)
 
 

@@ -20,7 +20,7 @@ from .equation import SIGN, column_of_signs, entry_blocks
 from .flow import Block, paragraph
 from .inputs import exact
 from .paper import WIDTH
-from .proof import Proof, Walk, demand, limit, proofs, value
+from .proof import Known, Proof, Walk, demand, limit, proofs, value
 from .prose import NOTE, STRONG
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS
@@ -32,29 +32,33 @@ NAMED = 6  # twins
 QUOTED = 14  # values and inputs of a proof
 INDENT = 8.0
 BAR = 2.2
+CLOSE = 3.0  # between formulas
 STRIPE: Colour = (0.95, 0.95, 0.95)
 
 
 def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[object]) -> list[Block]:
-    """The proofs of a step, numbered, after what leads to the value that stands for it."""
+    """The proofs of a step, numbered, and what leads to the value that stands for it."""
     found = proofs(outcome.checks)
-    made = _headline(context, step, outcome, {check.value_id for proof in found for check in proof.checks})
+    known: Known = {}
+    made: list[Block] = []
     for n, proof in enumerate(found, 1):
-        made += _proof(context, f"{number}.{n}", step, proof)
-    return made
+        walk = demand(context, proof, known)
+        made += _proof(context, f"{number}.{n}", step, proof, walk)
+        known = walk.derived(f"{number}.{n}") | known
+    return made + _headline(context, step, outcome, {check.value_id for proof in found for check in proof.checks}, known)
 
 
-def _headline(context: Context, step: Step, outcome: Outcome[object], proven: set[str]) -> list[Block]:
+def _headline(context: Context, step: Step, outcome: Outcome[object], proven: set[str], known: Known) -> list[Block]:
     """How the value comes about that stands for a step, where no proof shows it."""
     own = {value.id: value for value in outcome.values()}
     id = step.headline(own)
-    if id is None or id in proven or not (walk := value(context, id)).entries:
+    if id is None or id in proven or not (walk := value(context, id, known)).entries:
         return []
     title = f"{context.say(own[id].label)}: {context.written(own[id].shown, own[id].unit)}"
     return [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
 
 
-def _proof(context: Context, number: str, step: Step, proof: Proof) -> list[Block]:
+def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk) -> list[Block]:
     rows: list[Row] = []
     for n, check in enumerate(proof.checks):
         name = f"{number}  {name_of(context, check)}" if n == 0 else name_of(context, check)
@@ -66,7 +70,6 @@ def _proof(context: Context, number: str, step: Step, proof: Proof) -> list[Bloc
         context.cite(check.source, step)
         made += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
     made += _walked(context, step, limit(context, proof), quoting=False)
-    walk = demand(context, proof)
     if not walk.entries:
         made += _line(context, "no_formula")
         moved = [key for key in proof.governing.moved_by if key not in walk.inputs]
@@ -135,12 +138,12 @@ def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
 
 def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -> list[Block]:
     """The formulas of a walk, and below them in small type what they take from elsewhere."""
-    labels = {label for entry in walk.entries for label, _ in entry.lines}
-    labelled = len(labels) > 1
-    sign = column_of_signs(walk.entries) if labelled else SIGN
+    several = [entry for entry in walk.entries if len(entry.lines) > 1]
+    sign = column_of_signs(several) if several else SIGN
     made: list[Block] = []
     for entry in walk.entries:
-        made += entry_blocks(entry, context.cite(entry.formula.source, step), sign, labelled=labelled, context=context)
+        source = context.cite(entry.formula.source, step)
+        made += entry_blocks(entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE)
     if quoting and walk.quoted:
         made += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:

@@ -40,7 +40,7 @@ from .words import verdict
 # What the contents name of a step; their row holds no more, and the errata stand in the summary as well.
 LISTED = ("inputs", "notes", "formulas", "results", "tables", "checks", "figures")
 CHAPTERS = ("verdicts_of", "proofs", "kept_checks", "key_values", "inputs", "figures")
-NEED = 0.36 * PAGE[1]  # a step begins on a new page unless so much is left
+NEED = 0.15 * PAGE[1]  # a step begins on a new page unless so much is left
 
 
 # How far the report is when its steps are solved whole, and when all that it holds is there and only the pages are to be written
@@ -107,9 +107,9 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials
         number += 1
-    if drawn := drawing_blocks(context):
-        body += _section(f"{number}  {w['drawing']}", "drawing", entries, need=0.9 * PAGE[1])
-        body += drawn
+    if not context.audit and (wrong := errata_blocks(context, [e for _, _, outcome in steps for e in outcome.errata], short=True)):
+        body += _section(f"{number}  {w['errata']}", "errata", entries, need=120.0)
+        body += wrong
         number += 1
     if len(lines(context.design.note, BODY, WIDTH)) > NOTE_LINES:
         body += _section(f"{number}  {w['design_note']}", "note", entries, need=120.0)
@@ -118,8 +118,13 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     sources = source_blocks(context)
     body += _section(f"{number}  {w['sources']}", "sources", entries, need=160.0)
     body += sources
+    number += 1
+    if drawn := drawing_blocks(context):
+        body += _section(f"{number}  {w['drawing']}", "drawing", entries, need=0.9 * PAGE[1])
+        body += drawn
+        number += 1
     if context.audit and (index := index_blocks(body)):
-        body += _section(f"{number + 1}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
+        body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
         body += index
     return summary + contents_blocks(context, entries, [w[key] for key in (LISTED if context.audit else CHAPTERS)]) + body
 

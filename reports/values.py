@@ -6,7 +6,7 @@ After them the tables that the step itself has put together.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 
 from calc.sheet.quantity import Published
@@ -20,6 +20,8 @@ from .tables import GAP, Cell, Column, Row, named_table, natural, table
 from .typeset import symbol
 
 ACROSS = 7
+NUMBERS = 56.0  # width of values in a table of two halves
+WORDS = WIDTH / 2 - 32.0 - NUMBERS - 26.0 - 3.5 * GAP  # of what they are called
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
 ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
 
@@ -91,10 +93,23 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows: list[Row] = [
-        (name, _symbol(v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())
-    ]
-    return named_table(part.name[:1].upper() + part.name[1:], columns, rows)
+    rows = [(name, _symbol(v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())]
+    title = part.name[:1].upper() + part.name[1:]
+    return named_table(title, columns, rows) if context.audit else paired_table(context, title, [row[:4] for row in rows])
+
+
+def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, ...]]) -> list[Block]:
+    """Quantities with symbol, value and unit, two beside each other: down the left half, then down the right."""
+    if len(rows) < 2:
+        return named_table(title, _paired(context), rows)
+    half = -(-len(rows) // 2)
+    both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * 4])]
+    return named_table(title, (*_paired(context), *_paired(context)), both)
+
+
+def _paired(context: Context) -> tuple[Column, ...]:
+    w = context.words
+    return (Column(w["quantity"], width=WORDS), Column(w["symbol"], width=32.0), Column(w["value"], "r", width=NUMBERS), Column(w["unit"], width=26.0))
 
 
 def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:

@@ -36,7 +36,11 @@ WORDS: dict[str, Text] = {
         n=0,
     ),
     "limit_is": Text("Limit {limit}: {source}."), "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
-    "also_judged": Text("Also judged: {checks}."), "more_twins": Text("{count} more"),
+    "also_judged": Text("Also judged: {checks}."), "more_twins": Text("{count} more"), "soft_hold": plural(
+        "{n} check of good practice or of the method holds as well; it stands in the audit report.",
+        "{n} checks of good practice or of the method hold as well; they stand in the audit report.", n=0,
+    ),
+    "alike": Text("{name}, and {count} alike"),
     "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
     "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "used": Text("used {share}"),
     "with_values": Text("With {values}."), "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"),
@@ -49,10 +53,10 @@ WORDS: dict[str, Text] = {
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
     "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
     "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "materials": Text("Oils and materials"), "oil": Text("Oil"),
-    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"),
+    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"), "what_it_is": Text("What it is, and how it is known"),
     "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
     "sources_rest": Text(
-        "Publications are those of the whole calculation; clauses of lines that only the audit report shows stand there."
+        "The publications behind what stands in this report; the clause stands beside each formula. The audit report has all of them."
     ),
     "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table [{key}]."),
     "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
