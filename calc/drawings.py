@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """What of a solved design is drawn: the shaft, and beside it the data of its wheels."""
 
+from math import pi
+
 from .countershaft.result import CountershaftResult
 from .gears.result import TrainResult
-from .sheet.drawing import Primitive
+from .sheet.drawing import Arc, Primitive, Words
 from .sheet.step import Table
 from .sheet.text import EMPTY, Name, Text
 from .solve import Results
@@ -30,3 +32,19 @@ def wheels(results: Results) -> Table | None:
     labels = dict.fromkeys(label for rows in data.values() for label in rows)
     rows = tuple((label, *(rows.get(label, "–").replace("-", "−") for rows in data.values())) for label in labels)
     return Table("drawing_data", Text("Data of the wheels, lengths in mm"), ((EMPTY, ""), *((Name(name), "") for name in data)), rows)
+
+
+def train(results: Results) -> tuple[Primitive, ...]:
+    """The wheels of a simple train as circles in a row, each with its name; nothing where a wheel drives two others."""
+    found = results.result(TrainResult)
+    if found is None or len({mesh.driver for mesh in found.meshes.values()}) < len(found.meshes):
+        return ()
+    places: dict[str, float] = {}
+    for mesh in found.meshes.values():
+        places[mesh.driven] = places.setdefault(mesh.driver, 0.0) + mesh.centre_distance
+    drawn: list[Primitive] = []
+    for name, x in places.items():
+        radius = found.wheels[name].tip_diameter / 2
+        drawn += [Arc("OUTLINE", (x, 0.0), radius, 0.0, 2 * pi), Arc("AXIS", (x, 0.0), radius / 12, 0.0, 2 * pi)]
+        drawn.append(Words("TEXT", (x, -radius), Name(name), radius / 4))
+    return tuple(drawn)

@@ -52,7 +52,7 @@ VALUES: dict[str, tuple[str, ...]] = {
 # Of each pattern the first curve is drawn; the tables stand as they are
 CURVES = (
     "torque", "locus", "orders_couple", "orders_force", "deflection", "moment", "film_front", "film_rear", "backlash_temperature_*",
-    "profile_*", "specific_film_*", "losses",
+    "losses",
 )  # fmt: skip
 TABLES = ("measured", "balance")
 
@@ -60,9 +60,9 @@ TABLES = ("measured", "balance")
 PROVEN: dict[str, tuple[str, ...]] = {
     "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
     "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
-    "countershaft.bolts.strength": (), "countershaft.bolts.pressure": (), "countershaft.bolts.slip": (), "countershaft.balance_grade": (),
+    "countershaft.bolts.strength": (), "countershaft.bolts.pressure": (), "countershaft.balance_grade": (),
     "countershaft.bending_stress": (), "countershaft.notch_stress": (), "countershaft.fatigue": (), "countershaft.slope_front": (),
-    "countershaft.slope_rear": (), "countershaft.residual": (), "countershaft.residual_force": (), "engine.throw.fatigue": (),
+    "countershaft.slope_rear": (), "countershaft.residual": (), "engine.throw.fatigue": (),
     "engine.throw.stress_pin": (),
 }  # fmt: skip
 

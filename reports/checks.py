@@ -32,7 +32,7 @@ def sign_cell(context: Context, state: str) -> Cell:
     return Cell(verdict(context.words, state), SIGN[state])
 
 
-def _knows(name: str, whose: str) -> bool:
+def knows(name: str, whose: str) -> bool:
     """Whether a name says already what it belongs to."""
     letters = re.sub(r"\W", "", name.lower())
     return all(word in letters for word in re.findall(r"\w+", whose.lower()))
@@ -46,7 +46,7 @@ def name_of(context: Context, check: Check) -> str:
     """The check's name with the part that it judges."""
     whose = " ".join(context.belongs(check.id))
     advice = f" ({context.words['advice']})" if check.kind in ("advice", "method") else ""
-    return f"{check.name}{'' if _knows(check.name, whose) else f', {whose}'}{advice}"
+    return f"{check.name}{'' if knows(check.name, whose) else f', {whose}'}{advice}"
 
 
 def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:
@@ -130,5 +130,5 @@ def _erratum_row(context: Context, e: Erratum, under: str) -> Row:
         if ours.unit == e.unit and ours.shown:
             deviation = context.say.part(Amount((e.source_value / ours.shown - 1) * 100, "%", form="+.1f"))
     whose = " ".join(context.belongs(e.about))
-    label = e.label if _knows(e.label, whose) else f"{e.label}, {whose}"
+    label = e.label if knows(e.label, whose) else f"{e.label}, {whose}"
     return Cell(label, under=(under, NOTE)), context.written(e.source_value, e.unit), mine, deviation

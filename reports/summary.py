@@ -1,23 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The first page: what was calculated, by whom, how it came out, what needs attention, and where a source is wrong."""
+"""The first page: what was calculated, by whom, how it came out, what is open, and the nearest design that passes."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from calc.described import described
+from calc.key_values import RESULTS, like
 from calc.sheet.check import SIGNS
 from calc.sheet.text import plural
 from calc.version import VERSION
 
 from .boxes import GREY
 from .boxes import text as text_box
-from .checks import attention_blocks, errata_blocks, name_of, shown_value, sign_cell
+from .checks import attention_blocks, knows, name_of, shown_value, sign_cell
 from .context import Context, closeness
 from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import BOLD, MISSING, writable
 from .paper import WIDTH
 from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
+from .sketch import sketch_blocks
 from .tables import Cell, Column, Row, table
+from .typeset import symbol
+from .values import paired_table
 from .words import STATE_COLOURS, STATE_PANELS
 
 if TYPE_CHECKING:
@@ -33,38 +38,76 @@ def step_anchor(key: str) -> str:
 
 
 def summary_blocks(context: Context) -> list[Block]:
-    w = context.words
-    results = context.results
-    above = _title(context)
-    above += _verdict(context)
-    above += heading(w["steps"], SECTION, gap=9.0, after=0.0)
-    above += _steps(context)
+    """The first pages of every report; of the summary the whole."""
+    w, results = context.words, context.results
+    made = _title(context)
+    made += _verdict(context)
+    made += _object(context)
+    made += sketch_blocks(context)
+    if rows := _key_results(context):
+        made += heading(w["key_results"], SECTION, gap=9.0, after=0.0)
+        made += paired_table(context, "", rows)
+    made += heading(w["steps"], SECTION, gap=9.0, after=0.0)
+    made += _steps(context)
     if attention := attention_blocks(context, results.checks()):
-        above += heading(w["attention"], SECTION, gap=11.0, after=0.0)
-        above += attention
-    if results.verdict == "fail":
-        above += paragraph(w["nearest"], NOTE, gap=4.0)
-    below: list[Block] = []
-    errata = [e for _, _, outcome in context.steps() for e in outcome.errata]
-    if errata:
-        below += heading(w["errata"], SECTION, gap=11.0, after=0.0)
-        below += errata_blocks(context, errata, short=True)
+        made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
+        made += attention
+    made += _nearest(context)
     if context.depth != "summary":  # the proposals stand with their steps
-        return above + below
-    return above + _proposals(context, above, below) + below
+        return made
+    if errata := sum(len(outcome.errata) for outcome in results.outcomes.values()):
+        made += paragraph(context.text("errata_count", n=errata), NOTE, gap=6.0)
+    return made + _proposals(context, made)
 
 
-def _proposals(context: Context, above: list[Block], below: list[Block]) -> list[Block]:
+def _object(context: Context) -> list[Block]:
+    """What is judged, and at which load."""
+    rows: list[Row] = [(context.say(title), context.say(words)) for title, words in described(context.design)]
+    return table((Column(width=78.0), Column()), rows, gap=7.0, header=False) if rows else []
+
+
+def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
+    """The results that a design is known by, each by its worst part."""
+    rows: list[tuple[str | Cell, ...]] = []
+    for pattern, worst in RESULTS:
+        found = [value for id, value in context.values.items() if like(id, (pattern,)) and value.shown == value.shown]
+        if not found:
+            continue
+        value = (min if worst == "min" else max)(found, key=lambda one: one.shown)
+        name = context.say(value.label)
+        whose = " ".join(context.belongs(value.id))
+        name = f"{name}, {whose}" if whose and not knows(name, whose) else name
+        rows.append((name, Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else "", context.written(value.shown, ""), value.unit))
+    return rows
+
+
+def _nearest(context: Context) -> list[Block]:
+    """The nearest design that passes, with all that it changes."""
+    results = context.original or context.results
+    if results.verdict != "fail":
+        return []
+    from calc.repair.remedy import nearest  # of a design that fails only
+
+    found = nearest(context.document, results, tries=0)
+    made = heading(context.words["nearest_title"], SECTION, gap=9.0, after=0.0)
+    if found.changes:
+        made += paragraph(context.text("nearest_passes" if found.passes else "nearest_part", changes=found.words), CELL, gap=1.0)
+    for one in found.left[:3]:
+        made += paragraph(context.text("nearest_left", name=one.name, why=one.why), CELL, gap=1.0)
+    return made if found.changes or found.left else []
+
+
+def _proposals(context: Context, above: list[Block]) -> list[Block]:
     """The proposed remedies of all steps, as many as there is room for without a further page."""
     w = context.words
     proposals = [proposal for _, _, outcome in context.steps() for proposal in outcome.proposals]
-    pages = len(paginate(above + below))
+    pages = len(paginate(above))
     for count in range(len(proposals), 0, -1):
-        made = heading(w["proposals"], SECTION, gap=11.0, after=0.0)
+        made = heading(w["proposals"], SECTION, gap=9.0, after=0.0)
         made += [block for proposal in proposals[:count] for block in bullet(proposal, CELL)]
         if count < len(proposals):
             made += paragraph(context.text("more_proposals", count=len(proposals) - count), NOTE, gap=1.0)
-        if len(paginate(above + made + below)) == pages:
+        if len(paginate(above + made)) == pages:
             return made
     return []
 

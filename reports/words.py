@@ -45,9 +45,11 @@ WORDS: dict[str, Text] = {
     "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "used": Text("used {share}"),
     "with_values": Text("With {values}."), "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"),
     "proofs": Text("Proofs"), "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
-    "nearest": Text(
-        "`contralbero check` ends with the nearest design that passes, as a command with all that it changes; in the session "
-        "F5 applies it."
+    "key_results": Text("Key results"), "nearest_title": Text("Nearest passing design"),
+    "nearest_passes": Text("No limit fails with: {changes}."), "nearest_part": Text("A part of the way: {changes}."),
+    "nearest_left": Text("{name}: nothing was found, {why}."), "errata_count": plural(
+        "{n} value of a source is corrected; the engineer report says where the source is wrong, and why.",
+        "{n} values of sources are corrected; the engineer report says where the sources are wrong, and why.", n=0,
     ),
     "further": Text("Further figures and tables of this step stand in the audit report."),
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
