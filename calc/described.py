@@ -35,8 +35,8 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
         yield TITLES["gears"], Text(
-            "{teeth}; pressure angle {alpha}, helix angle {beta}, face width {width}",
-            teeth=teeth, alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
+            "{teeth}; module {module}, pressure angle {alpha}, helix angle {beta}, face width {width}",
+            teeth=teeth, module=_mm(gears.module), alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
         )  # fmt: skip
     if load := COMMA.join(_load_case(design)):
         yield Text("Load case"), load

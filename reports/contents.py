@@ -11,7 +11,7 @@ from calc.sheet.text import Text
 
 from .boxes import FAINT, Box, text
 from .context import Context
-from .flow import Block, heading, paragraph
+from .flow import Block, bullet, heading, paragraph
 from .paper import WIDTH
 from .prose import BODY, NOTE, SECTION, one_line, run
 from .tables import Cell, Column, Row, table
@@ -94,12 +94,10 @@ def source_blocks(context: Context) -> list[Block]:
     columns = (Column(w["source"]), Column(w["used_in"], width=110.0))
     ordered = sorted(published.items(), key=lambda item: (item[0].casefold(), item[0]))
     if not context.audit:
-        columns = (Column(w["source"], width=118.0), Column(w["what_it_is"]))
-        rows: list[Row] = [(name, Cell(_what(context, of_it), NOTE)) for name, of_it in ordered]
-    else:
-        rows = [(Cell(name, under=(_what(context, of_it), NOTE)), Cell(", ".join(of_it.users), NOTE)) for name, of_it in ordered]
+        return made + [block for name, of_it in ordered for block in bullet(f"{name}: {_what(context, of_it)}", NOTE)]
+    rows: list[Row] = [(Cell(name, under=(_what(context, of_it), NOTE)), Cell(", ".join(of_it.users), NOTE)) for name, of_it in ordered]
     made += table(columns, rows, gap=3.0) if rows else []
-    if own and context.audit:
+    if own:
         made += heading(w["own"], SECTION, gap=9.0, after=0.0)
         columns = (Column(w["used_in"], width=110.0), Column(w["source"]))
         made += table(columns, [(steps, Cell("; ".join(sources), NOTE)) for steps, sources in own.items()], gap=2.0)

@@ -114,6 +114,11 @@ def near(check: Check) -> bool:
     return check.verdict != "pass" or not check.holds or (check.nearest[1] != 0 and check.margin <= NEAR)
 
 
+def stands(check: Check) -> bool:
+    """Whether a check has a line of its own in the engineer's report: advice and what concerns the method do where they are passed over."""
+    return check.open or check.kind in ("limit", "caution")
+
+
 def closeness(check: Check) -> tuple[bool, int, int, float]:
     """Sorts checks so that the one that decides a step is the first: what is urgent, else the limit that is kept most narrowly."""
     return check.verdict not in URGENT, *severity(check)[1:]

@@ -43,11 +43,16 @@ def drawing_blocks(context: Context) -> list[Block]:
         title = context.design.name
         said = [replace(one, text=context.say(one.text)) if isinstance(one, Words) and one.text != title else one for one in drawn]
         made.append(_drawing(said))
-    if (data := wheels(context.results)) is not None:
-        table = replace(in_language(data, context.say), columns=data.columns)  # the names of the wheels are the user's
-        made += heading(table.title, SECTION, gap=11.0, after=0.0, need=200.0)
-        made += table_blocks(context, [replace(table, title=EMPTY)])
     return made
+
+
+def wheel_blocks(context: Context) -> list[Block]:
+    """The data of the wheels as they stand on their drawings."""
+    data = wheels(context.results)
+    if data is None:
+        return []
+    table = replace(in_language(data, context.say), columns=data.columns)  # the names of the wheels are the user's
+    return [*heading(table.title, SECTION, gap=11.0, after=0.0), *table_blocks(context, [replace(table, title=EMPTY)])]
 
 
 def _drawing(drawn: Sequence[Primitive]) -> Block:

@@ -22,7 +22,8 @@ from calc.sheet.trace import Line
 from .context import Context, near
 from .equation import PARTS, Entry, Label, Place
 
-MOST = {"limit": 9, "caution": 5}  # formulas of a demand
+MOST = {"limit": 9, "caution": 4}  # formulas of a demand
+ALIKE = 3  # values of one symbol that are quoted
 HELD = 5  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
@@ -73,7 +74,7 @@ def demand(context: Context, proof: Proof, known: Known) -> Walk:
     """What the numbers that are judged come from; what another proof derives is quoted from there."""
     check = proof.governing
     roots = [context.chains.judged(one) for one in proof.checks]
-    most = MOST[check.kind] if near(check) else HELD
+    most = HELD if check.verdict == "pass" else MOST[check.kind]
     return _walk(context, roots, most, PROVEN.get(pattern_of(check.id), ()), known)
 
 
@@ -148,14 +149,21 @@ def _name(line: Line) -> str:
 def _quoted(context: Context, shown: list[Line], place: Place | None, known: Known) -> list[str]:
     """The values that the shown lines take from lines that are not shown."""
     given = set(shown)
-    found: dict[str, None] = {}
+    values: dict[tuple[str, str], dict[str, str]] = {}  # symbol and where it is derived → numbers, each with its unit
     for line in shown:
         for needed in needs(line)[0]:
             if needed not in given:
                 number, unit = result(needed, place and place.index)
-                where = f" [{known[_name(needed)]}]" if _name(needed) in known else ""
-                found[f"{needed.formula.symbol} = {with_unit(context.say.number(number), unit)}{where}"] = None
-    return list(found)
+                key = needed.formula.symbol, known.get(_name(needed), "")
+                values.setdefault(key, {})[context.say.number(number)] = unit
+    return [_told(symbol, where, numbers) for (symbol, where), numbers in values.items()]
+
+
+def _told(symbol: str, where: str, numbers: dict[str, str]) -> str:
+    """The values of a symbol, of many the first and the last, and the number of the proof that derives it."""
+    some = list(numbers)
+    listed = "; ".join(some) if len(some) <= ALIKE else f"{some[0]} … {some[-1]}"
+    return f"{symbol} = {with_unit(listed, numbers[some[-1]])}{f' [{where}]' if where else ''}"
 
 
 def _inputs(roots: Sequence[tuple[Line | str, ...]], shown: list[Line]) -> list[str]:

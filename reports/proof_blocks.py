@@ -20,7 +20,7 @@ from .equation import SIGN, column_of_signs, entry_blocks
 from .flow import Block, paragraph
 from .inputs import exact
 from .paper import WIDTH
-from .proof import Known, Proof, Walk, demand, limit, proofs, value
+from .proof import ALIKE, Known, Proof, Walk, demand, limit, proofs, value
 from .prose import NOTE, STRONG
 from .tables import Cell, Column, Row, table
 from .words import STATE_COLOURS
@@ -147,13 +147,19 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
     if quoting and walk.quoted:
         made += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:
-        made += _listed(context, "from_inputs", [_given(context, key) for key in shortened(walk.inputs, context.design)])
+        made += _listed(context, "from_inputs", [_given(context, key) for key in _together(shortened(walk.inputs, context.design))])
     return made
 
 
 def _listed(context: Context, key: str, words: list[str]) -> list[Block]:
     more = f" · {context.text('more_twins', count=len(words) - QUOTED)}" if len(words) > QUOTED else ""
     return _line(context, key, values=" · ".join(words[:QUOTED]) + more)
+
+
+def _together(keys: list[str]) -> list[str]:
+    """Keys of one number of many parts as one, `gears.meshes.1.stack.*.field_mm`."""
+    kinds = [(key.rpartition(".")[0].rpartition(".")[0], key.rpartition(".")[2]) for key in keys]
+    return list(dict.fromkeys(f"{kind[0]}.*.{kind[1]}" if kinds.count(kind) > ALIKE else key for key, kind in zip(keys, kinds)))
 
 
 def _given(context: Context, key: str) -> str:

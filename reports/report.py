@@ -22,9 +22,9 @@ from .binding import bind, put
 from .chapter import Parts, chapter_parts
 from .checks import check_blocks, errata_blocks
 from .contents import Entry, contents_blocks, source_blocks
-from .context import DEPTHS, Context
+from .context import DEPTHS, Context, stands
 from .derivation import derivation
-from .drawing import drawing_blocks
+from .drawing import drawing_blocks, wheel_blocks
 from .figures import figure_blocks
 from .flow import Block, bullet, heading, paginate, paragraph
 from .fonts import FACES, widths
@@ -103,7 +103,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += _step(context, number, step, outcome, entries, plots, done)
     w = context.words
     number = len(entries) + 1
-    if materials := material_blocks(context):
+    if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials
         number += 1
@@ -151,7 +151,7 @@ def _step(
     for source in dict.fromkeys(line.formula.source for line in outcome.lines):
         context.cite(source, step, stands=False)
     original = (context.original or context.results).outcomes[step.key]
-    for source in dict.fromkeys(check.source for check in original.checks if check.source):
+    for source in dict.fromkeys(check.source for check in original.checks if check.source and (context.audit or stands(check))):
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)

@@ -19,6 +19,7 @@ from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import BOLD, MISSING, writable
 from .paper import WIDTH
 from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
+from .proof_blocks import used
 from .sketch import sketch_blocks
 from .tables import Cell, Column, Row, table
 from .typeset import symbol
@@ -168,6 +169,11 @@ def _verdict(context: Context) -> list[Block]:
     waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
     if waiting:
         words += context.text("waiting", steps=", ".join(waiting))
+    limits = [check for check in checks if check.kind == "limit"]
+    if limits:
+        worst = min(limits, key=closeness)
+        at = context.text("governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text()))
+        words = ". ".join([words, " ".join(filter(None, (at, used(context, worst).words)))])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)
     beside = lines(words, BODY, WIDTH - sign.width - 40.0)

@@ -45,7 +45,7 @@ WORDS: dict[str, Text] = {
     "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "used": Text("used {share}"),
     "with_values": Text("With {values}."), "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"),
     "proofs": Text("Proofs"), "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
-    "key_results": Text("Key results"), "nearest_title": Text("Nearest passing design"),
+    "governing": Text("Governing: {name}, {value}, needs {limit}"), "key_results": Text("Key results"), "nearest_title": Text("Nearest passing design"),
     "nearest_passes": Text("No limit fails with: {changes}."), "nearest_part": Text("A part of the way: {changes}."),
     "nearest_left": Text("{name}: nothing was found, {why}."), "errata_count": plural(
         "{n} value of a source is corrected; the engineer report says where the source is wrong, and why.",
@@ -55,7 +55,7 @@ WORDS: dict[str, Text] = {
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
     "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
     "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "materials": Text("Oils and materials"), "oil": Text("Oil"),
-    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"), "what_it_is": Text("What it is, and how it is known"),
+    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"),
     "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
     "sources_rest": Text(
         "The publications behind what stands in this report; the clause stands beside each formula. The audit report has all of them."
