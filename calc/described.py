@@ -29,14 +29,16 @@ def described(design: Design) -> Iterator[tuple[Text, Text]]:
             material=Name(shaft.material), ratio=Amount(shaft.speed_ratio), span=_mm(rear - front), radius=_mm(shaft.outer_radius or 0.0),
         )  # fmt: skip
     if (bearings := design.bearings) is not None:
-        yield TITLES["bearings"], Text(
-            "front {front}, rear {rear}; oil {oil}", front=_size(bearings.front), rear=_size(bearings.rear), oil=Name(bearings.oil)
+        yield (
+            TITLES["bearings"],
+            Text("front {front}, rear {rear}; oil {oil}", front=_size(bearings.front), rear=_size(bearings.rear), oil=Name(bearings.oil)),
         )
     if (gears := design.gears) is not None:
         teeth = DASH.join(Text("{name} {teeth}", name=Name(wheel.name), teeth=wheel.teeth) for wheel in gears.wheels)
         yield TITLES["gears"], Text(
             "{teeth}; module {module}, pressure angle {alpha}, helix angle {beta}, face width {width}",
-            teeth=teeth, module=_mm(gears.module), alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
+            teeth=teeth, module=_mm(gears.module),
+            alpha=_degrees(gears.pressure_angle), beta=_degrees(gears.helix_angle), width=_mm(gears.face_width),
         )  # fmt: skip
     if load := COMMA.join(_load_case(design)):
         yield Text("Load case"), load

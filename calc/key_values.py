@@ -39,9 +39,10 @@ VALUES: dict[str, tuple[str, ...]] = {
     )),
     "gears": ("gears.transverse_module", "gears.transverse_pressure_angle", "gears.base_helix_angle", "gears.speed_ratio",
               "gears.phase_error", "gears.residual_couple", *(f"gears.*.{name}" for name in (
-        "tip_thickness_normal", "speed", "centre_distance", "working_pressure_angle", "transverse_contact_ratio", "overlap_ratio", "backlash_min", "backlash_max",
-        "backlash_cold", "backlash_running", "backlash_warmer", "tangential_force", "contact_stress", "dynamic_factor",
-        "face_load_factor_flank", "transverse_load_factor_flank", "safety_contact", "safety_bending_*", "specific_film_min",
+        "tip_thickness_normal", "speed", "centre_distance", "working_pressure_angle", "transverse_contact_ratio", "overlap_ratio",
+        "backlash_min", "backlash_max", "backlash_cold", "backlash_running", "backlash_warmer", "tangential_force", "contact_stress",
+        "dynamic_factor", "face_load_factor_flank", "transverse_load_factor_flank", "safety_contact", "safety_bending_*",
+        "specific_film_min",
     ))),
     "friction": ("friction.bearing_loss", "friction.mesh_loss", "friction.windage_loss", "friction.total_loss", "friction.engine_share",
                  "friction.crank_torque", "friction.fuel", "friction.oil_viscosity", *(f"friction.*.{name}" for name in (
@@ -60,7 +61,8 @@ PROVEN: dict[str, tuple[str, ...]] = {
     "gears.M.safety_contact": ("σ_H0", "K_H", "K_V", "K_Hβ", "K_Hα"),
     "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
     "countershaft.bolts.strength": (), "countershaft.bolts.pressure": (), "countershaft.balance_grade": (),
-    "countershaft.bending_stress": (), "countershaft.notch_stress": (), "countershaft.fatigue": (), "countershaft.residual": (), "engine.throw.fatigue": (),
+    "countershaft.bending_stress": (), "countershaft.notch_stress": (), "countershaft.fatigue": (),
+    "countershaft.residual": (), "engine.throw.fatigue": (),
     "engine.throw.stress_pin": (),
 }  # fmt: skip
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The chapter of a step in the engineer's report: the findings first, then their proofs, what holds, the key values, and what it all stands on."""
+"""The chapter of a step in the engineer's report: findings, their proofs, what holds, key values, and what it stands on."""
 
 from __future__ import annotations
 

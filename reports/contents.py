@@ -19,7 +19,7 @@ from .tables import Cell, Column, Row, table
 if TYPE_CHECKING:
     from .pen import Pen
 
-TITLE = 98.0  # width of a section's title
+TITLE = 122.0  # width of a section's title
 NUMBER = 16.0  # of a part's page number with the space before it
 PARTS = WIDTH - TITLE - 6.0 - 22.0  # of all parts
 

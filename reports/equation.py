@@ -70,6 +70,7 @@ class Entry:
     lines: list[Labelled]
     place: Place | None = None
     parts: int = PARTS  # of them with their numbers, the others with their values
+    full: bool = False  # whether all parts have their numbers
 
 
 def column_of_signs(entries: list[Entry]) -> float:
@@ -96,11 +97,11 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
     groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
     rest: list[Labelled] = []
     for n, calculations in enumerate(parts):
-        if n >= entry.parts:
+        if n >= entry.parts and not entry.full:
             rest += calculations
             continue
         own, said, others = _calculated(calculations, sign, context.say, entry.place, labelled=labelled)
-        if n and len(parts) > 2 and (len(own) > 1 or own[0][1].height > TALL):
+        if n and len(parts) > 2 and not entry.full and (len(own) > 1 or own[0][1].height > TALL):
             rest += calculations
             continue
         more = _others(others, own, said, context)
@@ -186,7 +187,7 @@ def _value(line: Shown) -> list[Piece]:
 
 def shown(line: Line, say: Language, place: Place | None = None) -> Shown:
     """A line as the report shows it."""
-    made = show(line, place and place.index)
+    made = show(line, place.index if place else None)
     number = say.number
     where = place.words if place and made.where else say(made.where)
     return replace(

@@ -54,7 +54,7 @@ Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the 
 
 
 def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
-    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, unless its scale forbids it."""
+    """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its scale allows it."""
     blocks = []
     curves = [part for number, curve in numbered for part in _apart(number, curve)]
     n = 0

@@ -20,7 +20,7 @@ from calc.sheet.text import Text, with_unit
 from calc.sheet.trace import Line
 
 from .context import Context, near
-from .equation import PARTS, Entry, Label, Place
+from .equation import Entry, Label, Place
 
 MOST = {"limit": 9, "caution": 4}  # formulas of a demand
 ALIKE = 3  # values of one symbol that are quoted
@@ -89,7 +89,7 @@ def value(context: Context, id: str, known: Known) -> Walk:
 
 
 def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, also: tuple[str, ...], known: Known) -> Walk:
-    """The lines nearest to the first of several numbers, `most` formulas of them and those with the symbols in `also`; the same formulas of the others."""
+    """The lines nearest to the first of several numbers, `most` formulas and the symbols in `also`, and the same of the others."""
     shown = _nearest(_lines(roots[0]), most, also, known)
     if not shown:
         return Walk([], [], [leaf for leaf in roots[0] if isinstance(leaf, str)])
@@ -103,7 +103,7 @@ def _walk(context: Context, roots: Sequence[tuple[Line | str, ...]], most: int, 
     place, first = _place(context, shown), _lines(roots[0])
     entries: dict[str, Entry] = {}
     for line in shown:
-        entry = Entry(line.formula, [], place, PARTS if line in first else 1)
+        entry = Entry(line.formula, [], place, parts=1, full=line in first)
         entries.setdefault(_name(line), entry).lines.append((Label(*context.say.halves(line.about)), line))
     return Walk(list(entries.values()), _quoted(context, shown, place, known), _inputs(roots, shown))
 
@@ -153,7 +153,7 @@ def _quoted(context: Context, shown: list[Line], place: Place | None, known: Kno
     for line in shown:
         for needed in needs(line)[0]:
             if needed not in given:
-                number, unit = result(needed, place and place.index)
+                number, unit = result(needed, place.index if place else None)
                 key = needed.formula.symbol, known.get(_name(needed), "")
                 values.setdefault(key, {})[context.say.number(number)] = unit
     return [_told(symbol, where, numbers) for (symbol, where), numbers in values.items()]
@@ -174,7 +174,7 @@ def _inputs(roots: Sequence[tuple[Line | str, ...]], shown: list[Line]) -> list[
 def _place(context: Context, shown: list[Line]) -> Place | None:
     """The element of arrays that is followed: the one that governs the number which is judged, named by where it lies."""
     index = governing(shown[0])
-    shape = getattr(shown[0].value, "shape", ())
+    shape: tuple[int, ...] = getattr(shown[0].value, "shape", ())
     if index is None or prod(shape) < 2:
         return None
     for line in _followed(shown[:1]):

@@ -52,7 +52,7 @@ def _headline(context: Context, step: Step, outcome: Outcome[object], proven: se
     """How the value comes about that stands for a step, where no proof shows it."""
     own = {value.id: value for value in outcome.values()}
     id = step.headline(own)
-    if id is None or id in proven or not (walk := value(context, id, known)).entries:
+    if id is None or id in proven or not own[id].shown or not (walk := value(context, id, known)).entries:
         return []
     title = f"{context.say(own[id].label)}: {context.written(own[id].shown, own[id].unit)}"
     return [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
@@ -64,7 +64,9 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk) 
         name = f"{number}  {name_of(context, check)}" if n == 0 else name_of(context, check)
         state = context.state(check)
         found = Cell(f"{shown_value(context, check)} · {context.say(check.limit_text())}", STRONG)
-        rows.append((Cell(name, STRONG), found, Cell(context.say(check.margin_text()), STRONG), used(context, check), sign_style(context, state)))
+        rows.append(
+            (Cell(name, STRONG), found, Cell(context.say(check.margin_text()), STRONG), used(context, check), sign_style(context, state))
+        )
     made = [_title(context, rows, STATE_COLOURS[context.state(proof.governing)])]
     for check in proof.checks[:1]:
         context.cite(check.source, step)
@@ -90,7 +92,9 @@ def _after(context: Context, proof: Proof) -> list[Block]:
         more = [context.text("more_twins", count=len(proof.others) - NAMED)] if len(proof.others) > NAMED else []
         made += _line(context, "also_judged", checks="; ".join([*map(context.say, told), *more]))
     for method in dict.fromkeys(one for check in proof.checks for one in context.outside(check)):
-        made += _line(context, "outside_of", name=name_of(context, method), value=shown_value(context, method), limit=context.say(method.limit_text()))
+        made += _line(
+            context, "outside_of", name=name_of(context, method), value=shown_value(context, method), limit=context.say(method.limit_text())
+        )
     check = proof.governing
     if check.missing:
         made += _line(context, "not_known", keys=", ".join(check.missing))
@@ -116,8 +120,8 @@ def used(context: Context, check: Check) -> Cell:
     return Cell(context.text("used", share=Amount(share * 100, "%", form=".0f")), STRONG)
 
 
-def _line(context: Context, key: str, **parts: object) -> list[Block]:
-    return [replace(block, keep=True) for block in paragraph(context.text(key, **parts), NOTE, x=INDENT, gap=2.0)]
+def _line(context: Context, key: str, **parts: str) -> list[Block]:
+    return [replace(block, keep=True) for block in paragraph(context.text(key, None, **parts), NOTE, x=INDENT, gap=2.0)]
 
 
 def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
@@ -170,4 +174,4 @@ def _given(context: Context, key: str) -> str:
         given = value_at(context.document.data, key, whole=True)
     except BadInput:
         return key
-    return key if given is None or isinstance(given, (dict, list)) and len(str(given)) > 40 else f"{key} = {exact(given)}"
+    return key if given is None or (isinstance(given, (dict, list)) and len(str(given)) > 40) else f"{key} = {exact(given)}"

@@ -32,7 +32,7 @@ from .index import index_blocks
 from .inputs import input_blocks, material_blocks
 from .paper import PAGE, WIDTH
 from .plots import Plots
-from .prose import BODY, HEADING, NOTE, SECTION, lines
+from .prose import BODY, HEADING, SECTION, lines
 from .summary import NOTE_LINES, step_anchor, summary_blocks
 from .values import table_blocks, value_blocks
 from .words import verdict
@@ -98,11 +98,11 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
     body: list[Block] = []
     plots = Plots()
     steps = [one for one in context.steps() if context.audit or one[2].state != "not_asked"]
-    for number, step, outcome in steps:
-        done = part(progress, (number - 1) / len(steps), number / len(steps))
+    for n, (number, step, outcome) in enumerate(steps):
+        done = part(progress, n / len(steps), (n + 1) / len(steps))
         body += _step(context, number, step, outcome, entries, plots, done)
     w = context.words
-    number = len(entries) + 1
+    number = 1 + max((number for number, _, _ in steps), default=0)
     if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials

@@ -18,8 +18,8 @@ from .context import Context, closeness
 from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import BOLD, MISSING, writable
 from .paper import WIDTH
-from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
 from .proof_blocks import used
+from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
 from .sketch import sketch_blocks
 from .tables import Cell, Column, Row, table
 from .typeset import symbol
@@ -172,7 +172,9 @@ def _verdict(context: Context) -> list[Block]:
     limits = [check for check in checks if check.kind == "limit"]
     if limits:
         worst = min(limits, key=closeness)
-        at = context.text("governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text()))
+        at = context.text(
+            "governing", name=name_of(context, worst), value=shown_value(context, worst), limit=context.say(worst.limit_text())
+        )
         words = ". ".join([words, " ".join(filter(None, (at, used(context, worst).words)))])
     big = Style(15.0, 18.0, BOLD, STATE_COLOURS[state])
     sign = one_line(f"{SIGNS[state]}  {w[state].upper()}", big, 0.4 * WIDTH)

@@ -109,7 +109,12 @@ def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, 
 
 def _paired(context: Context) -> tuple[Column, ...]:
     w = context.words
-    return (Column(w["quantity"], width=WORDS), Column(w["symbol"], width=32.0), Column(w["value"], "r", width=NUMBERS), Column(w["unit"], width=26.0))
+    return (
+        Column(w["quantity"], width=WORDS),
+        Column(w["symbol"], width=32.0),
+        Column(w["value"], "r", width=NUMBERS),
+        Column(w["unit"], width=26.0),
+    )
 
 
 def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:

@@ -27,31 +27,26 @@ WORDS: dict[str, Text] = {
         "Numbers are substituted in SI units (m, kg, s, N, Pa, W; angles in rad, temperatures in °C); a vector in the plane is "
         "written length∠angle. The result stands in the unit given."
     ),
-    "zero_lines": Text("Lines whose value is exactly zero are left out here; the audit report has every line."),
-    "resting": plural(
-        "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {n} more line "
-        "stands in the audit report.",
-        "Here stand the formulas that lead to the value of this step, to its closest limit and to what fails; {n} more lines "
-        "stand in the audit report.",
+    "limit_is": Text("Limit {limit}: {source}."), "also_judged": Text("Also judged: {checks}."),
+    "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
+    "more_twins": Text("{count} more"), "alike": Text("{name}, and {count} alike"), "used": Text("used {share}"),
+    "soft_hold": plural(
+        "{n} check of good practice or of the method holds as well; it stands in the audit report.",
+        "{n} checks of good practice or of the method hold as well; they stand in the audit report.",
         n=0,
     ),
-    "limit_is": Text("Limit {limit}: {source}."), "no_formula": Text("The number comes from a solution, or from inputs, and from no one formula."),
-    "also_judged": Text("Also judged: {checks}."), "more_twins": Text("{count} more"), "soft_hold": plural(
-        "{n} check of good practice or of the method holds as well; it stands in the audit report.",
-        "{n} checks of good practice or of the method hold as well; they stand in the audit report.", n=0,
-    ),
-    "alike": Text("{name}, and {count} alike"),
     "outside_of": Text("Not called a pass: the formula is used outside what it is made for ({name}: {value}, should be {limit})."),
-    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "used": Text("used {share}"),
-    "with_values": Text("With {values}."), "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"),
-    "proofs": Text("Proofs"), "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
-    "governing": Text("Governing: {name}, {value}, needs {limit}"), "key_results": Text("Key results"), "nearest_title": Text("Nearest passing design"),
-    "nearest_passes": Text("No limit fails with: {changes}."), "nearest_part": Text("A part of the way: {changes}."),
-    "nearest_left": Text("{name}: nothing was found, {why}."), "errata_count": plural(
+    "not_known": Text("Not known: {keys}."), "accepted_because": Text("Accepted: {reason}"), "with_values": Text("With {values}."),
+    "from_inputs": Text("Inputs: {values}."), "outside": Text("kept, outside validity"), "proofs": Text("Proofs"),
+    "kept_checks": Text("What holds"), "verdicts_of": Text("Findings"), "key_values": Text("Key values"),
+    "governing": Text("Governing: {name}, {value}, needs {limit}"), "key_results": Text("Key results"),
+    "nearest_title": Text("Nearest passing design"), "nearest_passes": Text("No limit fails with: {changes}."),
+    "nearest_part": Text("A part of the way: {changes}."), "nearest_left": Text("{name}: nothing was found, {why}."),
+    "errata_count": plural(
         "{n} value of a source is corrected; the engineer report says where the source is wrong, and why.",
-        "{n} values of sources are corrected; the engineer report says where the sources are wrong, and why.", n=0,
+        "{n} values of sources are corrected; the engineer report says where the sources are wrong, and why.",
+        n=0,
     ),
-    "further": Text("Further figures and tables of this step stand in the audit report."),
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
     "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
     "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "materials": Text("Oils and materials"), "oil": Text("Oil"),
