@@ -178,6 +178,6 @@ def rgb(colour: tuple[float, float, float]) -> str:
 
 def with_outcome(made: Solved, key: str, **changed: object) -> Solved:
     """A solved design with no curves and tables but those that are put into one of its steps."""
-    outcomes = {name: replace(outcome, curves=(), tables=()) for name, outcome in made.results.outcomes.items()}
+    outcomes = {name: replace(outcome, curves=(), tables=(), further=None) for name, outcome in made.results.outcomes.items()}
     outcomes[key] = replace(outcomes[key], **changed)  # type: ignore[arg-type]
     return Solved(made.raw, made.document, Results(made.results.design, outcomes))

@@ -11,7 +11,6 @@ import pytest
 from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series, Turning
-from reports import context
 from reports.arrows import ARROW, LEAST, arrows
 from reports.figures import series_label
 from reports.plots import BARS, bar_colour, line_style, series_style
@@ -24,9 +23,7 @@ VARIANTS = ("crank alone", "with the counter-shaft")
 
 
 def report(*curves: Curve) -> bytes:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(context, "CURVES", len(curves))  # all of them
-        return with_outcome(solved(V12), "engine", curves=curves).report()
+    return with_outcome(solved(V12), "engine", curves=curves).report("audit")  # all of them
 
 
 def bars_of(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:

@@ -2,7 +2,6 @@
 """The tables of a step, and the tables and long lists among its inputs."""
 
 import io
-from dataclasses import replace
 from functools import partial
 from types import SimpleNamespace
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import pytest
 from pypdf import PdfReader
 
+from calc.key_values import is_key_value
 from calc.languages import language
 from calc.sheet.quantity import inputs, integer, quantity, table, tables, text
 from calc.sheet.step import Step, Table
@@ -40,7 +40,7 @@ REMEDIES = Table(
 
 
 def test_every_cell_of_a_table_stands_in_the_report() -> None:
-    pdf = with_outcome(solved(V12), "engine", tables=(REMEDIES,)).report()
+    pdf = with_outcome(solved(V12), "engine", tables=(REMEDIES,)).report("audit")
     inside(pdf)
     read = squeezed(text_of(pdf))
     for words in (
@@ -55,7 +55,7 @@ def test_every_cell_of_a_table_stands_in_the_report() -> None:
 
 def test_tables_stand_in_outline_and_contents_but_not_in_the_summary() -> None:
     made = with_outcome(solved(V12), "engine", tables=(REMEDIES,))
-    pdf = made.report()
+    pdf = made.report("audit")
     reader = PdfReader(io.BytesIO(pdf))
     (entry,) = [e for part in reader.outline if isinstance(part, list) for e in part if e.title == "Tables"]
     assert REMEDIES.title in pages_of(pdf)[reader.get_destination_page_number(entry)]
@@ -64,23 +64,22 @@ def test_tables_stand_in_outline_and_contents_but_not_in_the_summary() -> None:
     place = [float(entry.top or 0), reader.get_destination_page_number(entry)]
     assert place in [[float(a["/Dest"][3]), reader.get_page_number(a["/Dest"][0].get_object())] for a in links]
     assert REMEDIES.title not in text_of(made.report("summary"))
-    assert made.report() == pdf
+    assert made.report("audit") == pdf
 
 
-def test_values_that_a_table_covers_are_left_to_it() -> None:
+def test_a_short_report_has_the_key_values_and_names_what_is_zero() -> None:
     made = solved(V12)
     outcome = made.results.outcomes["imbalance"]
 
-    def words(covers: tuple[str, ...], depth: str = "engineer") -> str:
+    def words(depth: str) -> str:
         context = Context(made.document, made.results, "0" * 64, depth, language("en"))
-        return "\n".join(drawn(value_blocks(context, replace(outcome, tables=(replace(REMEDIES, covers=covers),)))))
+        values = [value for value in outcome.values() if depth == "audit" or is_key_value(value.id)]
+        return "\n".join(drawn(value_blocks(context, outcome, values)))
 
-    assert "Order 6" in words(()) and "order 2" in words(()), "order 2 is named as zero"
-    left = words(("imbalance.order_",))
-    assert "rder 6" not in left and "rder 2" not in left
-    assert "Couple that the counter-shaft must supply" in left, "what does not begin so stays"
-    assert "Order 6" in words(("imbalance.order_2.",)) and "order 2" not in words(("imbalance.order_2.",))
-    assert words(("imbalance.order_",), "audit") == words((), "audit"), "the audit has everything"
+    short, whole = words("engineer"), words("audit")
+    assert "counter-shaft must supply" in short and "Zero throughout" in short and "order 2" in short
+    assert "rder 6" not in short and "imbalance.order_6" not in short
+    assert "rder 6" in whole and "Zero throughout" not in whole, "the audit has everything"
 
 
 def test_nought_has_no_sign() -> None:
@@ -102,7 +101,7 @@ def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
     columns = (("Order", ""), *((f"Amount{i}", "N·m") for i in range(20)))
     rows = tuple((f"row{n}", *(float(1000 * n + i) + 0.5 for i in range(20))) for n in range(60))
     wide = Table("w", "A wide table", columns, rows)
-    pdf = with_outcome(solved(V12), "engine", tables=(wide, Table("e", "Without rows", columns[:3], (), "Nothing of it."))).report()
+    pdf = with_outcome(solved(V12), "engine", tables=(wide, Table("e", "Without rows", columns[:3], (), "Nothing of it."))).report("audit")
     inside(pdf)
     words = text_of(pdf).split()
     from calc.sheet.number import short
@@ -118,7 +117,7 @@ def test_long_and_wide_tables_are_divided_and_lose_nothing() -> None:
 
 def test_numbers_end_at_one_edge_and_words_begin_at_one() -> None:
     rows = tuple(("W" * 20, v, "–" if n == 1 else v) for n, v in enumerate((7123.0, 8.0, 91.25)))
-    pdf = with_outcome(solved(V12), "engine", tables=(Table("t", "Edges", (("A", ""), ("B", "mm"), ("C", "mm")), rows),)).report()
+    pdf = with_outcome(solved(V12), "engine", tables=(Table("t", "Edges", (("A", ""), ("B", "mm"), ("C", "mm")), rows),)).report("audit")
     page = next(n for n, words in enumerate(pages_of(pdf)) if "Edges" in words)
     words = round(LEFT + width("W" * 20, CELL.size), 1)
     lines: dict[float, list[tuple[float, float]]] = {}
@@ -198,7 +197,8 @@ def test_a_long_array_is_shown_by_its_ends_and_counted() -> None:
     ]
     assert "720" in words, "the last row has its own number"
     assert any(str(720 - 2 * ENDS) in w for w in words) and any("720 in all" in w for w in words)
-    assert "Gas force" in words and "140.0" in words and "engine.gas.peak_pressure_bar" in " ".join(words)
+    assert "Gas force" in words and "140.0" in words
+    assert "engine.gas.peak_pressure_bar" in " ".join(laid(data, "audit")), "keys stand in the audit"
 
 
 def test_the_audit_shows_all_of_it() -> None:
@@ -220,7 +220,7 @@ def test_nested_tables_may_be_absent_or_have_one_key() -> None:
 
 
 def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
-    bodies = [{"name": f"web{n}", "mass_kg": 1.5 + n, "x_mm": 2.25, "y_mm": 0.0, "z_mm": -3.0 * n, "a_mm": 9.0} for n in range(9)]
+    bodies = [{"name": f"web{n}", "mass_kg": 1.5 + n, "x_mm": 2.25, "y_mm": 0.0, "z_mm": -3.0 * n, "a_mm": 9.0} for n in range(LONG)]
     bodies[4]["pin"] = 1
     words = laid({"bore_mm": 94.0, "bodies": bodies})
     assert words.count("Bodies of the crank") == 1 and not any("continued" in w for w in words)
@@ -241,7 +241,7 @@ def test_an_array_of_bodies_is_one_table_with_a_row_for_each() -> None:
 def test_headers_stand_on_one_line_where_there_is_room() -> None:
     rows = ((600.0, 1.0, 2.0), (1500.0, 3.0, 4.0))
     numbers = Table("m", "Losses over speed", (("n", "rpm"), ("100 °C", "W"), ("120 °C", "W")), rows)
-    read = text_of(with_outcome(solved(V12), "engine", tables=(numbers,)).report())
+    read = text_of(with_outcome(solved(V12), "engine", tables=(numbers,)).report("audit"))
     assert "n, rpm 100 °C, W 120 °C, W" in " ".join(read.split())
 
 

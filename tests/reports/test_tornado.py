@@ -9,7 +9,6 @@ import pytest
 from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series
-from reports import context
 from reports.paper import LEFT, PAGE, RIGHT
 from reports.plots import bar_colour, tick_words
 from reports.tornado import Lying, lies
@@ -29,9 +28,7 @@ def curve(names: tuple[str, ...] = NAMES, low: object = LOW, high: object = HIGH
 
 
 def report(*curves: Curve) -> bytes:
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(context, "CURVES", len(curves))  # all of them
-        return with_outcome(solved(V12), "engine", curves=curves).report()
+    return with_outcome(solved(V12), "engine", curves=curves).report("audit")  # all of them
 
 
 def bars(pdf: bytes, i: int) -> list[tuple[float, float, float, float]]:
