@@ -11,7 +11,7 @@ from calc.sheet.rules import pattern_of
 from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 
-from .checks import name_of, shown_value, sign_cell
+from .checks import counted, name_of, shown_value, sign_cell
 from .context import Context
 from .figures import figure_blocks
 from .flow import Block, bullet, paragraph
@@ -19,9 +19,10 @@ from .inputs import input_blocks
 from .plots import Plots
 from .proof import proofs
 from .proof_blocks import proof_blocks
-from .prose import NOTE
+from .prose import BODY, NOTE
 from .tables import Column, Row, table
 from .values import table_blocks, value_blocks
+from .words import verdict
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
 LONG = ("not_verified", "accepted", "outside")
@@ -47,7 +48,9 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
 
 
 def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
-    """What is open or accepted, one line a cause, the worst first."""
+    """How the step came out, and what is open or accepted, one line a cause, the worst first."""
+    said = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
+    made = paragraph(said, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
     rows: list[Row] = []
     for group in grouped(outcome.checks):
         found = [check for check in group if check.verdict != "pass"]
@@ -55,7 +58,7 @@ def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
             worst, more = found[0], len(found) - 1
             name = name_of(context, worst) + (f" ({context.text('more_twins', count=more)})" if more else "")
             rows.append(_row(context, worst, name))
-    return table(_columns(context, outcome.checks), rows) if rows else []
+    return made + (table(_columns(context, outcome.checks), rows) if rows else [])
 
 
 def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
@@ -72,7 +75,7 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
             name = context.text("alike", name=name, count=len(group) - 1)
         rows.append(_row(context, least, name, _range(context, group)))
     made = table(_columns(context, hard), rows) if rows else []
-    if len(hard) < len(checks):
+    if made and len(hard) < len(checks):
         made += paragraph(context.text("soft_hold", n=len(checks) - len(hard)), NOTE, gap=2.0)
     return made
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 
 from calc.sheet.check import URGENT, Check, grouped, with_it
 from calc.sheet.step import Erratum
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import Amount, Text, plural
 
 from .context import Context
 from .flow import Block
@@ -47,6 +47,20 @@ def name_of(context: Context, check: Check) -> str:
     whose = " ".join(context.belongs(check.id))
     advice = f" ({context.words['advice']})" if check.kind in ("advice", "method") else ""
     return f"{check.name}{'' if knows(check.name, whose) else f', {whose}'}{advice}"
+
+
+def counted(context: Context, checks: Sequence[Check]) -> str:
+    """How many checks came out how; what holds by a formula outside its validity is counted by itself."""
+    if not checks:
+        return context.words["no_checks"]
+    states = [context.state(check) for check in checks]
+    words = context.text(
+        "count", fail=states.count("fail"), open=states.count("not_verified"),
+        warnings=plural("{n} warning", "{n} warnings", n=states.count("warn")),
+        notes=plural("{n} note", "{n} notes", n=states.count("note")), accepted=states.count("accepted"), passed=states.count("pass"),
+        checks=plural("{n} check", "{n} checks", n=len(checks)),
+    )  # fmt: skip
+    return f"{words}; {context.text('counted_outside', n=outside)}" if (outside := states.count("outside")) else words
 
 
 def check_blocks(context: Context, checks: Sequence[Check]) -> list[Block]:

@@ -24,7 +24,7 @@ from .equation import Entry, Label, Place
 
 MOST = {"limit": 9, "caution": 4}  # formulas of a demand
 ALIKE = 3  # values of one symbol that are quoted
-HELD = 5  # of one that holds, and of a value
+HELD = 4  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
 Known = dict[str, str]  # formula → number of the proof that derives it

@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 from calc.described import described
 from calc.key_values import RESULTS, like
 from calc.sheet.check import SIGNS
-from calc.sheet.text import plural
 from calc.version import VERSION
 
 from .boxes import GREY
 from .boxes import text as text_box
-from .checks import attention_blocks, knows, name_of, shown_value, sign_cell
+from .checks import attention_blocks, counted, knows, name_of, shown_value, sign_cell
 from .context import Context, closeness
 from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import BOLD, MISSING, writable
@@ -157,15 +156,7 @@ def _verdict(context: Context) -> list[Block]:
     w, results = context.words, context.results
     state = results.verdict
     checks = list(results.checks())
-    count = {v: sum(c.verdict == v for c in checks) for v in ("pass", "accepted", "note", "warn", "not_verified", "fail")}
-    words = w["no_checks"]
-    if checks:
-        warnings, judged = plural("{n} warning", "{n} warnings", n=count["warn"]), plural("{n} check", "{n} checks", n=len(checks))
-        notes = plural("{n} note", "{n} notes", n=count["note"])
-        words = context.text(
-            "count", fail=count["fail"], open=count["not_verified"], warnings=warnings, notes=notes, accepted=count["accepted"],
-            passed=count["pass"], checks=judged,
-        )  # fmt: skip
+    words = counted(context, checks)
     waiting = [context.say(step.title) for _, step, o in context.steps() if o.state in ("blocked", "no_solution")]
     if waiting:
         words += context.text("waiting", steps=", ".join(waiting))

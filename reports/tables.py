@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from .pen import Pen
 
 GAP = 7.0  # between columns
-PAD = 1.2  # above and below the text of a row
+PAD = 1.0  # above and below the text of a row
 MOST = 55  # lines of one row; a longer one goes on in the next
 DARK = (0.45, 0.45, 0.45)
 
