@@ -42,8 +42,6 @@ class Chains:
     def __init__(self, results: Results) -> None:
         self.results = results = results.traced()
         self.values = results.values()
-        told = [(line, step) for step, outcome in enumerate(results.outcomes.values()) for line in outcome.lines]
-        self.lines, self.steps = [line for line, _ in told], [step for _, step in told]
         self.value_of: dict[Line, str] = {}  # line → the value that it gives
         for id, value in self.values.items():
             for leaf in leaves(link_of(value.inside)):
@@ -79,11 +77,6 @@ class Chains:
         known = next((one for one in self.results.checks() if one.id == check.id), check)
         of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
         return leaves(link_of(known.limit)) or leaves(link_of(of_value))
-
-    def leading_to(self, value_ids: Iterable[str]) -> set[int]:
-        """The numbers, among the lines of all steps in their order, of those that lead to any of these values."""
-        there = set(_ordered([line for id in value_ids for line in self._made_by(id)]))
-        return {number for number, line in enumerate(self.lines) if line in there}
 
     def _made_by(self, value_id: str) -> list[Line]:
         """The lines that gave a value; none where it is an input."""

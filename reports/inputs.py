@@ -26,7 +26,7 @@ from .values import paired_table
 ACROSS = 5  # parts beside each other
 FLAT = 8  # a list of parts with at most so many quantities stands one part a row
 LEFT_OUT = re.compile(r"\b(?:Left out|Se omess[oaei]): ")  # how a help begins to say, in each language, what the program does then
-LONG, ENDS = 8, 3  # of a list with more parts so many of either end are shown, unless everything is asked for
+LONG, ENDS = 6, 2  # of a list with more parts so many of either end are shown, unless everything is asked for
 
 
 def exact(value: Any, *, rounded: bool = False) -> str:
