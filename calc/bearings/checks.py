@@ -70,7 +70,8 @@ def checks(place: str, r: BearingResult, slope: float) -> Iterator[Check]:
     if r.thinnest_film is not None:
         slowest = Amount((r.speed_of_thinnest_film or 0.0) * 60)
         title = Text("Film at the edge over the speeds, thinnest at {speed_of_thinnest_film} rpm", speed_of_thinnest_film=slowest)
-        yield on("film_edge_speeds", title, r.thinnest_film - (r.film - r.film_edge), ">=", r.kreisle_film, "µm", kreisle,
+        edge = f.film_at_edge_of_another(h_x=r.thinnest_film, h_0=r.film, h_edge=r.film_edge)
+        yield on("film_edge_speeds", title, edge, ">=", r.kreisle_film, "µm", kreisle,
             Text("As for the film at the edge; or keep away from this speed."))  # fmt: skip
     yield on("temperature", Text("Outlet temperature"), r.outlet_temperature, "<=", inputs.outlet_temperature_limit, "°C",
         Text("given in the design: its limit (the engine maker's manual, Finotti 2013, 5.5.1)"),

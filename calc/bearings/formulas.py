@@ -320,6 +320,14 @@ def film_at_edge(h_0: Metre, theta: Radian, l: Metre) -> Metre:
     return h_0 - theta * l / 2
 
 
+@formula("h_edge,x", "geometry: film at the edge of another speed or load, with the slope of the rated ones", unit="µm")
+def film_at_edge_of_another(h_x: Metre, h_0: Metre, h_edge: Metre) -> Metre:
+    """>>> film_at_edge_of_another(h_x=9.981e-06, h_0=9.559e-06, h_edge=7.41e-06)
+    7.832e-06
+    """
+    return h_x - (h_0 - h_edge)
+
+
 @formula("h_K", "Kreisle, after Finotti 2013, 5.4.1 and 5.5.3: the film keeps the peaks Rt = k·Ra of both surfaces apart", unit="µm")
 def kreisle_film(k_R: Number, Ra_1: Metre, Ra_2: Metre) -> Metre:
     """>>> kreisle_film(k_R=7.5, Ra_1=6e-07, Ra_2=6e-07)

@@ -60,6 +60,7 @@ def solve(
     speed = bearings.speed if bearings.speed is not None else engine.rated_speed if engine is not None else 0.0
     bench = engine.bench if engine is not None else ()
     results: dict[str, BearingResult] = {}
+    every: list[Check] = []
     with trace() as lines:
         with about(Text("oil")):
             lubricant = Lubricant(solids.oil, bearings.viscosity_law)
@@ -70,7 +71,7 @@ def solve(
                 seat = BearingCase(bearing, bearings, lubricant, clearance, solids.journal.expansion, solids.housing.expansion)
                 load, slope = _load(place, bearing, shaft), _slope(place, bearings, shaft)
                 results[place] = _bearing(place, seat, load, slope, speed, bench)
-    every = [c for place, r in results.items() for c in (*checks(place, r, _slope(place, bearings, shaft)), *_pairing(place, r))]
+                every += [*checks(place, results[place], slope), *_pairing(place, results[place])]
     every += _slopes_given(bearings, shaft)
     every += oil_checks(bearings, solids.oil)
     return Outcome("bearings", result=BearingsResult(bearings=results), checks=tuple(every), lines=tuple(lines),

@@ -70,8 +70,9 @@ def _checks(place: str, one: BearingResult, part: StandingResult) -> Iterator[Ch
     )  # fmt: skip
     thinnest = min((h for h in (part.film_load_peak, part.film_orbit) if h is not None), default=None)
     if thinnest is not None:
+        edge = f.film_at_edge_of_another(h_x=thinnest, h_0=one.film, h_edge=one.film_edge)
         yield check(f"bearings.{place}.film_edge_standing",
             Text("Film at the edge over a turn, with the standing load, {place}", place=IN_WORDS[place]),
-            thinnest - (one.film - one.film_edge), ">=", one.kreisle_film, "µm",
+            edge, ">=", one.kreisle_film, "µm",
             Text("Kreisle, after Finotti 2013, 5.5.3, on the turning and the standing load together"),
             Text("As for the film at the edge; the standing part is weight and gear force."))  # fmt: skip
