@@ -64,7 +64,7 @@ def proofs(checks: Iterable[Check]) -> list[Proof]:
     for pattern, group in twins.items():
         if wanted := sorted(filter(near, group), key=severity):
             open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
-        elif pattern in PROVEN:
+        elif pattern in PROVEN and group[0].kind in MOST:
             least = min(group, key=lambda check: check.margin)
             kept.append(Proof((least,), tuple(check for check in group if check is not least)))
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept

@@ -148,6 +148,8 @@ def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -
     for entry in walk.entries:
         source = context.cite(entry.formula.source, step)
         made += entry_blocks(entry, source, sign if entry in several else SIGN, labelled=entry in several, context=context, gap=CLOSE)
+    if made and quoting and (walk.quoted or walk.inputs):
+        made[-1] = replace(made[-1], keep=True)
     if quoting and walk.quoted:
         made += _listed(context, "with_values", walk.quoted)
     if quoting and walk.inputs:
