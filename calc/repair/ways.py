@@ -25,6 +25,8 @@ from .trials import Trials
 from .way import NEAR, Way, made_way, ranked
 from .words import named, written
 
+HOUSINGS = ("EN-GJL-250", "EN AC-43100")  # grey iron and aluminium: what housings are usually cast of
+
 
 def group_of(results: Results, finding: Check) -> tuple[Check, ...]:
     """What is open and shares the cause of a finding, of its kind or a worse one; the finding first."""
@@ -93,24 +95,28 @@ def _given(state: State, group: tuple[Check, ...]) -> Iterator[Way]:
             about = quantity_of(state.document.data, key)
         except BadInput:
             continue
-        label = named(state.document, key)
-        value = _usual(about)
-        if value is None:
-            yield Way(Text("give {input}", input=label), (key,), effect=Text("then it can be judged"), quality=NEAR)
-            continue
-        try:
-            after = state.with_changes({key: value})
-        except BadInput:
-            continue
-        yield made_way(state, after, {key: value}, group, Text("give {input}", input=label))
+        kind = Text("give {input}", input=named(state.document, key))
+        values = _usual(state, key, about)
+        if not values:
+            yield Way(kind, (key,), effect=Text("then it can be judged"), quality=NEAR)
+        for value in values:
+            try:
+                after = state.with_changes({key: value})
+            except BadInput:
+                continue
+            yield made_way(state, after, {key: value}, group, kind)
 
 
-def _usual(about: Quantity) -> float | int | str | None:
+def _usual(state: State, key: str, about: Quantity) -> tuple[float | int | str, ...]:
+    """What is usually given there; of a housing the material of the bearings' first."""
     if about.usual is not None and about.kind in ("number", "integer"):
         low, high = about.usual
         middle = rounded(low + 0.4 * (high - low), low + 0.6 * (high - low))
-        return round(middle) if about.kind == "integer" else middle
-    return about.choices[0] if about.choices else None
+        return (round(middle) if about.kind == "integer" else middle,)
+    if key.endswith("housing_material"):
+        of_bearings = state.design.bearings.housing_material if state.design.bearings is not None else None
+        return tuple(dict.fromkeys(name for name in (of_bearings, *HOUSINGS) if name))
+    return about.choices[:1]
 
 
 def _locked(state: State, plan: Plan, group: tuple[Check, ...]) -> Way:

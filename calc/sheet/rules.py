@@ -18,7 +18,8 @@ ELEMENTS = ("B", "M", "N", "W")  # a bearing, a mesh, any element, a wheel
 class Rule:
     """One row: for one check, or for all checks of its pattern.
 
-    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.  `value`, `limit`: ids of
+    `kinds`: the first, unless the site says another of them.  `demand`: value and limit are demand and capacity.  `exact`: the limit is
+    one that the designer has chosen, and may be used up.  `value`, `limit`: ids of
     the value that is judged and of that which it is held against; empty: it has none.  `moved_by`: keys of the inputs that move it most,
     in the order in which a designer uses them; the key of a table stands for the numbers in it.
     """
@@ -26,6 +27,7 @@ class Rule:
     id: str
     kinds: tuple[str, ...]
     demand: bool
+    exact: bool
     cause: str
     value: str
     limit: str
@@ -41,10 +43,10 @@ def rules() -> tuple[Rule, ...]:
 
 
 def _rule(id: str, kind: str, cause: str, value: str, limit: str, moved_by: str, why: str) -> Rule:
-    kinds = kind.split()
-    demand = kinds[-1] == "demand"
+    words = kind.split()
+    kinds = tuple(word for word in words if word in KINDS)
     value = id if value == "=" else value
-    return Rule(id, tuple(kinds[:-1] if demand else kinds), demand, cause, value, limit, tuple(moved_by.split()), why)
+    return Rule(id, kinds, "demand" in words, "exact" in words, cause, value, limit, tuple(moved_by.split()), why)
 
 
 @cache
@@ -118,7 +120,7 @@ def _filled(rule: Rule, names: dict[str, str], index: int | None) -> Rule:
     names = names if index is None else names | {"#": str(index)}
     keys = tuple(filled for key in rule.moved_by if "#" not in (filled := _put(key, names)))
     id, cause, value, limit = (_put(id, names) for id in (rule.id, rule.cause, rule.value, rule.limit))
-    return Rule(id, rule.kinds, rule.demand, cause, value, limit, keys, rule.why)
+    return Rule(id, rule.kinds, rule.demand, rule.exact, cause, value, limit, keys, rule.why)
 
 
 def _put(id: str, names: dict[str, str]) -> str:
