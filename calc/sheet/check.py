@@ -160,7 +160,8 @@ def check(
     made = Check(
         id, name, linked(number, link_of(value)), bound, sense, unit, source, advice,
         kind if kind in rule.kinds else rule.kinds[0], rule.cause,
-        rule.value if value_id is None else value_id, rule.limit, rule.moved_by if moved_by is None else moved_by, (), missing, rule.demand, rule.exact,
+        rule.value if value_id is None else value_id, rule.limit, rule.moved_by if moved_by is None else moved_by, (), missing,
+        rule.demand, rule.exact,
     )  # fmt: skip
     ways = () if remedies is None or made.holds else remedies()
     return replace(made, remedies=ways, advice=Text(" ").join([sentence(ways), advice] if advice else [sentence(ways)])) if ways else made
