@@ -22,12 +22,14 @@ class WayList(ItemList):
         self.ways: tuple[Way, ...] = ()
 
     def show(self, ways: tuple[Way, ...]) -> None:
-        """The cursor stays on its remedy, which may have another number now."""
-        here, before = self.key, self.ways
+        """The cursor stays on its remedy, which may have another number now; on the first row until it was moved from there."""
+        here, before = self.key if self.key != "1" else "", self.ways
         self.ways = ways
         self.rebuild()
         if here and (now := next((n for n, way in enumerate(ways, 1) if way == before[int(here) - 1]), None)) is not None:
             self.go_to(str(now))
+        elif ways:
+            self.go_to("1")
 
     def build(self, width: int) -> list[Item]:
         return [Item(str(n), self._columns(n, way, width), self.app.say(way.words), self._line(way)) for n, way in enumerate(self.ways, 1)]
