@@ -32,7 +32,7 @@ class Check:
     `cause`: the id of the check, or of the group, that it is shown under.  `value_id`, `limit_id`: the value that is judged, and the one
     that it is held against.  `moved_by`: keys of the inputs that move it most, in the order in which a designer uses them; the key of a
     table stands for the numbers in it.
-    `exact`: the limit is one that the designer has chosen, and may be used up.
+    `exact`: the limit, where it is not 0, is one that the designer has chosen and may be used up.
     `missing`: keys that are not given and without which it can not be judged: it stands on what the program takes for them.
     `advice`: what to do: the remedies, in the labels and units of the fields, and what is no value of a key.  `accepted`: the reason that
     the user gave for leaving it open.
@@ -84,7 +84,7 @@ class Check:
     @property
     def narrow(self) -> bool:
         """A limit that is kept, but by so little that it is a warning."""
-        return self.kind == "limit" and not self.exact and self.holds and self.margin < THIN_MARGIN
+        return self.kind == "limit" and not (self.exact and self.limit) and self.holds and self.margin < THIN_MARGIN
 
     @property
     def utilisation(self) -> float | None:
