@@ -6,7 +6,7 @@ that needs another part is given it.  So nothing below the workbench imports it.
 """
 
 from collections.abc import Callable
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from textual.timer import Timer
 from textual.widget import Widget
@@ -22,6 +22,8 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.pane import Pane
 from .pane_layout import PaneLayout
+
+W = TypeVar("W", bound=Widget)
 
 
 class Host(Protocol):
@@ -58,13 +60,12 @@ class Host(Protocol):
     def calculation(self) -> Calculation: ...
     @property
     def curve_pane(self) -> CurvePane: ...
+    def query_one(self, kind: type[W], /) -> W:
+        """The one widget of a kind."""
+
     def pane_named(self, name: str) -> Pane: ...
     def forms(self) -> list[Form]:
         """Of all steps that have been opened."""
-
-    @property
-    def done(self) -> bool:
-        """Whether nothing is left to do in the step, or what is waits for a later one."""
 
     # --- what it does
     def close_route(self) -> None:

@@ -11,6 +11,7 @@ from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import sorted_checks
 from ..widgets.curve_pane import CurvePane
 from ..widgets.item_list import ItemList
+from ..widgets.steps import states_of
 from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
 from .host import Host
@@ -46,8 +47,15 @@ class Moves:
         host = self._host
         before = host.step
         await self.turn_step(1)
-        if host.step is not before and host.done:
+        if host.step is not before and self._done:
             host.form.focus(scroll_visible=False)
+
+    @property
+    def _done(self) -> bool:
+        """Whether nothing is left to do in the step, or what is waits for a later one."""
+        n, states = self._host.number, states_of(self._host.session)
+        here = states[n - 1]
+        return here.done or (here.state == "not_verified" and any(later.state == "todo" for later in states[n:]))
 
     async def trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""
@@ -178,7 +186,7 @@ class Moves:
         host = self._host
         if isinstance(host.focused, ItemList):
             host.focused.choose()
-        elif host.focused is host.form and not host.done:
+        elif host.focused is host.form and not self._done:
             host.form.focus_place(None)
         elif host.focused is host.form:
             await self.lead_on()

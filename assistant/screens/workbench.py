@@ -2,7 +2,6 @@
 """The one screen: steps, inputs, checks, calculation and curve, always live.  Nobody presses "calculate"."""
 
 from collections.abc import Callable
-from functools import partial
 from typing import ClassVar
 
 from textual import events
@@ -14,18 +13,13 @@ from textual.screen import Screen
 from textual.widget import Widget
 
 from calc.design import STEPS
-from calc.languages.outcome import said
-from calc.sheet.check import URGENT
 from calc.sheet.step import Step
-from calc.sheet.text import EMPTY, Text, plural
+from calc.sheet.text import EMPTY, Text
 
 from ..actions import ACTIONS, methods
 from ..base_app import BaseApp
-from ..editing import Plan
-from ..offers.offer import CHOICES
-from ..places import Place, first_key, named_key
+from ..places import Place, first_key
 from ..session import Session
-from ..sheets import Sheet
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.calculation import Calculation
 from ..widgets.checks import Checks
@@ -33,7 +27,6 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.field_help import FieldHelp
-from ..widgets.fold import Fold
 from ..widgets.footer_line import FooterLine
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
@@ -42,13 +35,14 @@ from ..widgets.pane import Pane
 from ..widgets.picture import Picture
 from ..widgets.radio import Radio
 from ..widgets.step_bar import StepBar
-from ..widgets.steps import READY, Steps, states_of
+from ..widgets.steps import READY, Steps
 from ..widgets.table_heading import TableHeading
 from ..widgets.table_list import TableList
 from ..widgets.top_line import TopLine
 from ..widgets.upstream_values import Taken
 from .accept import AcceptActions
 from .background_solve import BackgroundSolve
+from .building import Building
 from .curve_actions import CurveActions
 from .edit_actions import EditActions
 from .edit_feedback import EditFeedback
@@ -57,9 +51,9 @@ from .moves import Moves
 from .pane_layout import PANES, PaneLayout
 from .reading_actions import ReadingActions
 from .ready import ReadyActions
+from .results_view import ResultsView
 from .slopes import Slopes
 
-BUILDING = Text("It is being built by the rules …")
 HUGE = 170  # cells of a screen that has room for the findings beside the picture
 
 
@@ -84,6 +78,8 @@ class Workbench(Screen[None]):
         self.readings = ReadingActions(self, self.moves, self.background)
         self.slopes = Slopes(self)
         self.closing = ReadyActions(self, self.files)
+        self.building = Building(self)
+        self.results_view = ResultsView(self, self.background, self.slopes)
         self._actions = methods(
             self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing
         )  # fmt: skip
@@ -205,12 +201,6 @@ class Workbench(Screen[None]):
     def form(self) -> Form:
         return self.query_one(f"#form-{self.step.key}", Form)
 
-    @property
-    def done(self) -> bool:
-        states = states_of(self.session)
-        here = states[self.number - 1].state
-        return states[self.number - 1].done or (here == "not_verified" and any(s.state == "todo" for s in states[self.number :]))
-
     def close_route(self) -> None:
         self.closing.ready()
 
@@ -254,29 +244,8 @@ class Workbench(Screen[None]):
         self.edited()
 
     def on_form_asked(self, event: Form.Asked) -> None:
-        """Build it in another thread: that may take a second."""
         event.stop()
-        self.app.tell(BUILDING)
-        self.in_thread("build", partial(self._build, self.session, event.step, event.balancing))
-
-    def _build(self, session: Session, step: str, balancing: str) -> None:
-        """Runs in another thread."""
-        try:
-            plan = session.plan(step, balancing)
-        except Exception as error:  # a mistake of the program must not take the user's work with it
-            why = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
-            plan = Plan({}, {}, why)
-        self.call_later(self._built, session, plan)
-
-    def _built(self, session: Session, plan: Plan) -> None:
-        self.app.forget(BUILDING)
-        if session is not self.session or not self.stands:
-            return
-        if why := plan.why or session.take(plan):
-            self.app.tell(why, "warning")
-            return
-        self.form.focus(scroll_visible=False)
-        self.edited()
+        self.building.ask(event.step, event.balancing)
 
     async def on_form_done(self, event: Form.Done) -> None:
         event.stop()
@@ -308,56 +277,18 @@ class Workbench(Screen[None]):
 
     # --- showing
     def show_remedy(self) -> None:
-        if self.session.valid and not self.session.current and self.session.results is not None:
-            return  # what stands there stays until there are results: it would only flicker
-        line = self.query_one(MessageLine)
-        line.trouble, line.remedy = self.background.trouble, self.background.remedy
-        line.redraw()
-        self.show_keys()
+        self.results_view.show_remedy()
 
     def show_verdicts(self) -> None:
-        results = self.session.results
-        outcome = said(results.outcomes[self.step.key], self.app.say) if results is not None else None
-        self.checks.show(outcome)
-        if outcome is not None:
-            bad = sum(c.verdict in URGENT for c in outcome.checks)
-            count = len(outcome.checks)
-            passing = plural("{passing} of {n} check passes", "{passing} of {n} checks pass", n=count, passing=count - bad)
-            self.query_one("#checks", Pane).set_title(right=self.app.say(passing) if count else "")
-        self.query_one(TopLine).refresh()  # the last line of the screen follows: what lies between two lines is painted with them
-
-    def show_picture(self) -> None:
-        """The picture of the step, with what the edited field changes lit."""
-        session, field = self.session, self.form.field if self.query(f"#form-{self.step.key}") else None
-        lit = named_key(session.data, field.place) if field is not None else ""
-        design = session.results.design if session.results is not None else None
-        self.query_one(Picture).show(self.step.key, design, session.results, lit)
+        self.results_view.show_verdicts()
 
     def show_written(self) -> None:
-        self.show_picture()
-        page = self.background.pages.get(self.step.key)
-        self.calculation.show(page.sheet if page is not None else Sheet())
-        self.curve_pane.show(self.step.key, page.leaves if page is not None else (), page is None)
-        self.form.refresh_taken()
-        self.show_keys()
-
-    def show_keys(self) -> None:
-        """The footer leaves out first what does nothing here."""
-        pane, results = self.curve_pane, self.session.results
-        sound = self.session.valid and results is not None and all(c.verdict not in URGENT for c in results.checks())
-        idle = {
-            "variant": pane.curve is None or len(pane.curve.variants) < 2,
-            "curve": len(pane.leaves) < 2,
-            "trouble": sound,
-            "fix": sound,
-            "choose": self.step.key not in CHOICES,
-        }
-        self.query_one(FooterLine).show(tuple(id for id, nothing in idle.items() if nothing))
+        self.results_view.show_written()
 
     def on_curve_pane_turned(self, event: CurvePane.Turned) -> None:
         event.stop()
         if self.stands:
-            self.show_keys()
+            self.results_view.show_keys()
 
     def show_step(self) -> None:
         """The parts that name the step."""
@@ -394,25 +325,19 @@ class Workbench(Screen[None]):
             elif inside:
                 self.form.focus_place(focus)
 
-    def show_finding(self) -> None:
-        """The message line speaks of the finding under the cursor, while the findings have the focus."""
-        line, checks = self.query_one(MessageLine), self.checks
-        line.finding = checks.key if checks.has_focus else ""
-        line.redraw()
-
     # --- focus and panes
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
         pane = next((node.id for node in event.widget.ancestors_with_self if node.id in PANES), None)
         if pane is not None:
             self.at_pane(pane)
-        self._show_help()
+        self.results_view.show_help()
         if isinstance(event.widget, Checks):
-            self.call_later(self.show_finding)
+            self.call_later(self.results_view.show_finding)
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
-        self.call_later(self._show_help)
+        self.call_later(self.results_view.show_help)
         if isinstance(event.widget, Checks) and self.stands:
-            self.call_later(self.show_finding)
+            self.call_later(self.results_view.show_finding)
 
     def at_pane(self, name: str) -> None:
         if name != self.pane_layout.pane and self.stands:
@@ -422,33 +347,15 @@ class Workbench(Screen[None]):
     def set_out(self) -> None:
         self.pane_layout.set_out(self.app.say)
 
-    def _show_help(self) -> None:
-        """The foot of the form: about the field that has the focus."""
-        if not self.stands or not self.query(f"#form-{self.step.key}"):
-            return
-        source, say = self.form.field or self.focused, self.app.say
-        self.show_picture()
-        if isinstance(source, Field):
-            moves = self.slopes.of_key(named_key(self.session.data, source.place), lambda words: self._show_help())
-            self.query_one(FieldHelp).show(*source.explained(), say(Text("Moves {moved}.", moved=moves)) if moves else "")
-        elif isinstance(source, (ArrayHeading, TableHeading, Fold, Radio, Taken)):
-            self.query_one(FieldHelp).show(*source.explained())
-        elif source is not None and self.pane_layout.pane == "inputs":
-            self.query_one(FieldHelp).show(
-                say(Text("No field is being edited")), say(Text("letters act as keys; Tab or ↓ goes back to the fields."))
-            )
-        else:
-            self.query_one(FieldHelp).show("", "")
-
     def on_checks_want_slopes(self, event: Checks.WantSlopes) -> None:
         event.stop()
         self.slopes.want(event.check)
 
     def on_item_list_moved(self, event: ItemList.Moved) -> None:
         if isinstance(event.source, Checks) and self.stands:
-            self.show_finding()
+            self.results_view.show_finding()
         if isinstance(event.source, Radio):
-            self._show_help()
+            self.results_view.show_help()
         if isinstance(event.source, Calculation) and self.stands:
             self.query_one("#calculation", Pane).set_title(right=event.source.position())
 

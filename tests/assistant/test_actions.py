@@ -113,7 +113,7 @@ async def test_the_footer_has_room_for_what_does_something_here(screen: Screen) 
             await strike(pilot, "f9")
         assert seen == {True, False}
         curves.show("imbalance", ())
-        work(pilot).show_keys()
+        work(pilot).results_view.show_keys()
         assert "F9" not in footer.render().plain and "F6 Pane" in footer.render().plain
 
 
