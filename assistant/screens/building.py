@@ -1,22 +1,35 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Building a missing step, or the crank and shaft of a balancing, in another thread: that may take a second."""
+"""A step that the design does not have: built by rules, or left out for a reason."""
 
 from functools import partial
 
+from calc.addresses import as_table
+from calc.design import STEPS
 from calc.sheet.text import Text
 
 from ..editing import Plan
 from ..session import Session
 from .host import Host
+from .moves import Moves
+from .reason import Reason
 
+USUAL = (
+    Text("left out on purpose"),
+    Text("it is settled elsewhere"),
+    Text("to be settled by the supplier"),
+    Text("outside what this design is for"),
+)
+"""Reasons to leave a step out, to be written on."""
+TITLES = {step.key: step.title for step in STEPS}
 BUILDING = Text("It is being built by the rules …")
 
 
 class Building:
-    def __init__(self, host: Host) -> None:
-        self._host = host
+    def __init__(self, host: Host, moves: Moves) -> None:
+        self._host, self._moves = host, moves
 
     def ask(self, step: str, balancing: str) -> None:
+        """Build it, or the crank and shaft of a balancing, in another thread: that may take a second."""
         host = self._host
         host.app.tell(BUILDING)
         host.in_thread("build", partial(self._build, host.session, step, balancing))
@@ -40,3 +53,17 @@ class Building:
             return
         host.form.focus(scroll_visible=False)
         host.edited()
+
+    def leave_out(self, step: str) -> None:
+        """Ask why."""
+        host = self._host
+        begun = str(as_table(host.session.data.get("without")).get(step) or host.app.say(USUAL[0]))
+        dialog = Reason(Text("Leave this step out: why is it right?"), host.app.say(TITLES[step]), USUAL, begun)
+        host.app.push_screen(dialog, partial(self._left_out, host.session, step))
+
+    async def _left_out(self, session: Session, step: str, reason: str | None) -> None:
+        if reason is None or session is not self._host.session or not self._host.stands:
+            return
+        session.leave_out(step, reason)
+        self._host.edited()
+        await self._moves.lead_on()

@@ -78,7 +78,7 @@ class Workbench(Screen[None]):
         self.readings = ReadingActions(self, self.moves, self.background)
         self.slopes = Slopes(self)
         self.closing = ReadyActions(self, self.files)
-        self.building = Building(self)
+        self.building = Building(self, self.moves)
         self.results_view = ResultsView(self, self.background, self.slopes)
         self._actions = methods(
             self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing
@@ -246,6 +246,10 @@ class Workbench(Screen[None]):
     def on_form_asked(self, event: Form.Asked) -> None:
         event.stop()
         self.building.ask(event.step, event.balancing)
+
+    def on_form_left_out(self, event: Form.LeftOut) -> None:
+        event.stop()
+        self.building.leave_out(event.step)
 
     async def on_form_done(self, event: Form.Done) -> None:
         event.stop()

@@ -2,42 +2,35 @@
 """The inputs of one step, generated from their descriptions."""
 
 from collections.abc import Callable, Collection
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass
 
 from textual import events
 from textual.containers import VerticalScroll
-from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input, Static
 from textual.worker import Worker
 
-from calc.languages import Language
-from calc.languages.outcome import in_language
 from calc.sheet.step import Step
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from ..places import Place, content_at, key_at
-from ..route import fold_of, path_of
+from ..places import Place
 from ..session import Session
-from ..upstream import NAMED
 from .array_heading import ArrayHeading
 from .cells import Cells, Columns, side
 from .choice import Choice
 from .entry import Entry
-from .field import Field, StrokeField
+from .field import Field
 from .fold import Fold
+from .form_parts import FormParts, Identity, identity
 from .guide_text import GuideText
 from .item_list import ItemList
 from .radio import Balance, Radio, Todo
-from .rows import Asked, Row, routed
+from .rows import Asked, Row
 from .table_heading import TableHeading
 from .upstream_values import Taken
 
-Identity = tuple[object, ...]  # of a widget: kind and place of its row
-LEFT_OUT = Text("left out on purpose")
 WIDE = 46  # cells of the form beside the other panes
 
 
@@ -52,6 +45,12 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
         step: str
         balancing: str = ""
+
+    @dataclass
+    class LeftOut(Message):
+        """The design shall do without a step, for a reason that is to be asked for."""
+
+        step: str
 
     class Done(Message):
         """Nothing is left to do in this form: on to the next step."""
@@ -73,85 +72,34 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
         self._side = side(min(WIDE, self.app.size.width - 1))
+        self._parts = FormParts(step, session, self.app.say)
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
-        for identity, make in self._parts():
-            yield self._made(identity, make)
+        for part, make in self._parts.parts(self._rows()):
+            yield self._made(part, make)
 
-    def _made(self, identity: Identity, make: Callable[[], Widget]) -> Widget:
+    def _made(self, part: Identity, make: Callable[[], Widget]) -> Widget:
         widget = make()
-        self._identities[widget] = identity
+        self._identities[widget] = part
         return widget
 
-    def _parts(self) -> list[tuple[Identity, Callable[[], Widget]]]:
-        """What the form consists of, in order: what tells each part from all others, and how it is made."""
-        key, session = self.step.key, self.session
-        parts: list[tuple[Identity, Callable[[], Widget]]] = [(("guide",), lambda: GuideText(session, key))]
-        if key == "imbalance" and "engine" in session.data:
-            parts.append((("balance",), lambda: Balance(session, key)))
-        elif not self.there:
-            parts.append((("todo",), lambda: Todo(session, key)))
-        if self.there:
-            for row in self._rows():
-                parts.append((_identity(row), partial(self._widget, row)))
-            parts.append((("taken",), lambda: Taken(session, key)))
-        return parts
-
-    def _widget(self, row: Row) -> Widget:
-        session = self.session
-        match row.kind:
-            case "field":
-                return Field(row, session, self._words(row))
-            case "stroke":
-                return StrokeField(row, session, ())
-            case "cells":
-                return Cells(row, [Field(cell, session, self._words(cell), cell=True) for cell in row.inside])
-            case "columns":
-                return Columns(row)
-            case "array":
-                return ArrayHeading(row, session)
-            case "option":
-                return TableHeading(row, session)
-            case "fold":
-                return Fold(row, session)
-            case _:
-                return Static(self._heading(row), classes="heading")
-
-    @property
-    def there(self) -> bool:
-        """Whether the design has the step."""
-        return self.step.key in self.session.data
-
     def _rows(self) -> list[Row]:
+        """The inputs with the folds, and the elements of arrays, that are open: what is edited, or not accepted, is."""
         reasons = self.session.reasons()
-        editing = [self.field.place] if self.is_mounted and self.field is not None else []
-        if not (editing and self.field is not None and self.field.editing):
-            self.opened |= {n for place in reasons if (n := self._fold(place)) is not None}
-        found = routed(self.step, self.session.data, Asked(self.chosen, [*editing, *reasons], self._side), self.opened)
-        say = self.app.say
-        return found if say.code == "en" else [_said(row, say) for row in found]
-
-    def _fold(self, place: Place) -> int | None:
-        """The fold that a place lies in."""
-        return fold_of(self.step.key, path_of(place)) if len(place) > 1 and place[0] == self.step.key else None
-
-    def _heading(self, row: Row) -> Content:
-        last = row.place[-1]
-        name = str((content_at(self.session.data, row.place) or {}).get("name", last + 1)) if isinstance(last, int) else row.about.label
-        return Content.styled(f" {name}", "bold" if not isinstance(last, int) else "italic")
-
-    def _words(self, row: Row) -> tuple[str, ...]:
-        """The names that a field of a catalogue may hold."""
-        catalogue = NAMED.get(key_at(row.place)) if row.about.kind == "text" else None
-        return tuple(getattr(self.session.design, catalogue)) if catalogue else ()
+        field = self.field if self.is_mounted else None
+        if field is None or not field.editing:
+            self.opened |= {n for place in reasons if (n := self._parts.fold(place)) is not None}
+        editing = [field.place] if field is not None else []
+        return self._parts.rows(Asked(self.chosen, [*editing, *reasons], self._side), self.opened)
 
     def refresh_fields(self, reasons: dict[Place, Text]) -> None:
         """Show what the session says; a design of another shape gets a form of another shape."""
-        found = {_identity(row): row for row in self._rows()} if self.there else {}
+        rows = self._rows()
+        found = {identity(row): row for row in rows}
         for todo in self.query(Todo):
             todo.rebuild()
-        if [self._identities.get(child) for child in self.children] != [identity for identity, _ in self._parts()]:
+        if [self._identities.get(child) for child in self.children] != [part for part, _ in self._parts.parts(rows)]:
             self.rebuild()
         for child in self.children:
             row = found.get(self._identities.get(child, ()))
@@ -166,7 +114,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
                 child.redraw(row, reasons.get(row.place, EMPTY))
             elif isinstance(child, (Fold, Columns)):
                 child.redraw(row)
-            elif isinstance(child, Static) and str(child.content) != (made := self._heading(row)).plain:
+            elif isinstance(child, Static) and str(child.content) != (made := self._parts.heading(row)).plain:
                 child.update(made, layout=False)
 
     def _settle(self) -> None:
@@ -220,8 +168,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             await self.app.on_event(events.Key(event.key, event.character))
 
     async def _put_in_order(self) -> None:
-        parts = self._parts()
-        wanted = {identity for identity, _ in parts}
+        parts = self._parts.parts(self._rows())
+        wanted = {part for part, _ in parts}
         gone = [child for child in self.children if self._identities.get(child) not in wanted]
         focused = self.screen.focused
         if focused is not None and any(child in focused.ancestors_with_self for child in gone):
@@ -233,9 +181,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self._identities.pop(child, None)
         standing = {self._identities[child]: child for child in self.children}
         new: list[Widget] = []
-        for identity, make in parts:
-            if (there := standing.get(identity)) is None:
-                new.append(self._made(identity, make))
+        for part, make in parts:
+            if (there := standing.get(part)) is None:
+                new.append(self._made(part, make))
             elif new:
                 await self.mount(*new, before=there)
                 new = []
@@ -304,8 +252,8 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def _bring_out(self, place: Place, stops: Collection[Place]) -> bool:
         """Open the fold, or leaf to the element, that a place lies in; whether there was something to do."""
-        n, uncovered = self._fold(place), False
-        if self.there and n is not None and n not in self.opened:
+        n, uncovered = self._parts.fold(place), False
+        if self._parts.there and n is not None and n not in self.opened:
             self.opened.add(n)
             uncovered = True
         for end, part in enumerate(place):
@@ -416,9 +364,7 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         elif isinstance(source, Balance):
             self.post_message(self.Done())
         elif event.key == Todo.LEAVE:
-            self.session.leave_out(self.step.key, self.app.say(LEFT_OUT))
-            self.post_message(self.Changed())
-            self.post_message(self.Done())
+            self.post_message(self.LeftOut(self.step.key))
         else:
             self.ask()
 
@@ -430,14 +376,5 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     def ask(self) -> None:
         """Enter on the form of a step that the design does not have."""
-        if not self.there:
+        if not self._parts.there:
             self.post_message(self.Asked(self.step.key))
-
-
-def _identity(row: Row) -> Identity:
-    return (row.kind, row.place, len(row.inside)) if row.kind == "cells" else (row.kind, row.place)
-
-
-def _said(row: Row, say: Language) -> Row:
-    """A row with its words in the user's language."""
-    return replace(row, about=in_language(row.about, say), inside=tuple(_said(one, say) for one in row.inside))

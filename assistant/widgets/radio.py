@@ -44,6 +44,7 @@ class Todo(Radio):
     """Of a step that the design does not have: it is built by rules, or left out."""
 
     BUILD, LEAVE = "build", "leave"
+    BINDINGS: ClassVar[list[BindingType]] = [Binding("minus", "leave", "Leave it out", show=False)]
 
     def __init__(self, session: Session, step: str) -> None:
         super().__init__(session, step, "todo")
@@ -59,6 +60,13 @@ class Todo(Radio):
             rows = wrap(self.button(bool(reason) and key == self.LEAVE) + said, width - 1, 4)
             items.append(Item(key, [Content(row) for row in rows], line=said))
         return items
+
+    def explained(self) -> tuple[str, str]:
+        title, text = super().explained()
+        return title, f"{text} {self.app.say(Text('- leaves the step out.'))}"
+
+    def action_leave(self) -> None:
+        self.post_message(self.Chosen(self, self.LEAVE))
 
 
 class Balance(Radio):

@@ -3,14 +3,16 @@
 
 import pytest
 from textual import events
+from textual.widgets import Input
 
 from assistant.places import Place
 from assistant.route import ROUTE, fold_of
+from assistant.screens.reason import Reason
 from assistant.session import Session
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.fold import Fold
-from assistant.widgets.radio import Balance
+from assistant.widgets.radio import Balance, Todo
 from calc.design import STEPS
 from calc.sheet.quantity import keys
 
@@ -120,3 +122,24 @@ async def test_a_balancing_is_taken_as_one_step(screen: Screen, light: Session) 
         await until(pilot, lambda: light.data is not before)
         assert "countershaft" not in light.data and light.data["imbalance"]["crank_balance_fraction"] == 0.5
         assert light.undo() is not None and light.data == before and "locked" not in told(pilot)
+
+
+async def test_leaving_a_step_out_asks_for_the_reason(screen: Screen, light: Session) -> None:
+    async with screen() as pilot:
+        await work(pilot).open_step(STEPS[5])
+        await settled(pilot)
+        work(pilot).form.query_one(Todo).focus()
+        await strike(pilot, "minus")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Reason))
+        box = pilot.app.screen.query_one(Input)
+        assert box.value == "left out on purpose" and box.has_focus
+        await strike(pilot, "escape")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, Reason))
+        assert "without" not in light.data
+        await strike(pilot, "down", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Reason))
+        box = pilot.app.screen.query_one(Input)
+        await strike(pilot, "down", "down", "enter", "x", "up", "enter")
+        await until(pilot, lambda: not isinstance(pilot.app.screen, Reason))
+        assert light.data["without"] == {"friction": "it is settled elsewherex"}
+        assert light.undo() is not None and "without" not in light.data
