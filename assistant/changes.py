@@ -6,8 +6,9 @@ from typing import Any
 
 from calc.addresses import parse_assignment, quantity_of, value_at
 from calc.design_file import Document
+from calc.locks import locked
 from calc.sheet.errors import BadInput
-from calc.sheet.text import SEMICOLON, Amount, Name, Part, Text
+from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 
 def applied(document: Document, changes: Iterable[str]) -> Document:
@@ -31,6 +32,19 @@ def told(document: Document, changes: Iterable[str]) -> Text:
                 Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
             )
     return SEMICOLON.join(texts)
+
+
+def locked_text(document: Document, changes: Iterable[str]) -> Text:
+    """`changes what is locked: Oil (bearings.oil): the oil is the engine's`; empty where nothing of it is."""
+    texts = []
+    for key, value in map(parse_assignment, changes):
+        try:
+            about, before = quantity_of(document.data, key), value_at(document.data, key)
+        except BadInput:  # the key of an element that is only made by these changes
+            continue
+        if before != value and (reason := locked(document.data, key)):
+            texts.append(Text("{label} ({key}): {reason}", label=about.label, key=key, reason=reason))
+    return Text("changes what is locked: {inputs}", inputs=SEMICOLON.join(texts)) if texts else EMPTY
 
 
 def _part(value: Any, unit: str = "") -> Part:

@@ -148,10 +148,14 @@ class Editing:
         self.seal()
 
     def apply(self, changes: Iterable[str]) -> None:
-        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none."""
-        data = applied(self.document, changes).data
+        """Make several changes, each KEY=VALUE as `--set` takes it, as one step of the undo.  Raises BadInput where a key is none.
+
+        What was typed elsewhere, and not understood, stays.
+        """
+        data, before = applied(self.document, changes).data, self._state.data
+        texts = {where: text for where, text in self._state.texts.items() if content_at(data, where) == content_at(before, where)}
         self.seal()
-        self._step(State(data, {}), None)
+        self._step(State(data, texts), None)
         self.seal()
 
     def lock_reason(self, place: str | Place) -> str:

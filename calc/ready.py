@@ -36,12 +36,16 @@ class StepState:
 
 
 def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ()) -> tuple[StepState, ...]:
-    """The state of every step.  `data`: the tables of the design; `wrong`: keys of inputs that are missing or not understood."""
-    wrong = list(wrong)
+    """The state of every step.  `data`: the tables of the design; `wrong`: keys of inputs that are missing or not understood.
+
+    Those of the design itself, of its name or of what is measured, count with the first step, in which they are asked.
+    """
+    owners = [key.partition(".")[0] for key in wrong]
+    owners = [key if any(key == step.key for step in STEPS) else STEPS[0].key for key in owners]
     left_out = as_table(data.get("without"))
     outcomes: Mapping[str, Outcome[object]] = results.outcomes if results is not None else {}
     return tuple(
-        _state(step.key, data, left_out, sum(key.partition(".")[0] == step.key for key in wrong), outcomes.get(step.key)) for step in STEPS
+        _state(step.key, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS
     )
 
 

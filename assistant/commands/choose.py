@@ -9,6 +9,7 @@ from collections import Counter
 from difflib import get_close_matches
 from pathlib import Path
 
+from assistant.changes import locked_text
 from assistant.commands.check import changed
 from assistant.offers.offer import CHOICES
 from assistant.offers.offer import offer as offer_for
@@ -80,6 +81,8 @@ def _write(path: Path, document: Document, changes: list[str], step: str, said: 
     text = edited_text(before, dict(parse_assignment(change) for change in changes))
     write_asked(path, text)
     print(f"{path} {said}; as it was before: {path}.bak")
+    if shut := locked_text(document, changes):
+        print(Text("This {changes}", changes=shut))
     for comment in (Counter(_comments(before)) - Counter(_comments(text))).elements():
         print(f"A comment went with its key: {comment}")
     results = solve(made)

@@ -144,17 +144,18 @@ def _title(step: str) -> Text:
 
 def picture(session: Session, columns: int, rows: int, app: BaseApp) -> Content:
     """The drive as its shaft in its bearings, else as its engine; nothing where neither is solved."""
-    from importlib import import_module
+    from calc.countershaft import sketch as shaft
+    from calc.engine import sketch as engine
 
-    for step in ("countershaft", "engine"):
-        results = session.results
+    from ..canvas import draw
+
+    results = session.results
+    for step, make in (("countershaft", shaft.sketch), ("engine", engine.sketch)):
         if results is not None and results.outcomes[step].state == "solved":
             try:
-                sketch = import_module(f"calc.{step}.sketch").sketch(session.design, results)
-                drawn: Content = import_module("assistant.canvas").draw(sketch, columns, rows, app.signs, app.say)
-            except ImportError:
+                return draw(make(results.design, results), columns, rows, app.signs, app.say)
+            except Exception:  # a picture that cannot be drawn never stops the work that it shows
                 continue
-            return drawn
     return Content("")
 
 
@@ -222,6 +223,7 @@ class ReadyActions:
         self._host, self._files = host, files
 
     def ready(self) -> None:
+        self._host.session.solve()  # the page says what holds of the design as it is now
         self._host.app.push_screen(ReadyScreen(self._host.session), self._go)
 
     async def _go(self, to: str | None) -> None:

@@ -25,7 +25,7 @@ from calc.sheet.errors import Cancelled
 from calc.sheet.text import EMPTY, Amount, Text
 
 from ..base_app import BaseApp
-from ..saving import free_name, write_atomic
+from ..saving import SaveError, free_name, write_atomic
 from ..session import Session
 from ..widgets.item_list import ItemList
 from ..widgets.way_list import WayList
@@ -252,8 +252,8 @@ class Remedies(Once, ModalScreen[Way | None]):
         path = free_name(home.with_name(f"{home.stem}-remedies.csv"))
         try:
             write_atomic(path, table(self.ways, self.app.say).encode("utf-8"))
-        except OSError as error:
-            self.app.tell(Text("{path} can not be written: {reason}", path=str(path), reason=error.strerror or str(error)), "error")
+        except SaveError as error:
+            self.app.tell(error.text, "error")
             return
         self.app.tell(Text("Written: {path}", path=str(path)))
 

@@ -23,7 +23,7 @@ from calc.sheet.errors import BadInput, Cancelled, NoSolution
 from calc.sheet.text import EMPTY, SEMICOLON, Text
 
 from ..base_app import BaseApp
-from ..changes import applied, told
+from ..changes import applied, locked_text, told
 from ..offers.offer import Offer, offer
 from ..session import Session
 from ..solving import Answer, Job, run
@@ -217,6 +217,9 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
             changes = told(self.session.document, preview.changes) or Text("the design as it is")
             text = Text("Row {n}: {changes}", n=preview.number, changes=changes)
             rows = [Content(row) for row in wrap(say(text), self.room, 2)[:3]]
+            if shut := locked_text(self.session.document, preview.changes):
+                text = Text("Row {n} {changes}", n=preview.number, changes=shut)
+                rows += [Content.styled(row, self.app.signs.style("warn")) for row in wrap(say(text), self.room, 2)]
             rows += self._verdicts(preview.results)
         self.query_one("#choosing-preview", Static).update(Content("\n").join(rows))
 

@@ -112,7 +112,8 @@ def _effect(data: "Table", check: Check, effect: "Effect") -> Text:
     if effect.slope:
         return slope(words, effect.slope, check.unit, unit)
     gain = effect.gain or 0.0
-    return slope(Text("{input}: limit", input=words), -gain if check.sense in (">=", ">") else gain, check.unit, unit)
+    below = check.nearest[1] == check.limit[0] if isinstance(check.limit, tuple) else check.sense in (">=", ">")
+    return slope(Text("{input}: limit", input=words), -gain if below else gain, check.unit, unit)
 
 
 def of_input(data: "Table", key: str, moved: "tuple[tuple[Check, Effect], ...]") -> Text:

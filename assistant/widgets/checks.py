@@ -197,7 +197,10 @@ class Checks(ItemList):
         if outcome is None:
             return []
         if not outcome.checks:
-            texts = {"not_asked": Text("Nothing is judged here: the design has no such step."), "solved": Text("This step has no limits of its own.")}
+            texts = {
+                "not_asked": Text("Nothing is judged here: the design has no such step."),
+                "solved": Text("This step has no limits of its own."),
+            }
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
             return [Item("", [Content.styled(row, "dim") for row in wrap(text, max(1, width))])]
         rows = self._rows_of()

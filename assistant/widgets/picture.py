@@ -4,7 +4,6 @@
 import math
 from collections.abc import Callable
 from importlib import import_module
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.binding import Binding, BindingType
@@ -14,7 +13,7 @@ from textual.widget import Widget
 
 from calc.design import STEPS, Design
 from calc.sheet.drawing import Sketch
-from calc.sheet.text import Text
+from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
 from .signs import Signs
@@ -28,7 +27,6 @@ STEP, PRESSED = 20, 10  # degrees that the crank turns by itself at a time, and 
 RATE = 10.0  # times a second
 KEPT = 40  # drawings; a whole turn
 TITLES = {step.key: step.title for step in STEPS}
-UNDRAWN = Text("This step has no picture.")
 WAITS = Text("The picture waits for the results of the step {step}.")
 FAILED = Text("The picture of this step cannot be drawn.")
 
@@ -102,8 +100,8 @@ class Picture(Widget, can_focus=True):
 
 def sketch_of(step: str, design: Design | None, results: "Results | None", angle: float) -> Sketch | Text:
     """The sketch of a step at a crank angle, or what it waits for."""
-    if not step or design is None or find_spec(f"calc.{step}.sketch") is None:
-        return UNDRAWN
+    if not step or design is None:
+        return EMPTY
     outcome = results.outcomes.get(step) if results is not None else None
     if getattr(design, step) is None or outcome is None or outcome.result is None:
         return Text(WAITS.template, step=TITLES[step])

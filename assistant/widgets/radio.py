@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """What a step offers first, one row each: ↑ ↓ choose, Enter or Space takes."""
 
+from functools import partial
 from typing import TYPE_CHECKING, ClassVar
 
 from textual.binding import Binding, BindingType
 from textual.content import Content
 from textual.worker import get_current_worker
 
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import Amount, Text
 
 from ..route import ROUTE
@@ -16,6 +17,8 @@ from .item_list import Item, ItemList
 from .wrap import pad, wrap
 
 if TYPE_CHECKING:
+    from calc.design_file import Document
+    from calc.solve import Results
     from calc.starter.balancing import Balancing
 
 LABEL = 22  # cells
@@ -85,19 +88,20 @@ class Balance(Radio):
         results = self.session.results
         if results is not None and self.session.current and results is not self._of:
             self._of = results
-            self.run_worker(self._find, group="balance", exclusive=True, thread=True, exit_on_error=False)
+            find = partial(self._find, self.session.document, results)
+            self.run_worker(find, group="balance", exclusive=True, thread=True, exit_on_error=False)
 
-    def _find(self) -> None:
+    def _find(self, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
         from calc.starter.balancing import options
 
         worker = get_current_worker()
         try:
-            found = options(self.session.document, self.session.results)
-        except BadInput:
+            found = options(document, results)
+        except (BadInput, NoSolution):
             found = ()
         if not worker.is_cancelled:
-            self.app.call_from_thread(self._show, found)
+            self.call_later(self._show, found)
 
     def _show(self, found: "tuple[Balancing, ...]") -> None:
         first = not self._known

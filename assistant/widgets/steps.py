@@ -20,8 +20,9 @@ INDENT = "  "
 
 
 def states_of(session: Session) -> tuple[StepState, ...]:
-    """The state of every step of a design under edit."""
-    return readiness(session.data, session.results, map(_dotted, session.reasons()))
+    """The state of every step of a design under edit; where it could not be solved, results of an earlier design do not count."""
+    results = None if session.failure else session.results
+    return readiness(session.data, results, map(_dotted, session.reasons()))
 
 
 def _dotted(place: Place) -> str:

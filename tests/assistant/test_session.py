@@ -413,3 +413,11 @@ def test_a_lock_is_one_step_of_the_undo_and_goes_by_the_name_of_its_element(tmp_
     session.undo()
     session.undo()
     assert "locked" not in session.data
+
+
+def test_what_is_typed_and_not_understood_survives_a_change_elsewhere(session: Session) -> None:
+    session.edit("bearings.front.length_mm", "long")
+    session.apply(["bearings.rear.length_mm=31"])
+    assert session.text("bearings.front.length_mm") == "long" and session.value("bearings.rear.length_mm") == 31
+    session.apply(["bearings.front.length_mm=32"])
+    assert session.text("bearings.front.length_mm") == "32" and session.valid

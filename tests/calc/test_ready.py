@@ -65,6 +65,14 @@ def test_a_design_is_ready_when_nothing_is_open(gamma: tuple[Document, Results])
         assert ready(readiness(data, of_pair)) is expected
 
 
+def test_a_mistake_outside_the_steps_keeps_a_design_from_being_ready(gamma: tuple[Document, Results]) -> None:
+    _, results = gamma
+    data = {"schema": 1, "gears": {}}
+    pair = Results(results.design, {"gears": replace(results.outcomes["gears"], checks=())})
+    assert ready(readiness(data, pair)) and not ready(readiness(data, pair, ("measured.0.value",)))
+    assert words(data, pair, ("measured.0.value", "name"))["engine"] == ("needs", "needs 2 inputs")
+
+
 def test_a_step_without_a_solution_fails_in_the_count_of_the_whole(gamma: tuple[Document, Results]) -> None:
     document, results = gamma
     lost = replace(results.outcomes["bearings"], state="no_solution", result=None, checks=())
