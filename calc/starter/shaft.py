@@ -4,12 +4,15 @@
 import math
 from dataclasses import replace
 
+import numpy as np
+
 from ..addresses import Table
 from ..countershaft import formulas as f
 from ..countershaft.inputs import Holes, Journal
 from ..countershaft.making.holes import calibration
 from ..countershaft.result import CountershaftResult
 from ..countershaft.sizing import formulas as sizes
+from ..countershaft.sizing.lengths import utilisation
 from ..countershaft.sizing.sectors import Sized, size
 from ..design import Design
 from ..design_file import Document, design
@@ -34,6 +37,7 @@ OVERDESIGN, DRILLED = 0.015, 0.03  # what the shaft is made stronger, and what t
 HEAT_INDEX: NewtonPerMetreSecond = 400e3 * N_RPM_MM  # of the 500 000 N·rpm/mm that are accepted
 BEARING = 0.35, 0.75  # length over diameter: of the rear bearing at least, of both at most
 THREADED = 0.2e-3
+AT_ONCE = 32  # radii that are looked at together
 UPSTREAM: tuple[str, ...] = ("schema", "name", "oil", "material", "engine", "imbalance")
 SHAFT, GIVE = Text("a counter-shaft to begin with"), Text("give [countershaft]")
 
@@ -88,6 +92,7 @@ def envelope(made: Design, results: Results, todo: Task, core: float = CORES[0])
         F_S, C_S = U * todo.omega**2, P * todo.omega**2
         R_r = f.reaction_rear(C_S=C_S, z_f=-span / 2, F_S=F_S, z_r=span / 2)
         load = max(abs(R_r), abs(f.reaction_front(F_S=F_S, R_r=R_r)))
+        thicker: list[tuple[Metre, Metre, Metre, Metre, Metre]] = []
         for step in range(20, 400):
             R = step * 0.5e-3
             rear = up(2 * (R + THREADED), 0.5e-3)
@@ -95,12 +100,17 @@ def envelope(made: Design, results: Results, todo: Task, core: float = CORES[0])
             half_length, r_0 = down(span / 2 - length / 2 - 2 * FILLET, 0.5e-3), down(core * R, 0.5e-3)
             if half_length <= 0:
                 break
-            k = sizes.unbalance_per_length(rho=rho, R=R, r_0=r_0)
-            alpha, product = sizes.force_number(U=U, k=k, z_max=half_length), sizes.product_number(P=P, k=k, z_max=half_length)
-            if sizes.utilisation(alpha=alpha, product=product) > UTILISATION:
-                continue
-            sized = size(U, P, todo.omega, rho, R, r_0, half_length)
-            return Envelope(span, R, r_0, half_length, rear, length, load, sized)
+            thicker.append((R, rear, length, half_length, r_0))
+        for n in range(0, len(thicker), AT_ONCE):
+            some = thicker[n : n + AT_ONCE]
+            k = [sizes.unbalance_per_length(rho=rho, R=R, r_0=r_0) for R, _, _, _, r_0 in some]
+            alpha = [sizes.force_number(U=U, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
+            product = [sizes.product_number(P=P, k=one, z_max=z) for one, (_, _, _, z, _) in zip(k, some)]
+            used = utilisation(np.array(alpha), np.array(product))
+            if (found := np.flatnonzero(used <= UTILISATION)).size:
+                R, rear, length, half_length, r_0 = some[found[0]]
+                sized = size(U, P, todo.omega, rho, R, r_0, half_length)
+                return Envelope(span, R, r_0, half_length, rear, length, load, sized)
     raise NoSolution(SHAFT, Text("outer radii up to 200 mm on a span of {span}", span=Amount(span * 1e3, "mm")), GIVE)
 
 

@@ -21,7 +21,7 @@ from typing import cast
 
 import numpy as np
 
-from ...sheet.arrays import Array, BoolArray, IndexArray
+from ...sheet.arrays import Array, BoolArray, ComplexArray, IndexArray
 
 CLOSE = 1e-7  # the last search ends when the lengths are known to this; the mass is level there, so it is known far better
 ROUNDS = 60
@@ -33,7 +33,7 @@ WINDOW = np.linspace(-1.0, 1.0, 13)
 Task = tuple[Array, Array, Array]
 
 
-def task(alpha: complex, product: complex) -> Task:
+def task(alpha: complex | ComplexArray, product: complex | ComplexArray) -> Task:
     """α turned onto the real axis: |α|, and the parts of Π along and across it; arrays of one axis."""
     a, p = np.broadcast_arrays(np.atleast_1d(alpha), np.atleast_1d(product))
     size = np.abs(a)
@@ -56,7 +56,7 @@ def amount(asked: Task, front: Array, rear: Array) -> Array:
     return np.where(np.maximum(s_f, s_r) <= 1, mass, np.inf)
 
 
-def utilisation(alpha: complex, product: complex) -> Array:
+def utilisation(alpha: complex | ComplexArray, product: complex | ComplexArray) -> Array:
     """The least largest sin γ that serves: 1 is the limit of the envelope.  It is proportional to force and couple together."""
     return cast(Array, _edge_minima(task(alpha, product))[1].min(-1))
 
