@@ -53,6 +53,7 @@ class Results:
     parts: dict[str, Kept] = field(default_factory=dict, repr=False)  # for the next solve: the arguments and the outcome of each part
     recorded: bool = False  # whether the lines were recorded with the numbers
     _told: list["Results"] = field(default_factory=list, repr=False)  # the same recorded, or an earlier version of it
+    _values: dict[str, Published] = field(default_factory=dict, repr=False)  # as soon as somebody has asked for them
 
     def __str__(self) -> str:
         """A line for each step with the value that stands for it, and the limits that fail; an outcome prints all of its step."""
@@ -70,7 +71,9 @@ class Results:
         return next((outcome.result for outcome in self.outcomes.values() if isinstance(outcome.result, kind)), None)
 
     def values(self) -> dict[str, Published]:
-        return {id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids}
+        if not self._values:
+            self._values.update({id: value for outcome in self.outcomes.values() for value in outcome.values() for id in value.ids})
+        return self._values
 
     def checks(self) -> Iterator[Check]:
         for outcome in self.outcomes.values():
