@@ -128,7 +128,7 @@ class Workbench(Screen[None]):
 
     @property
     def stands(self) -> bool:
-        return not self._composing and bool(self.query("#footer-line"))
+        return not self._composing and any(isinstance(child, FooterLine) for child in self.children)
 
     async def action_act(self, id: str) -> None:
         """Run an action of the table."""
