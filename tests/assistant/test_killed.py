@@ -95,7 +95,7 @@ def test_at_most_two_seconds_of_typing_are_lost(light: Session, state: Path, sec
         killed = time.monotonic()
     assert light.home.read_bytes() == before
     session = reopened(light.home, state)
-    name = session.text("engine.name")
+    name = session.text("name")
     sure = max((n for when, n in typed if when < killed - LOST), default=0)
     assert set(name) == {"x"} and sure <= len(name) <= count
     assert session.dirty and "not saved" in session.message
@@ -105,7 +105,7 @@ def test_at_most_two_seconds_of_typing_are_lost(light: Session, state: Path, sec
 
 def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -> None:
     with Terminal(light.home, state) as terminal:
-        terminal.write("\t\t\t\t12x")  # the bore
+        terminal.write("\t\t12x")  # the bore
         terminal.until(b"autosaved")
         terminal.kill()
     session = reopened(light.home, state)
@@ -115,19 +115,19 @@ def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -
 def whole(path: Path, session: Session, old: str, new: str, *earlier: str) -> str:
     """The name that the file has; all else of it must be as it was, and the file before it must be whole too: of `earlier`, where the
     save was ended before it took the last one aside."""
-    found = str(design(read(path)).engine.name)
+    found = str(design(read(path)).name)
     assert found in (old, new)
-    line = 'name = "{}"\nlayout'.format
-    assert path.read_text(encoding="utf-8") == session.bytes().decode("utf-8").replace(line(session.text("engine.name")), line(found))
+    line = 'name = "{}"\nnote'.format
+    assert path.read_text(encoding="utf-8") == session.bytes().decode("utf-8").replace(line(session.text("name")), line(found))
     if (kept := path.with_name(path.name + ".bak")).exists():
-        assert design(read(kept)).engine.name in (old, new, *earlier)
+        assert design(read(kept)).name in (old, new, *earlier)
     return found
 
 
 def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: Session, state: Path) -> None:
     """At moments around the save of a program in a terminal; what was typed is on disk or comes back."""
     chance = random.Random(7)
-    first = old = before = light.text("engine.name")
+    first = old = before = light.text("name")
     for moment in range(3):
         with Terminal(light.home, state) as terminal:
             terminal.write(new := f"name {moment}")
@@ -137,7 +137,7 @@ def test_killed_at_a_save_the_file_is_one_of_the_two_versions_and_whole(light: S
             terminal.read(chance.uniform(0.0, 0.05))
             terminal.kill()
         old, first = whole(light.home, light, old, new, first), old
-        there = reopened(light.home, state).text("engine.name")
+        there = reopened(light.home, state).text("name")
         assert there == new if moment == 0 else there in (before, new)  # what was there before is not lost in any case
         before = there
 
@@ -154,7 +154,7 @@ start = path.read_bytes()
 
 def save(left):
     session = Session.open(path, memory=Memory(state))
-    session.edit("engine.name", "new name")
+    session.edit("name", "new name")
     session.autosave()
     def killed_at(call):
         def instead(*given, **named):
@@ -178,7 +178,7 @@ for step in range(1, 40):
         save(step)
         os._exit(0)
     status = os.waitstatus_to_exitcode(os.waitpid(child, 0)[1])
-    print(status, Session.open(path, memory=Memory(state)).text("engine.name"))
+    print(status, Session.open(path, memory=Memory(state)).text("name"))
     shutil.copytree(path.parent, folder / str(step))
     if status == 0:
         break
@@ -200,6 +200,6 @@ def test_a_save_that_is_cut_off_at_any_of_its_steps(light: Session, state: Path,
     told = [line.split(" ", 1) for line in done.stdout.splitlines()]
     assert [int(status) for status, _ in told] == [-signal.SIGKILL] * (len(told) - 1) + [0] and len(told) > 5
     assert {name for _, name in told} == {"new name"}  # it was kept before it was saved
-    old = light.text("engine.name")
+    old = light.text("name")
     found = [whole(tmp_path / "steps" / str(step) / light.home.name, light, old, "new name") for step in range(1, len(told) + 1)]
     assert found == sorted(found, key=lambda name: name == "new name") and set(found) == {old, "new name"}

@@ -32,16 +32,19 @@ def until(file: int, wanted: bytes, limit: float = 30.0) -> bytes:
     raise AssertionError(f"{wanted!r} was not written: {seen[-2000:]!r}")
 
 
-@pytest.mark.parametrize("arguments", [["-m", "assistant.app"], ["-m", "assistant"]])
-def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, arguments: list[str]) -> None:
+def started(folder: Path, arguments: list[str]) -> tuple[int, int]:
+    """The program in a terminal of its own: its process, and the terminal."""
     pid, file = pty.fork()
     if pid == 0:
         os.chdir(ROOT)
-        environment = {**os.environ, "TERM": "xterm-256color", "XDG_STATE_HOME": str(tmp_path / "state"), "COLUMNS": "120", "LINES": "40"}
-        os.execve(sys.executable, [sys.executable, *arguments, str(design)], environment)
-    until(file, b"my design.toml")
-    until(file, b"solved in")
-    os.write(file, b"\x11")  # ctrl+q
+        environment = {**os.environ, "TERM": "xterm-256color", "XDG_STATE_HOME": str(folder / "state"), "COLUMNS": "120", "LINES": "40"}
+        os.execve(sys.executable, [sys.executable, *arguments], environment)
+    return pid, file
+
+
+def ended(pid: int, file: int) -> int:
+    """The code with which it ends on ctrl+q."""
+    os.write(file, b"\x11")
     end = time.monotonic() + 20
     while time.monotonic() < end:
         if select.select([file], [], [], 0.05)[0]:
@@ -49,13 +52,27 @@ def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, argument
                 os.read(file, 1 << 16)
             except OSError:
                 pass
-        ended, status = os.waitpid(pid, os.WNOHANG)
-        if ended:
-            assert os.waitstatus_to_exitcode(status) == 0
-            assert (tmp_path / "state" / "contralbero" / "last").read_text(encoding="utf-8") == str(design)
-            return
+        gone, status = os.waitpid(pid, os.WNOHANG)
+        if gone:
+            return os.waitstatus_to_exitcode(status)
     os.kill(pid, 9)
     raise AssertionError("it did not end")
+
+
+@pytest.mark.parametrize("arguments", [["-m", "assistant.app"], ["-m", "assistant"]])
+def test_it_starts_paints_solves_and_ends(design: Path, tmp_path: Path, arguments: list[str]) -> None:
+    pid, file = started(tmp_path, [*arguments, str(design)])
+    until(file, b"my design.toml")
+    until(file, b"solved in")
+    assert ended(pid, file) == 0
+    assert (tmp_path / "state" / "contralbero" / "last").read_text(encoding="utf-8") == str(design)
+
+
+def test_a_file_that_is_not_there_opens_the_start_page(tmp_path: Path) -> None:
+    pid, file = started(tmp_path, ["-m", "assistant", str(tmp_path / "mine")])
+    until(file, b"mine.toml is not there")
+    assert ended(pid, file) == 0
+    assert not (tmp_path / "mine.toml").exists()
 
 
 def test_nothing_heavy_is_imported_before_the_first_picture() -> None:
@@ -72,5 +89,3 @@ def test_a_file_that_is_no_design_gives_code_2(tmp_path: Path, monkeypatch: pyte
     (tmp_path / "a.toml").write_text("schema = 1\nname = 3\n")
     assert run(tmp_path / "a.toml") == 2
     assert "name" in capsys.readouterr().err
-    assert run(tmp_path / "missing.toml") == 2
-    assert "cannot be read" in capsys.readouterr().err
