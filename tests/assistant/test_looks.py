@@ -36,7 +36,8 @@ async def test_other_colours(session: Session, monkeypatch: pytest.MonkeyPatch, 
         await solved(pilot)
         await pilot.press("escape", "4")
         await pilot.pause(0.05)
-        assert "FAIL" in rows(pilot)
+        text = rows(pilot)
+        assert "5 limits fail" in text and "✗ 4 Bearings" in text and "✗ Film at the edge, front" in text
 
 
 async def test_a_tiny_terminal_says_so(screen: Screen) -> None:

@@ -4,6 +4,8 @@
 import re
 
 import pytest
+from rich.cells import cell_len
+from textual.pilot import Pilot
 from textual.widgets import Input
 
 from assistant.actions import ACTIONS
@@ -18,7 +20,7 @@ from assistant.widgets.pane import Pane
 from calc.design import STEPS
 
 from .conftest import Screen, solved
-from .driving import CHARACTERS, go_to, rows, settled, strike, told, type_in, until, work
+from .driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work
 
 
 # --- steps, panes, checks
@@ -203,6 +205,9 @@ async def test_curves_in_turn(screen: Screen) -> None:
         assert count > 2
         await strike(pilot, "c")
         await pilot.pause()
+        assert pane.display and pane.leaf is first  # which had not been seen yet
+        await strike(pilot, "c")
+        await pilot.pause()
         assert pane.leaf is pane.leaves[1] and pane.leaf is not first
         assert f"2 of {count}" in rows(pilot)
         await pilot.press(*["f9"] * (count - 1))
@@ -218,7 +223,7 @@ async def test_the_sources_errors_and_the_assumptions_stand_in_the_calculation(s
         assert results is not None
         outcome = results.outcomes["imbalance"]
         assert outcome.errata and outcome.notes
-        await strike(pilot, "f4", "f4")
+        await strike(pilot, "f4")
         calculation = work(pilot).query_one(Calculation)
         await until(pilot, lambda: bool(calculation.items))
         text = re.sub(r"\s+", " ", " ".join(row.plain for item in calculation.items for row in item.rows))
@@ -289,19 +294,30 @@ async def test_copying(screen: Screen) -> None:
 
 
 # --- the mouse
+def spot(pilot: Pilot[int], words: str) -> tuple[int, int]:
+    """Where words stand first on the screen."""
+    seen = screen_rows(pilot)
+    y = next(n for n, row in enumerate(seen) if words in row)
+    return cell_len(seen[y].partition(words)[0]), y
+
+
 @pytest.mark.slow
 async def test_everything_can_be_clicked(screen: Screen, session: Session) -> None:
     async with screen(size=(120, 40), session=session) as pilot:
-        await pilot.click("#steps-list", offset=(4, 2))
+        await pilot.click(offset=spot(pilot, "4 Bearings"))
         await settled(pilot)
-        assert work(pilot).number == 2
-        await pilot.click("#checks-list", offset=(10, 1))
+        assert work(pilot).number == 4
+        await pilot.click(offset=spot(pilot, "Film at the edge, front"))  # chosen, and told in full
+        await settled(pilot)
+        checks = work(pilot).query_one(Checks)
+        assert pilot.app.focused is checks and checks.key == "bearings.front.film_edge"
+        await pilot.click(offset=spot(pilot, "Film at the edge, front"))
         await settled(pilot)
         assert pilot.app.focused is work(pilot).query_one(Calculation)
         text = rows(pilot).splitlines()[-1]
         await pilot.click("#footer-line", offset=(text.index("F3"), 0))
         await settled(pilot)
-        assert work(pilot).number == 3
+        assert work(pilot).number == 5
         await pilot.resize_terminal(80, 24)
         await settled(pilot)
         await pilot.click("#step-bar", offset=(rows(pilot).splitlines()[1].index("Gears"), 0))
