@@ -78,6 +78,7 @@ class EditActions:
             if (there := host.form.field) is not None:
                 there.rewrite()
             if idle:
+                host.form.last = place
                 host.form.focus(scroll_visible=False)
 
     def remedies(self) -> None:

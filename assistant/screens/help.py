@@ -40,7 +40,7 @@ SCREEN = (
     ),
     Text("A limit passed over is a FAIL; a caution passed over, or a limit kept narrowly, a warn; advice a note; ? lacks a number."),
     Text("Enter on a check, a line or a value walks back through its formulas to the inputs."),
-    Text("Letters act as keys while no field is being edited: Esc leaves a field."),
+    Text("Letters act as keys while no field is being edited: Esc leaves a field, or first takes back what is being typed."),
     Text("← → read a curve off at a cursor, which stays where it is while the inputs change; a limit is a chain line with its name on it."),
     Text("Edits are kept aside as you work and come back after a crash; nothing is in the file before you save."),
     Text("The same numbers on the command line: contralbero check, explain, report, set, replay."),

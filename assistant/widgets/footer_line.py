@@ -8,9 +8,9 @@ from textual.widget import Widget
 from ..actions import ACTIONS, BY_ID, Action
 from ..base_app import BaseApp
 
-# What goes first where there is not room for all, after what does nothing here.  Narrow, F4 leads to every pane.
-SPARED = ("palette", "choose", "trouble", "curve", "variant")
-SPARED_NARROW = ("palette", "pane", "choose", "fix", "trouble", "quit", "back", "curve", "variant", "report", "undo")
+# What goes first where there is not room for all, after what does nothing here.  F4 leads to the curve, and narrow to every pane.
+SPARED = ("variant", "curve", "choose", "trouble")
+SPARED_NARROW = ("variant", "curve", "choose", "pane", "trouble", "quit", "undo", "save", "report", "palette", "fix", "back")
 
 
 class FooterLine(Widget):
@@ -36,7 +36,7 @@ class FooterLine(Widget):
             shown = [a for a in ACTIONS if a.footer and a.id not in spared[:count]]
             end = self._part(BY_ID["palette"]) if BY_ID["palette"] in shown else Content("")
             left = Content(" " * gap).join(self._part(a) for a in shown if a.id != "palette")
-            if left.cell_length + (end.cell_length + 4 if end else 0) <= width:
+            if left.cell_length + (end.cell_length + 3 if end else 0) <= width:
                 break
         start = " " if left.cell_length < width else ""
         gap = width - len(start) - left.cell_length - end.cell_length - 1

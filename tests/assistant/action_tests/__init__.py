@@ -91,10 +91,10 @@ async def to_curve(pilot: Pilot[int]) -> CurvePane:
 
 
 async def edited(pilot: Pilot[int], key: str = SHARE, value: str = "0.4") -> Session:
-    """Type into a field, and leave it."""
+    """Type into a field, accept it, and leave the form."""
     await go_to(pilot, key)
     await type_in(pilot, value)
-    await strike(pilot, "escape")
+    await strike(pilot, "enter", "escape")
     await still(pilot)
     session = work(pilot).session
     assert session.value(key) == float(value) and session.dirty and "● edited" in screen_rows(pilot)[0]
@@ -103,5 +103,5 @@ async def edited(pilot: Pilot[int], key: str = SHARE, value: str = "0.4") -> Ses
 
 def titles(pilot: Pilot[int]) -> list[str]:
     """The panes whose title is marked as the one with the focus."""
-    names, seen = ("Steps", "Checks", "Calculation", *(f"{n} {step.title}" for n, step in enumerate(STEPS, 1))), text(pilot)
+    names, seen = ("Steps", "Picture", "Findings", "Calculation", *(f"{n} {step.title}" for n, step in enumerate(STEPS, 1))), text(pilot)
     return [name for name in names if f"▸{name}" in seen]

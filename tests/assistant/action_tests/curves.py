@@ -2,7 +2,9 @@
 """Curves and tables, and reading them."""
 
 import re
+from contextlib import nullcontext
 from functools import partial
+from typing import Any
 
 import pytest
 from textual.pilot import Pilot
@@ -11,8 +13,8 @@ from assistant.screens.curve_list import CurveList
 from assistant.screens.workbench import Workbench
 from assistant.widgets.curve_pane import CurvePane
 
-from ..driving import at_rest, strike, type_in, until, work
-from . import DEEDS, Do, deed, over, still, text, to_curve, wide
+from ..driving import at_rest, strike, told, type_in, until, work
+from . import DEEDS, Do, deed, over, still, text, to_curve
 
 
 # --- curves and tables
@@ -25,10 +27,9 @@ def number(pilot: Pilot[int]) -> str:
 @deed
 async def curve(pilot: Pilot[int], do: Do) -> None:
     """From where no curve is to be seen, the first key shows it."""
-    if not wide(pilot):
-        assert "Locus of the couple" not in text(pilot)
-        await do()
-        await still(pilot)
+    assert "Locus of the couple" not in text(pilot)
+    await do()
+    await still(pilot)
     for n in ("1", "2", "3"):
         assert number(pilot) == n and work(pilot).query_one(CurvePane).leaves[int(n) - 1].title[:20] in text(pilot)
         await do()
@@ -121,3 +122,21 @@ async def turns(degrees: str, pilot: Pilot[int], do: Do) -> None:
 
 
 DEEDS |= {"crank_on": partial(turns, "10"), "crank_back": partial(turns, "350")}
+
+
+@deed
+async def pixels(pilot: Pilot[int], do: Do) -> None:
+    """The curve that stands there goes to a terminal that shows pixels, and not to any other."""
+    pane = await to_curve(pilot)
+    written: list[Any] = []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("assistant.pixels.show", lambda curve, how, say: written.append((curve, how)))
+        patch.setattr(pilot.app, "suspend", nullcontext)
+        patch.setenv("CONTRALBERO_PIXELS", "none")
+        await do()
+        await until(pilot, lambda: "does not say that it shows pixels" in told(pilot))
+        assert not written
+        patch.setenv("CONTRALBERO_PIXELS", "kitty")
+        await do()
+        await until(pilot, lambda: bool(written))
+    assert written == [(pane.curve, "kitty")]

@@ -7,6 +7,7 @@ from textual.widgets import Input
 from assistant.screens.accept import Accept
 from assistant.screens.explain import Explain
 from assistant.screens.workbench import Workbench
+from assistant.widgets.radio import Balance
 from calc.design import STEPS
 
 from ..driving import go_to, screen_rows, strike, told, type_in, until, work
@@ -59,7 +60,14 @@ async def nudged(pilot: Pilot[int], do: Do, shown: str, value: float) -> None:
 @deed
 async def down(pilot: Pilot[int], do: Do) -> None:
     await do()
-    await until(pilot, lambda: work(pilot).form.here() == work(pilot).session.place(SHARE))  # into the first field
+    await until(
+        pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot)
+    )  # the form begins with its question
+    await do()
+    await until(pilot, lambda: "▸( ) a pair at ±ω" in text(pilot))
+    await do()
+    await do()
+    await until(pilot, lambda: work(pilot).form.here() == work(pilot).session.place(SHARE))  # and past its last answer
     checks = await to_checks(pilot)
     await do()
     await pilot.pause()
@@ -78,16 +86,18 @@ async def up(pilot: Pilot[int], do: Do) -> None:
 
 @deed
 async def go_on(pilot: Pilot[int], do: Do) -> None:
-    """Accepts a field, with what was understood, and goes to the next; opens a step; explains a check."""
+    """Accepts a field, with what was understood, and goes to the next; from a step that is done to the next; explains a check."""
     box = await go_to(pilot, SHARE)
     await type_in(pilot, "0,4")
     await do()
     await still(pilot)
-    assert (
-        "[0.4      ]" in text(pilot)
-        and pilot.app.focused is not box
-        and work(pilot).form.here() == ("imbalance", "rotating_balance_fraction")
-    )
+    assert "[0.4      ]" in text(pilot) and pilot.app.focused is not box and work(pilot).form.here() == ("imbalance", "kinematics")
+    await strike(pilot, "ctrl+z", "escape")
+    await still(pilot)
+    assert work(pilot).done and pilot.app.focused is work(pilot).form
+    await do()
+    await until(pilot, lambda: work(pilot).number == 3)
+    await strike(pilot, "f2")
     await to_checks(pilot)
     await do()
     await over(pilot, Explain)
@@ -99,10 +109,14 @@ async def leave(pilot: Pilot[int], do: Do) -> None:
     await go_to(pilot, SHARE)
     assert "Share balanced on the crank: " in text(pilot)
     await type_in(pilot, "0.4")
+    await still(pilot)
+    assert "[0.4      ] was 0.5" in " ".join(text(pilot).split("\n"))
+    await do()
+    await still(pilot)
+    assert "[0.5      ]" in text(pilot) and not work(pilot).session.dirty  # what was being typed is taken back
     await do()
     await still(pilot)
     assert pilot.app.focused is work(pilot).form and "No field is being edited" in text(pilot)
-    assert "[0.4      ]" in text(pilot)  # nothing is taken back
     await strike(pilot, "3")
     await until(pilot, lambda: work(pilot).number == 3)  # a letter is a key again
 

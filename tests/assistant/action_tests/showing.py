@@ -35,7 +35,7 @@ async def to_step(number: int, pilot: Pilot[int], do: Do) -> None:
         assert f"{title}" in text(pilot) and re.search(rf"{title} +◀", text(pilot))
     else:
         assert re.search(rf"\[{number}.{STEPS[number - 1].title}\]", screen_rows(pilot)[1])
-    assert ("This design has no step" in text(pilot)) == (number > 3)
+    assert ("leave it out" in text(pilot)) == (number > 3)  # what the design does not have is built, or left out
 
 
 DEEDS |= {f"step_{n}": partial(to_step, n) for n in range(1, len(STEPS) + 1)}
@@ -88,25 +88,36 @@ async def quit_(pilot: Pilot[int], do: Do) -> None:
 @deed
 async def view(pilot: Pilot[int], do: Do) -> None:
     if wide(pilot):
-        await do()
-        await still(pilot)
-        assert titles(pilot) == ["2 Imbalance"] and "Calculation" not in text(pilot) and work(pilot).form.size.width > 100
-        await do()
-        await still(pilot)
-        assert "Calculation" in text(pilot) and work(pilot).form.size.width < 60
+        for title in ("Calculation", "Locus of the couple", "Findings"):  # in turn, and the picture stays
+            await do()
+            await still(pilot)
+            assert f"│▸{title}" in text(pilot) and "│ Picture" in text(pilot) and "│ 2 Imbalance" in text(pilot)
         return
-    for title in ("▸Checks", "▸Calculation", "▸Locus of the couple", "▸2 Imbalance"):
+    for title in ("▸Picture", "▸Findings", "▸Calculation", "▸Locus of the couple", "▸2 Imbalance"):
         await do()
         await still(pilot)
         assert screen_rows(pilot)[2].startswith(title)
 
 
 @deed
-async def pane(pilot: Pilot[int], do: Do) -> None:
-    for title in ("Checks", "Calculation"):
+async def enlarge(pilot: Pilot[int], do: Do) -> None:
+    """The pane alone on the screen, and beside the others again; on a narrow screen it is alone already."""
+    for _ in range(2):
         await do()
         await still(pilot)
-        assert titles(pilot) == [title] and re.search(r"▸(• |2\.1 )", text(pilot))
+        assert titles(pilot) == ["2 Imbalance"] and "Findings  " not in text(pilot) and work(pilot).form.size.width > 70
+        await do()
+        await still(pilot)
+        assert not wide(pilot) or ("│ Findings" in text(pilot) and work(pilot).form.size.width < 60)
+
+
+@deed
+async def pane(pilot: Pilot[int], do: Do) -> None:
+    for title in ("Picture", "Findings"):
+        await do()
+        await still(pilot)
+        assert titles(pilot) == [title]
+    assert "▸• 1 piece of advice" in text(pilot)
 
 
 @deed
@@ -125,7 +136,7 @@ async def trouble(pilot: Pilot[int], do: Do) -> None:
     await do()
     await until(pilot, lambda: work(pilot).number == 3)  # step 2 has advice only
     await still(pilot)
-    assert titles(pilot) == ["Checks"] and "▸▲ Couple beyond the" in text(pilot)
+    assert titles(pilot) == ["Findings"] and "▸▲ Couple beyond the" in text(pilot)
     await do()
     await still(pilot)
     assert "▸▲ Pressure" in text(pilot) and isinstance(pilot.app.focused, Checks)
@@ -211,10 +222,9 @@ async def choose(pilot: Pilot[int], do: Do) -> None:
 
 @deed
 async def guide(pilot: Pilot[int], do: Do) -> None:
-    assert "Decide: How much" in text(pilot)
-    await do()
-    await still(pilot)
-    assert "Decide:" not in text(pilot) and work(pilot).session.memory.settings().guide is False
-    await do()
-    await still(pilot)
-    assert "Decide: How much" in text(pilot) and work(pilot).session.memory.settings().guide is True
+    for shown in (False, True):
+        assert "Which balancing?" in text(pilot) and ("Good: One half" in text(pilot)) != shown
+        await do()
+        await still(pilot)
+        assert "Which balancing?" in text(pilot) and ("Good: One half" in text(pilot)) == shown
+        assert work(pilot).session.memory.settings().guide is shown
