@@ -49,10 +49,11 @@ class ResultsView:
 
     def show_finding(self) -> None:
         """The message line speaks of the finding under the cursor, while the findings have the focus."""
-        for checks in self._host.query(Checks):  # none any more at the end of the program
-            line = self._host.query_one(MessageLine)
-            line.finding = checks.key if checks.has_focus else ""
-            line.redraw()
+        if not self._host.stands:  # at the end of the program
+            return
+        line, checks = self._host.query_one(MessageLine), self._host.checks
+        line.finding = checks.key if checks.has_focus else ""
+        line.redraw()
 
     def show_written(self) -> None:
         host = self._host
