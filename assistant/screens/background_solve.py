@@ -176,7 +176,8 @@ class BackgroundSolve:
                     page = Page(outcome, say, outcome, Sheet(notes=(why,)), ())
                 if stop():
                     return
-                self.pages[step.key] = page
+                if not self.written(results, step):  # else another thread was sooner, and its page may stand there
+                    self.pages[step.key] = page
             self._host.calculation.prepare(self.pages[step.key].sheet, stop)
         except (NoMatches, Cancelled):  # the screen is just being made anew, or nobody waits for it any more
             pass

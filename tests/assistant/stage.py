@@ -18,6 +18,7 @@ from assistant.widgets.calculation import Calculation
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.form import Form
+from assistant.widgets.radio import Balance
 from calc.design import STEPS
 
 from .action_tests import still
@@ -68,6 +69,8 @@ class Stage:
             if form is not bench.form:  # every widget that is there makes every key a little slower
                 await form.remove()
         bench.form.last = None
+        question = bench.form.query_one(Balance)
+        question.go_to(question.made())
         bench.form.focus(scroll_visible=False)
         bench.form.scroll_home(animate=False)
         bench.query_one(Checks).action_page(-1000)

@@ -60,9 +60,7 @@ async def nudged(pilot: Pilot[int], do: Do, shown: str, value: float) -> None:
 @deed
 async def down(pilot: Pilot[int], do: Do) -> None:
     await do()
-    await until(
-        pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot)
-    )  # the form begins with its question
+    await until(pilot, lambda: isinstance(pilot.app.focused, Balance) and "▸(•) one shaft" in text(pilot))  # first the question
     await do()
     await until(pilot, lambda: "▸( ) a pair at ±ω" in text(pilot))
     await do()
