@@ -7,8 +7,10 @@ a factor of a thousand.  The answer stands in the unit of the field, as the desi
 
 import math
 import re
+from datetime import date
 from typing import Any
 
+from calc.design_file import is_day
 from calc.sheet.quantity import Quantity
 from calc.sheet.text import Text
 
@@ -54,6 +56,8 @@ def value(text: str, about: Quantity) -> Any:
     match about.kind:
         case "text" | "choice":
             return text
+        case "date":
+            return day(text, about)
         case "number":
             return number(text, about)
         case "integer":
@@ -61,6 +65,13 @@ def value(text: str, about: Quantity) -> Any:
         case "series" | "integers":
             return series(text, about)
     raise NotUnderstood(Text("can not be typed into one field"))
+
+
+def day(text: str, about: Quantity) -> date:
+    """A date as TOML has it."""
+    if not is_day(text.translate(MINUS)):
+        raise NotUnderstood(Text("must be {allowed}", allowed=about.allowed()))
+    return date.fromisoformat(text.translate(MINUS))
 
 
 def number(text: str, about: Quantity) -> float:

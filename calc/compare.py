@@ -22,7 +22,7 @@ EQUAL = Text("The two designs are equal: no input, verdict, check or value diffe
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
 LAST = (  # stand behind what is calculated with
-    "accepted", "without", "locked", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date",
+    "accepted", "without", "locked", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date", "document",
 )  # fmt: skip
 T = TypeVar("T")
 
@@ -202,7 +202,7 @@ def _plain(about: Quantity, content: object) -> object:
         return None
     if about.kind in ("series", "integers"):
         return as_list(content)
-    return str(content) if about.kind == "choice" else content
+    return str(content) if about.kind in ("choice", "date") else content
 
 
 def _elements(about: Quantity, a: list[object], b: list[object], here: str) -> Iterator[InputDifference]:

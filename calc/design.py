@@ -7,12 +7,13 @@ from .bearings.inputs import BearingsInputs
 from .bearings.materials.data import application_problem, applications, bush_problem, bushes
 from .catalogue import Material, Oil, materials, oils
 from .countershaft.inputs import CountershaftInputs
+from .document import FORMER, DocumentControl, control, said_twice
 from .engine.inputs import EngineInputs
 from .friction.inputs import FrictionInputs
 from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
 from .measured import Measured
-from .sheet.quantity import inputs, integer, reasons, table, tables, text
+from .sheet.quantity import day, inputs, integer, reasons, table, tables, text
 from .sheet.rules import is_limit
 from .sheet.step import Step
 from .sheet.text import Amount, Text
@@ -40,7 +41,8 @@ class Design:
     author: str = text("Author", default="")
     checker: str = text("Checker", default="")
     revision: str = text("Revision", default="")
-    date: str = text("Date", default="")
+    date: str = day("Date", default="", free=True)
+    document: DocumentControl | None = table("Document", DocumentControl, default=None)
     oil: tuple[Oil, ...] = tables("Oils of this design", Oil, default=())
     material: tuple[Material, ...] = tables("Materials of this design", Material, default=())
     engine: EngineInputs | None = table("Engine", EngineInputs, default=None)
@@ -71,6 +73,14 @@ class Design:
         return oils(self.oil)
 
     @property
+    def control(self) -> DocumentControl:
+        return control(self.document, self._former)
+
+    @property
+    def _former(self) -> Mapping[str, str]:
+        return {key: getattr(self, key) for key in FORMER}
+
+    @property
     def materials(self) -> Mapping[str, Material]:
         return materials(self.material)
 
@@ -95,6 +105,7 @@ class Design:
         """What only the whole design can show: (key, reason)."""
         if not self.asked():
             yield "", Text("no step is asked: give at least one of the tables ") + ", ".join(f"[{s.key}]" for s in STEPS)
+        yield from said_twice(self.document, self._former)
         for id, _ in self.accepted:
             if is_limit(id):
                 yield f"accepted.{id}", Text("is a limit, which nobody can accept: what fails must be changed")

@@ -7,7 +7,9 @@ Every edit, from the command line, a replay or the form, makes a new Document an
 import math
 import re
 import tomllib
+from contextlib import suppress
 from dataclasses import MISSING, field, replace
+from datetime import date
 from pathlib import Path
 from typing import TypeVar
 
@@ -93,6 +95,7 @@ def parse(raw: bytes, place: str) -> Document:
     return Document(data, place, key_lines(text), raw)
 
 
+DAY = re.compile(r"[0-9]{4}-[0-9]{2}-[0-9]{2}")
 COMMA = re.compile(r"-?\d+,\d+")  # a decimal comma, which TOML does not know
 HEADER = re.compile(r"\s*(\[\[?)([^\[\]]+)\]\]?\s*(?:#.*)?\Z")
 ASSIGNMENT = re.compile(r"""\s*((?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[A-Za-z0-9_-]+|"[^"]*"|'[^']*'))*)\s*=""")
@@ -133,8 +136,8 @@ def key_lines(text: str) -> dict[str, int]:
 
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
-    "number": math.nan, "integer": math.nan, "text": "", "choice": "", "series": (), "integers": (), "table": None, "tables": (),
-    "reasons": (),
+    "number": math.nan, "integer": math.nan, "text": "", "date": "", "choice": "", "series": (), "integers": (), "table": None,
+    "tables": (), "reasons": (),
 }  # fmt: skip
 
 
@@ -204,7 +207,16 @@ class _Reader:
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
                     return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
                 return _keyed(about, value, address)
+            case "date":
+                return self.date(about, value, key)
         return _keyed(about, self.number(about, value, key), address)
+
+    def date(self, about: Quantity, value: object, key: str) -> object:
+        """A date of TOML, or its text; one with a time of day is none."""
+        written = value.isoformat() if type(value) is date else value
+        if isinstance(written, str) and (about.free or not written or is_day(written)):
+            return written
+        return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "date")
 
     def number(self, about: Quantity, value: object, key: str) -> object:
         whole = about.kind in ("integer", "integers")
@@ -262,6 +274,13 @@ class _Reader:
             if not isinstance(reason, str) or not reason.strip():
                 self.error(f"{key}.{id}", reason, Text('needs a reason in words, like "seen on the test bench"'))
         return tuple((id, reason.strip()) for id, reason in value.items() if isinstance(reason, str))
+
+
+def is_day(words: str) -> bool:
+    """Whether words are a day of the calendar as ISO 8601 writes it."""
+    with suppress(ValueError):
+        return bool(DAY.fullmatch(words) and date.fromisoformat(words))
+    return False
 
 
 def _keyed(about: Quantity, value: object, address: str) -> object:

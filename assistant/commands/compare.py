@@ -49,7 +49,7 @@ def run(asked: Namespace) -> int:
     if asked.json:
         import json
 
-        print(json.dumps(comparison_json(sides, found), ensure_ascii=False, indent=1))
+        print(json.dumps(comparison_json(sides, found), ensure_ascii=False, indent=1, default=str))  # a date
     else:
         print("\n".join(text(sides, found, asked.all)))
     return 0

@@ -23,7 +23,8 @@ THUMB = Text("rule of thumb, no published source")  # the source of a usual rang
 
 @record
 class Quantity:
-    """The description of one input.  `kind` is one of number, integer, text, choice, series, integers, table, tables, reasons."""
+    """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table, tables,
+    reasons."""
 
     kind: str
     label: Text
@@ -37,6 +38,7 @@ class Quantity:
     count: tuple[int, int] | None = None  # how many elements a series may have
     table: type | None = None
     optional: bool = False
+    free: bool = False  # a date that may be any words
     negative: Text = EMPTY  # why what a negative number would mean is refused
     step: float | None = None  # the increment of shift+↑ in the form, in the shown unit
     help: Text = EMPTY
@@ -53,6 +55,8 @@ class Quantity:
                 return Text("one of {choices}", choices=", ".join(f'"{c}"' for c in self.choices))
             case "text":
                 return Text("text")
+            case "date":
+                return Text("a date, as year-month-day: 2026-03-14")
             case "table":
                 return Text("a table")
             case "tables":
@@ -105,11 +109,11 @@ class Said(_Numbers, total=False):
 
 def _make(
     kind: str, label: str, unit: str, default: T, *, help: str = "", source: str = "", negative: str = "",
-    choices: tuple[str, ...] = (), table: type | None = None, **said: Unpack[_Numbers],
+    choices: tuple[str, ...] = (), table: type | None = None, free: bool = False, **said: Unpack[_Numbers],
 ) -> T:  # fmt: skip
     what = Quantity(
         kind, Text(label), unit, optional=default is not MISSING, help=Text(help), source=Text(source), negative=Text(negative),
-        choices=choices, table=table, **said,
+        choices=choices, table=table, free=free, **said,
     )  # fmt: skip
     return field(default=default, kw_only=True, metadata={"quantity": what})
 
@@ -125,6 +129,11 @@ def integer(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
 
 def text(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
     return _make("text", label, "", default, **said)
+
+
+def day(label: str, *, default: T = REQUIRED, free: bool = False, **said: Unpack[Said]) -> T:
+    """A date, in the Inputs class as ISO 8601 writes it.  `free`: any other words too, as old files have them."""
+    return _make("date", label, "", default, free=free, **said)
 
 
 def choice(label: str, *choices: str, default: T = REQUIRED, **said: Unpack[Said]) -> T:
@@ -231,7 +240,7 @@ def result(cls: type[T]) -> type[T]:
 
 
 @dataclass_transform(
-    frozen_default=True, kw_only_default=True, field_specifiers=(quantity, integer, text, choice, series, integers, table, tables)
+    frozen_default=True, kw_only_default=True, field_specifiers=(quantity, integer, text, day, choice, series, integers, table, tables)
 )
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""
