@@ -70,6 +70,8 @@ ROUTE: dict[str, Leg] = {
     ),
 }  # fmt: skip
 NAMING: tuple[Place, ...] = (("name",), ("note",))  # of the design itself: asked with its engine, which comes first
+FIRST = "engine"  # its step
+DOCUMENT: Place = ("document",)  # in a fold below the name
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
 GIVEN, SIZED = ("masses",), ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm")
@@ -111,6 +113,16 @@ def idle(place: Place, data: Table) -> bool:
     return isinstance(step, dict) and rule(step) and step.get(str(place[1])) in (None, [])
 
 
+def step_of(place: Place) -> str:
+    """The step whose form asks for an input."""
+    return FIRST if place[:1] == DOCUMENT or place in NAMING else str(place[0]) if place else ""
+
+
+def document_fold() -> int:
+    """The number of the fold that the document control lies in, behind those of the step."""
+    return len(ROUTE[FIRST].folds)
+
+
 def fold_of(step: str, path: str) -> int | None:
     """The fold that an input lies in; None where it decides."""
     leg = ROUTE[step]
@@ -120,3 +132,10 @@ def fold_of(step: str, path: str) -> int | None:
         if any(covers(pattern, path) for pattern in patterns):
             return n
     return 0
+
+
+def fold_at(step: str, place: Place) -> int | None:
+    """The fold of a step's form that a place lies in."""
+    if len(place) < 2 or step_of(place) != step:
+        return None
+    return document_fold() if place[:1] == DOCUMENT else fold_of(step, path_of(place))

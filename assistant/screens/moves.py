@@ -7,6 +7,7 @@ from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
 from ..places import Place
+from ..route import step_of
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import sorted_checks
 from ..widgets.curve_pane import CurvePane
@@ -119,7 +120,7 @@ class Moves:
     async def to_field(self, place: Place) -> None:
         """Open the step of a field and put the focus there."""
         host = self._host
-        step = next((s for s in STEPS if place and s.key == place[0]), host.step)
+        step = next((s for s in STEPS if s.key == step_of(place)), host.step)
         host.at_pane("inputs")
         await host.open_step(step, place)
         host.form.focus_place(place)

@@ -14,7 +14,7 @@ from calc.languages.outcome import in_language
 from calc.sheet.step import Step
 
 from ..places import Place, content_at, key_at
-from ..route import fold_of, path_of
+from ..route import fold_at
 from ..session import Session
 from ..upstream import NAMED
 from .array_heading import ArrayHeading
@@ -62,7 +62,7 @@ class FormParts:
 
     def fold(self, place: Place) -> int | None:
         """The fold that a place lies in."""
-        return fold_of(self._step.key, path_of(place)) if len(place) > 1 and place[0] == self._step.key else None
+        return fold_at(self._step.key, place)
 
     def heading(self, row: Row) -> Content:
         last = row.place[-1]

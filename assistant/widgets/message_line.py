@@ -12,6 +12,7 @@ from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
 from ..places import key_at
+from ..route import step_of
 from ..session import Session
 from .checks import sorted_checks
 from .wrap import fit, wrap
@@ -47,9 +48,9 @@ class MessageLine(Widget):
         session, say = self.session, self.app.say
         reasons = session.reasons()
         if reasons:
-            mine = {place: reason for place, reason in reasons.items() if place and place[0] == self.step}
+            mine = {place: reason for place, reason in reasons.items() if step_of(place) == self.step}
             place, reason = next(iter((mine or reasons).items()))
-            step = "" if mine else self._title(str(place[0]) if place else "")
+            step = "" if mine else self._title(step_of(place))
             text = Text("{key}: {reason}", key=key_at(place) or Text("the design"), reason=reason)
             if len(reasons) > 1:
                 text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))

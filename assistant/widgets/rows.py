@@ -17,7 +17,7 @@ from calc.sheet.step import Step
 from calc.sheet.text import Text
 
 from ..places import Place
-from ..route import NAMING, ROUTE, covers, fold_of, idle, path_of
+from ..route import DOCUMENT, FIRST, NAMING, ROUTE, covers, document_fold, fold_of, idle, path_of
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 RADIUS: Place = ("engine", "crank_radius_mm")
@@ -54,7 +54,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     leg = ROUTE[step.key]
     found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
     naming = [Row("field", place, keys(Design)[str(place[0])].about, required=place == NAMING[0]) for place in NAMING]
-    made = naming if step.key == "engine" else []
+    made = [*naming, *_document(data, asked, opened)] if step.key == FIRST else []
     in_fold: list[list[Row]] = [[] for _ in leg.folds]
     deciding: list[list[Row]] = [[] for _ in leg.deciding]
     for row in found:
@@ -74,6 +74,15 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
             made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
             made += inside if n in opened else []
     return made
+
+
+def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
+    """The fold of the document control, which every design may have."""
+    about = keys(Design)[str(DOCUMENT[0])].about
+    assert about.table is not None
+    inside = tuple(_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False))
+    is_open = (n := document_fold()) in opened
+    return [Row("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
 
 
 def rows(step: Step, data: Table, asked: Asked) -> list[Row]:
