@@ -25,6 +25,7 @@ from .sheet.quantity import day, inputs, table, tables, text
 from .sheet.text import Text
 
 LONGEST_NAME = 100  # of the file of a logo
+SIGNED = ("prepared", "checked", "approved")
 NOT_BARE = set('/\\:*?"<>|')
 
 
@@ -70,11 +71,15 @@ class DocumentControl:
         elif not self.logo.lower().endswith(".png"):
             yield "logo", Text("must be a PNG file (.png); other pictures, SVG among them, are not drawn: export it as PNG")
 
+    def signatures(self) -> list[tuple[str, Signature]]:
+        """Who signs, in order, by the keys of the table."""
+        return [(key, getattr(self, key) or Signature()) for key in SIGNED]
+
     def words(self) -> Iterable[str]:
         """All that is printed of it."""
         yield from (self.number, self.project, self.customer, self.company, self.revision)
-        for one in (self.prepared, self.checked, self.approved):
-            yield from (one.name, one.date) if one is not None else ()
+        for _, one in self.signatures():
+            yield from (one.name, one.date)
         for change in self.changes:
             yield from (change.revision, change.date, change.what, change.by)
 

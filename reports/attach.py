@@ -39,7 +39,8 @@ def _specification(canvas: Canvas, name: str, raw: bytes, description: str, rela
     document = canvas._doc
     sums = {"Size": len(raw), "CheckSum": PDFString(hashlib.md5(raw, usedforsecurity=False).digest(), enc="raw")}
     stream = PDFStream(PDFDictionary({"Type": PDFName("EmbeddedFile"), "Params": PDFDictionary(sums)}), raw, filters=[PDFZCompress])
-    stream.dictionary["Subtype"] = f"/application#2F{name.rpartition('.')[2]}"
+    ending = name.rpartition(".")[2].lower()
+    stream.dictionary["Subtype"] = f"/{'image' if ending == 'png' else 'application'}#2F{ending}"
     file = document.Reference(stream)
     return document.Reference(
         PDFDictionary(

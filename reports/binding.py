@@ -16,12 +16,12 @@ from .flow import Page
 from .fonts import UPRIGHT, clean
 from .page import paint
 from .paper import PAGE
-from .summary import PROGRAM, SHORT_HASH
+from .title_block import PROGRAM, SHORT_HASH
 
 
 def bind(
     pages: list[Page], files: dict[str, tuple[bytes, str]], *, title: str, author: str, revision: str, said: dict[str, str],
-    words: dict[str, str], kind: str = "report", progress: Progress | None = None,
+    words: dict[str, str], number: str = "", kind: str = "report", progress: Progress | None = None,
 ) -> bytes:  # fmt: skip
     """The document as the bytes of a PDF.  `said`: what it must keep about how it was made; `kind`: of its title in the running head."""
     out = io.BytesIO()
@@ -35,8 +35,9 @@ def bind(
         attach.attach(canvas, files)
         canvas.setViewerPreference("DisplayDocTitle", "true")
         canvas.showOutline()
-        head = (title, " · ".join(x for x in (words[kind], revision) if x))
-        paint(canvas, pages, head, (PROGRAM, f"sha256 {said['sha256'][:SHORT_HASH]}"), words["page"], progress)
+        of = " · ".join(filter(None, (number, revision and f"{words['revision']} {revision}")))
+        foot = (of, f"{PROGRAM} · sha256 {said['sha256'][:SHORT_HASH]}")
+        paint(canvas, pages, (title, words[kind]), foot, words["page"], progress)
         canvas.save()
     finally:
         rl_config.useA85 = dense

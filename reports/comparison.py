@@ -26,7 +26,7 @@ from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import FACES, widths
 from .paper import WIDTH
 from .prose import BODY, HEADING, NOTE, TITLE, lines
-from .summary import SHORT_HASH
+from .title_block import SHORT_HASH
 from .values import table_blocks
 from .words import WORDS
 
@@ -54,9 +54,9 @@ def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en
     sums = [document.sha256 for document in (first, second)]
     w = context.words
     files = {f"{letter}.toml": (document.raw, w["file"]) for letter, document in zip("ab", (first, second))}
-    title = f"{names[0]} – {names[1]}"
+    title, control = f"{names[0]} – {names[1]}", after.design.control
     return bind(
-        paginate(made), files, title=title, author=after.design.author, revision=after.design.revision, kind="comparison",
+        paginate(made), files, title=title, author=control.signatures()[0][1].name, revision=control.revision, kind="comparison",
         said=dict(lang=lang, sha256=sums[0], other=sums[1]), words=w,
     )  # fmt: skip
 
@@ -70,7 +70,7 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
         (
             name,
             r.design.name,
-            r.design.revision or "–",
+            r.design.control.revision or "–",
             f"{SIGNS[r.verdict]} {w[r.verdict]}",
             f"{d.sha256[:SHORT_HASH]}…",
         )

@@ -15,6 +15,7 @@ from calc.sheet.step import Curve, Outcome, Step
 from calc.sheet.text import Amount, Part, Text, plural
 from calc.solve import Results
 
+from .logo import Logo
 from .words import WORDS
 
 DEPTHS = ("summary", "engineer", "audit")
@@ -31,6 +32,7 @@ class Context:
     depth: str
     say: Language
     original: Results | None = None  # the same results with their texts as data, if `results` are said in a language already
+    logo: Logo | None = None
     figures: int = 0
     sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report

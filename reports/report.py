@@ -30,10 +30,12 @@ from .flow import Block, bullet, heading, paginate, paragraph
 from .fonts import FACES, widths
 from .index import index_blocks
 from .inputs import input_blocks, material_blocks
+from .logo import logo
 from .paper import PAGE, WIDTH
 from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
-from .summary import NOTE_LINES, step_anchor, summary_blocks
+from .summary import step_anchor, summary_blocks
+from .title_block import NOTE_LINES
 from .values import table_blocks, value_blocks
 from .words import verdict
 
@@ -63,29 +65,34 @@ def write(
 
 
 def render(
-    document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", progress: Progress | None = None
-) -> bytes:
-    """The report as the bytes of a PDF."""
+    document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", logo_file: bytes | None = None,
+    progress: Progress | None = None,
+) -> bytes:  # fmt: skip
+    """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design."""
     if depth not in DEPTHS:
         raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
     if lang not in LANGUAGES:
         raise ValueError(f"lang {lang!r}: must be one of {', '.join(LANGUAGES)}")
     tell(progress, 0.0, results.design.name)
+    control = results.design.control
+    picture = logo(document, control.logo, logo_file)
     for face in FACES:
         widths(face)
     say = language(lang)
     whole = results.whole() if depth == "audit" else results
     results = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
     tell(progress, WHOLE, results.design.name)
-    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say, whole)
+    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say, whole, picture)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
-    design = results.design
+    if picture is not None:
+        said_of["logo"] = hashlib.sha256(picture.raw).hexdigest()
+        files[picture.name] = (picture.raw, context.words["logo"])
     return bind(
-        pages, files, title=design.name, author=design.author, revision=design.revision, said=said_of, words=context.words,
-        progress=part(progress, MADE, WRITTEN),
+        pages, files, title=results.design.name, author=control.signatures()[0][1].name, revision=control.revision,
+        number=control.number, said=said_of, words=context.words, progress=part(progress, MADE, WRITTEN),
     )  # fmt: skip
 
 

@@ -8,29 +8,23 @@ from typing import TYPE_CHECKING
 from calc.described import described
 from calc.key_values import RESULTS, like
 from calc.sheet.check import SIGNS
-from calc.version import VERSION
 
-from .boxes import GREY
-from .boxes import text as text_box
 from .checks import attention_blocks, counted, knows, name_of, shown_value, sign_cell
 from .context import Context, closeness
-from .flow import Block, bullet, heading, lines_block, paginate, paragraph
-from .fonts import BOLD, MISSING, writable
+from .flow import Block, bullet, heading, paginate, paragraph
+from .fonts import BOLD
 from .paper import WIDTH
 from .proof_blocks import used
-from .prose import BODY, CELL, NOTE, SECTION, TITLE, Style, lines, one_line
+from .prose import BODY, CELL, NOTE, SECTION, Style, lines, one_line
 from .sketch import sketch_blocks
 from .tables import Cell, Column, Row, table
+from .title_block import change_blocks, title_blocks
 from .typeset import symbol
 from .values import paired_table
 from .words import STATE_COLOURS, STATE_PANELS
 
 if TYPE_CHECKING:
     from .pen import Pen
-
-PROGRAM = f"Contralbero {VERSION}"
-SHORT_HASH = 16
-NOTE_LINES = 8  # of the first page; a longer note is repeated whole at the end
 
 
 def step_anchor(key: str) -> str:
@@ -40,7 +34,7 @@ def step_anchor(key: str) -> str:
 def summary_blocks(context: Context) -> list[Block]:
     """The first pages of every report; of the summary the whole."""
     w, results = context.words, context.results
-    made = _title(context)
+    made = title_blocks(context)
     made += _verdict(context)
     made += _object(context)
     made += sketch_blocks(context)
@@ -53,6 +47,7 @@ def summary_blocks(context: Context) -> list[Block]:
         made += heading(w["attention"], SECTION, gap=9.0, after=0.0)
         made += attention
     made += _nearest(context)
+    made += change_blocks(context)
     if context.depth != "summary":  # the proposals stand with their steps
         return made
     if errata := sum(len(outcome.errata) for outcome in results.outcomes.values()):
@@ -110,45 +105,6 @@ def _proposals(context: Context, above: list[Block]) -> list[Block]:
         if len(paginate(above + made)) == pages:
             return made
     return []
-
-
-def _title(context: Context) -> list[Block]:
-    w, design = context.words, context.design
-    made = [lines_block([text_box(w["report"], NOTE.size + 0.6, colour=GREY)], 11.0, keep=True)]
-    made += [lines_block(lines(design.name, TITLE, WIDTH, 4), TITLE.leading, keep=True)]
-    made[-1] = Block(made[-1].height, made[-1].draw, 0.0, True, anchor="summary", outline=(0, w["summary"]))
-    if design.note:
-        made += paragraph(design.note, BODY, gap=2.0, most=NOTE_LINES)
-    facts = [(w[key], getattr(design, key)) for key in ("author", "checker", "revision", "date")]
-    facts = [(label, value) for label, value in facts if value]
-    facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
-    made.append(_facts(facts))
-    made += paragraph(w["attached"], NOTE, gap=2.0)
-    said = (design.name, design.note, design.author, design.checker, design.revision, design.date)
-    if not all(map(writable, said)) and not any(MISSING in s for s in said):
-        made += paragraph(w["missing_glyphs"], NOTE, gap=0.0)
-    return made
-
-
-def _facts(facts: list[tuple[str, str]]) -> Block:
-    """Small labels with their values below, beside each other as far as they fit."""
-    across = min(len(facts), 4)
-    wide = WIDTH / across - 8.0
-    cells = [(one_line(label, NOTE, wide), lines(value, BODY, wide, 3)) for label, value in facts]
-    rows = [cells[i : i + across] for i in range(0, len(cells), across)]
-    heights = [NOTE.leading + max(len(v) for _, v in r) * BODY.leading + 4.0 for r in rows]
-
-    def draw(pen: Pen, y: float) -> None:
-        top = y
-        for r, height in zip(rows, heights):
-            for i, (label, value) in enumerate(r):
-                x = i * WIDTH / across
-                pen.put(label, x, top - 0.78 * NOTE.leading)
-                for n, line in enumerate(value):
-                    pen.put(line, x, top - NOTE.leading - (n + 0.78) * BODY.leading)
-            top -= height
-
-    return Block(sum(heights), draw, gap=7.0)
 
 
 def _verdict(context: Context) -> list[Block]:

@@ -68,18 +68,24 @@ def verify(raw: bytes, place: str) -> Verification:
     missing = [name for name in (NAME, RESULTS) if name not in attached]
     if missing:
         raise _refused(place, Text("has no attachment {names}; a report of this program has both", names=Text(" and none ").join(missing)))
+    first = _one_with(attached[NAME], said["sha256"])
+    document = parse(first, f"{place}: {NAME}")
+    made = design(document)
     wanted = {NAME: said["sha256"], RESULTS: said["results"]}
+    if name := made.control.logo:
+        if name not in attached:
+            raise _refused(place, Text("has no attachment {names}, the logo of its design", names=name))
+        wanted[name] = said.get("logo", "")
     changed = [name for name, sum in wanted.items() if {hashlib.sha256(one).hexdigest() for one in attached[name]} != {sum}]
     changed += [name for name in attached if name not in wanted]
-    first = next((one for one in attached[NAME] if hashlib.sha256(one).hexdigest() == said["sha256"]), attached[NAME][0])
-    document = parse(first, f"{place}: {NAME}")
-    results = solve(design(document))
+    results = solve(made)
     try:
         before = json.loads(attached[RESULTS][0])
         differences = _values(before, json.loads(results_bytes(results)), results)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         raise _refused(place, Text("has an attachment {name} that can not be read; the report was damaged", name=RESULTS)) from None
-    again = render(document, results, first, depth=said["depth"], lang=said["lang"])
+    picture = _one_with(attached[name], wanted[name]) if name else None
+    again = render(document, results, first, depth=said["depth"], lang=said["lang"], logo_file=picture)
     signed: list[int] = []
     if raw != again:
         try:
@@ -111,6 +117,11 @@ def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, 
     if version is None or not known:
         raise _refused(place, Text("is no report of this program, or was written before reports could be verified; write it anew"))
     return reader, {**said, "version": version[1]}, attached
+
+
+def _one_with(files: list[bytes], sum: str) -> bytes:
+    """Of the files of one name that which the report was written with; where there is none the first."""
+    return next((one for one in files if hashlib.sha256(one).hexdigest() == sum), files[0])
 
 
 def _refused(place: str, reason: Text) -> BadInput:

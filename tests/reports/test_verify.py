@@ -22,7 +22,7 @@ from calc.compare import compare
 from calc.design_file import Document
 from calc.sheet.errors import BadInput
 from calc.solve import Results
-from reports import binding, summary
+from reports import binding, title_block
 from reports import verify as verifying
 from reports.attach import NAME, RESULTS
 from reports.comparison import render as compared
@@ -43,10 +43,10 @@ def written_once() -> Iterator[None]:
     """The same design at the same depth gives the same report, byte for byte (test_same_bytes): it is written for comparison once."""
     known: dict[tuple[object, ...], bytes] = {}
 
-    def again(document: Document, results: Results, raw: bytes, *, depth: str, lang: str) -> bytes:
+    def again(document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None) -> bytes:
         asked = (raw, depth, lang, binding.PROGRAM)
         if asked not in known:
-            known[asked] = render(document, results, raw, depth=depth, lang=lang)
+            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
         return known[asked]
 
     with pytest.MonkeyPatch.context() as patch:
@@ -283,7 +283,7 @@ def test_more_than_results_in_the_results_is_found(made: bytes) -> None:
 def test_a_report_of_another_version_is_compared_by_its_texts(monkeypatch: pytest.MonkeyPatch) -> None:
     """Its version stands at the foot of every page; that alone is no difference."""
     with monkeypatch.context() as then:
-        for module in (binding, summary):
+        for module in (binding, title_block):
             then.setattr(module, "PROGRAM", "Contralbero 0.0.9")
         old = solved(V12).report("summary")
     found = verify(old, "x.pdf")
