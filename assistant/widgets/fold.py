@@ -54,8 +54,8 @@ class Fold(Widget, can_focus=True):
 
     def _title(self) -> str:
         """How many inputs lie in it, and how many of them are left to the program."""
-        fields = [cell for row in self.row.inside for cell in (row.inside or (row,)) if cell.kind == "field"]
-        assumed = sum(cell.about.optional and content_at(self.session.data, cell.place) is None for cell in fields)
+        cells = (cell for row in self.row.inside for cell in (row.inside or (row,)) if cell.kind == "field" and cell.place[0] in ROUTE)
+        assumed = sum(cell.about.optional and content_at(self.session.data, cell.place) is None for cell in cells)
         title = f"{self.row.about.label} ({len(self.row.inside)})"
         return f"{title}, {self.app.say(Text('assumed ({n})', n=assumed))}" if assumed and self.row.open else title
 
