@@ -119,7 +119,7 @@ class Closing(ItemList):
         notes = [note for outcome in outcomes if outcome.state == "solved" for note in outcome.notes]
         if notes:
             fold = self.app.signs.mark("unfolded" if self.unfolded else "folded")
-            head = Content.styled(f"{say(plural('assumed ({n})', 'assumed ({n})', n=len(notes)))} {fold}", "bold")
+            head = Content.styled(f"{say(Text('assumed ({n})', n=len(notes)))} {fold}", "bold")
             rows = [Content(f"{lead}{row}") for note in notes for lead, row in _bulleted(say(note), width)] if self.unfolded else []
             yield [Item(ASSUMED, [head]), *([Item("", rows)] if rows else [])]
 
