@@ -65,10 +65,9 @@ def of_check(check: Check) -> Headline:
     if not limit:
         long, brief = (Text("{word} {value}", word=word, value=Amount(check.value, check.unit, digits=digits)) for digits in (3, 2))
         return Headline(long, brief, None, check)
-    long, brief = (
-        Text(template, word=word, value=Amount(check.value, digits=digits), limit=Amount(limit, check.unit, digits=digits))
-        for template, digits in (("{word} {value} of {limit}", 3), ("{word} {value}/{limit}", 2))
-    )
+    (value, of), (value_brief, of_brief) = ((Amount(check.value, digits=n), Amount(limit, check.unit, digits=n)) for n in (3, 2))
+    long = Text("{word} {value} of {limit}", word=word, value=value, limit=of)
+    brief = Text("{word} {value}/{limit}", word=word, value=value_brief, limit=of_brief)
     return Headline(long, brief, share(check), check)
 
 

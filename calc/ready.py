@@ -67,16 +67,16 @@ def _state(key: str, data: Table, left_out: Table, wrong: int, outcome: Outcome[
         return StepState(key, "fail", 1, Text("no solution"))
     if outcome.state == "blocked":
         return StepState(key, "waits", 0, outcome.reason)
-    for state, one, many in KINDS:
+    for state, words in KINDS:
         if count := open_causes(outcome.checks)[state]:
-            return StepState(key, state, count, plural(one, many, n=count))
+            return StepState(key, state, count, plural(words.one, words.template, n=count))
     return StepState(key, "ready", 0, Text("ready"))
 
 
 KINDS = (
-    ("fail", "{n} limit fails", "{n} limits fail"),
-    ("not_verified", "{n} not verified", "{n} not verified"),
-    ("warn", "{n} caution", "{n} cautions"),
+    ("fail", plural("{n} limit fails", "{n} limits fail", n=0)),
+    ("not_verified", plural("{n} not verified", "{n} not verified", n=0)),
+    ("warn", plural("{n} caution", "{n} cautions", n=0)),
 )
 
 
@@ -103,7 +103,7 @@ class Tally:
     @property
     def words(self) -> tuple[tuple[str, Text], ...]:
         """`1 limit fails`, `2 cautions`, each with its state; then how many steps are ready."""
-        found = [(state, plural(one, many, n=n)) for state, one, many in KINDS if (n := getattr(self, state))]
+        found = [(state, plural(words.one, words.template, n=n)) for state, words in KINDS if (n := getattr(self, state))]
         steps = Text("ready") if self.ready == self.of else Text("ready {n} of {count}", n=self.ready, count=self.of)
         return (*found, ("ready" if self.ready == self.of else "todo", steps))
 

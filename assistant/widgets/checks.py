@@ -27,6 +27,9 @@ GAP = 2  # cells between columns
 SIGN = 2  # cells of the sign before a name
 NAMES = 26  # cells of a name at least, beside columns of numbers
 ADVICE, METHOD, HOLD = "advice", "method", "hold"  # the keys of the rows that fold
+ADVISED = plural("{n} piece of advice", "{n} pieces of advice", n=0)
+OF_METHOD = plural("{n} on the method", "{n} on the method", n=0)
+HOLDING = plural("{n} holds", "{n} hold", n=0)
 
 
 def sorted_checks(checks: tuple[Check, ...]) -> list[Check]:
@@ -177,14 +180,14 @@ class Checks(ItemList):
         rows += [Row(c.id, c) for c in checks if c.verdict == "accepted"]
         rows.append(Row("", head=Content("")))
         folds = (
-            (ADVICE, [c for c in sorted_checks(checks) if c.open and c.kind == "advice"], "{n} piece of advice", "{n} pieces of advice"),
-            (METHOD, [c for c in sorted_checks(checks) if c.open and c.kind == "method"], "{n} on the method", "{n} on the method"),
-            (HOLD, [c for c in checks if c.verdict == "pass"], "{n} holds", "{n} hold"),
+            (ADVICE, [c for c in sorted_checks(checks) if c.open and c.kind == "advice"], ADVISED),
+            (METHOD, [c for c in sorted_checks(checks) if c.open and c.kind == "method"], OF_METHOD),
+            (HOLD, [c for c in checks if c.verdict == "pass"], HOLDING),
         )
-        for key, mine, one, many in folds:
+        for key, mine, count in folds:
             if mine:
                 unfolded = key in self.unfolded
-                words, state = say(plural(one, many, n=len(mine))), "pass" if key == HOLD else "note"
+                words, state = say(plural(count.one, count.template, n=len(mine))), "pass" if key == HOLD else "note"
                 fold = signs.mark("unfolded" if unfolded else "folded")
                 rows.append(
                     Row(key, head=Content.assemble((f"{signs.mark(state)} ", signs.style(state)), (words, "dim"), (f" {fold}", "dim")))

@@ -23,6 +23,7 @@ PEAK: Number = 0.35  # of the radius: the largest pressure
 CORNERS = 48  # of the pressure
 FEED: Number = 0.22  # of the radius: how far a feed is drawn outwards
 LEAST = 0.05  # of the largest pressure: less is not drawn
+FILMS = (("film_edge", Text("{film} of {asked} µm")), ("film_double_load", Text("2 F: {film} of {asked}")))
 
 
 def sketch(design: Designed, results: Solved) -> Sketch:
@@ -69,11 +70,11 @@ def _bearing(place: str, r: BearingResult, inputs: BearingsInputs, gap: Number, 
 
 def _films(key: str, r: BearingResult, centre: Point, journal: Metre, checks: dict[str, Check]) -> Iterator[Mark]:
     """The film at the edge against what it is to be, and that at twice the load where it is too thin."""
-    told = [(check, words) for id, words in (("film_edge", "{film} of {asked} µm"), ("film_double_load", "2 F: {film} of {asked}"))
+    told = [(check, words) for id, words in FILMS
         if (check := checks.get(f"{key}.{id}")) is not None and (id == "film_edge" or check.verdict == "fail")]  # fmt: skip
     for n, (check, words) in enumerate(told):
         limit = check.limit if isinstance(check.limit, float) else check.limit[0]
-        text = Text(words, film=Amount(check.value, digits=2), asked=Amount(limit, digits=2))
+        text = Text(words.template, film=Amount(check.value, digits=2), asked=Amount(limit, digits=2))
         at = centre[0], centre[1] + (0.35 - 0.27 * n) * journal
         yield Words(WORDS, at, text, key=_rough(key), state=judged([check], check.id), side="centre")
 
