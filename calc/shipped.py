@@ -36,13 +36,13 @@ class ShippedEngine:
     """An engine to begin with: its name, how its crank stands and fires, and where its data come from."""
 
     name: str
-    what: str
+    what: Text
     source: str
 
 
 def engines() -> dict[str, ShippedEngine]:
     """The shipped engines by their id, the example first."""
-    return {name: ShippedEngine(str(_engine(row)["name"]), row["what"], row["source"]) for name, row in _rows().items()}
+    return {name: ShippedEngine(str(_engine(row)["name"]), Text(row["what"]), row["source"]) for name, row in _rows().items()}
 
 
 def engine_inputs(name: str) -> "EngineInputs":

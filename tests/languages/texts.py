@@ -27,6 +27,7 @@ from calc.languages.language import FOLDER, PLACE, WORD
 from calc.sheet.quantity import keys
 from calc.sheet.step import Outcome
 from calc.sheet.text import Text
+from calc.shipped import engines
 from calc.solve import Results
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -146,8 +147,8 @@ def _words(data: Any) -> Iterator[str]:
 
 
 def of_catalogues() -> Iterator[Text]:
-    """What the tables of oils, materials and bearings tell beside names and numbers."""
-    yield from _texts((shipped_oils(), base_stocks(), materials(), bearing_materials(), running_bearings()))
+    """What the tables of oils, materials, bearings and engines tell beside names and numbers."""
+    yield from _texts((shipped_oils(), base_stocks(), materials(), bearing_materials(), running_bearings(), engines()))
 
 
 def _texts(thing: Any) -> Iterator[Text]:
