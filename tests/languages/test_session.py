@@ -83,7 +83,7 @@ class Ear:
         new = {*rows} - self.known
         self.known |= new
         for part in {part.strip() for row in new for part in PARTS.split(row)}:
-            if part in self.ids:  # a piece of one that needs two rows
+            if part.strip("[ ]") in self.ids:  # a piece of one that needs two rows, or more than its field
                 continue
             bare = ASIDE.sub(lambda found: "" if found[1].replace("_", " ") in self.ids else found[0], part)
             bare = NAMES.sub("", QUOTED.sub("", bare))
@@ -103,7 +103,7 @@ class Reader(Ear):
 
     def __init__(self, pilot: Pilot[int]) -> None:
         assert isinstance(pilot.app, ContralberoApp) and pilot.app.session.results is not None
-        super().__init__(pilot.app.session.results.values())
+        super().__init__((*pilot.app.session.results.values(), pilot.app.session.results.design.name))
         self.pilot = pilot
 
     def read(self, where: str) -> None:
@@ -255,10 +255,11 @@ async def test_what_is_said(light: Session) -> None:
         await pilot.pause()
         reader.read("a report while the input is not valid")
         await strike(pilot, "ctrl+z")
-        await strike(pilot, "escape")
+        await strike(pilot, "escape", "escape")  # the first gives the field its old text
         await strike(pilot, "R")
         await go_to(pilot, "countershaft.masses.0.mass_kg")
         await type_in(pilot, "2.5")
+        await strike(pilot, "enter")
         await solved(pilot)
         reader.read("recording")
         await strike(pilot, "escape")
