@@ -14,6 +14,7 @@ from calc.sheet.text import Text
 
 from ..base_app import BaseApp
 from ..places import content_at
+from ..route import ROUTE
 from ..session import Session
 from .entry import LEAVING
 from .rows import Row
