@@ -71,7 +71,7 @@ ROUTE: dict[str, Leg] = {
 }  # fmt: skip
 NAMING: tuple[Place, ...] = (("name",), ("note",))  # of the design itself: asked with its engine, which comes first
 FIRST = "engine"  # its step
-DOCUMENT: Place = ("document",)  # in a fold below the name
+DOCUMENT: Place = ("document",)  # in a fold behind those of its step
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
 GIVEN, SIZED = ("masses",), ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm")

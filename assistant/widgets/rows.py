@@ -54,7 +54,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     leg = ROUTE[step.key]
     found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
     naming = [Row("field", place, keys(Design)[str(place[0])].about, required=place == NAMING[0]) for place in NAMING]
-    made = [*naming, *_document(data, asked, opened)] if step.key == FIRST else []
+    made = naming if step.key == FIRST else []
     in_fold: list[list[Row]] = [[] for _ in leg.folds]
     deciding: list[list[Row]] = [[] for _ in leg.deciding]
     for row in found:
@@ -73,7 +73,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
         if inside := in_fold[n]:
             made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
             made += inside if n in opened else []
-    return made
+    return [*made, *_document(data, asked, opened)] if step.key == FIRST else made
 
 
 def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
