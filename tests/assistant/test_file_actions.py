@@ -77,7 +77,7 @@ async def test_a_recorded_session_replays(screen: Screen, light: Session, tmp_pa
         await strike(pilot, "ctrl+z")
         await go_to(pilot, BORE)
         await type_in(pilot, "0")  # not allowed
-        await pilot.press("escape", "R")
+        await pilot.press("enter", "escape", "R")
         await until(pilot, lambda: "No report, export or replay while the input is not valid" in told(pilot))
         await pilot.press("u", "R")
         asked = await dialog(pilot)
@@ -172,7 +172,7 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen
         assert "add [countershaft]" in told(pilot) and not (tmp_path / "out.dxf").exists()
         await go_to(pilot, BORE)
         await type_in(pilot, "0")
-        await pilot.press("escape", "E")
+        await pilot.press("enter", "escape", "E")
         await pilot.pause()
         assert "No report, export or replay while the input is not valid" in told(pilot) and isinstance(pilot.app.screen, Workbench)
 
@@ -275,7 +275,7 @@ async def test_a_change_on_disk_is_said_once_and_taken_over(
         await strike(pilot, "ctrl+s")
         await pilot.pause()
         assert "once more to overwrite" in told(pilot)  # as ever
-        await pilot.press("escape", "L")
+        await pilot.press("enter", "escape", "L")
         await solved(pilot)
         assert small.value(ROD) == 170.0 and small.value(BORE) == 94.0 and not small.dirty
         assert "Undo returns to your edits" in told(pilot) and "170" in rows(pilot)
