@@ -60,13 +60,13 @@ class FieldHelp(Widget):
         self.moves = ""
 
     def show(self, title: str, text: str, rest: str = "", moves: str = "") -> None:
-        """`moves`, what the field moves, stands first; `rest` behind the text where there is room for all of it."""
+        """`moves`, what the field moves, stands behind what it means and what is usual; `rest` where there is room for all of it."""
         self.title, self.text, self.rest, self.moves = title, text, rest, moves
         self.refresh()
 
     def render(self) -> Content:
         if not self.title:
             return Content("")
-        said = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.moves, self.text))))))
+        said = ": ".join(filter(None, (self.title, " ".join(filter(None, (self.text, self.moves))))))
         rows = foot(said, self.rest, f"  {self.app.say(Text('F1 more'))}", max(10, self.size.width - 2), self.size.height)
         return Content.styled("\n".join(" " + row for row in rows), "dim")
