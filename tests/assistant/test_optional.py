@@ -20,7 +20,7 @@ from calc.engine.inputs import EngineInputs
 from calc.sheet.quantity import inputs, keys, quantity, series, table
 
 from .conftest import Screen, solved
-from .driving import go_to, message, rows, settled, strike, type_in, until, work
+from .driving import at_rest, go_to, message, rows, settled, strike, type_in, until, work
 
 
 @inputs
@@ -254,7 +254,7 @@ async def test_help_is_about_the_heading(screen: Screen) -> None:
 async def test_the_heading_can_be_clicked(screen: Screen) -> None:
     async with screen() as pilot:
         heading = await to_heading(pilot)
-        await until(pilot, lambda: work(pilot).get_widget_at(*heading.region.offset)[0] is heading)
+        await at_rest(pilot)  # the form has scrolled there
         await pilot.click(heading, offset=(heading.render().plain.index("+"), 0))
         await until(pilot, lambda: work(pilot).session.value(PLACE) == {})
         assert work(pilot).session.value(PLACE) == {}

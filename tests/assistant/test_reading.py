@@ -219,6 +219,7 @@ async def test_the_cursor_stays_where_it_is(screen: Screen) -> None:
         assert box is not None
         await strike(pilot, "home", *["delete"] * 8)
         await type_in(pilot, "50")
+        await strike(pilot, "enter")
         await solved(pilot)
         await drawn(pilot)
         after = pane.reading
