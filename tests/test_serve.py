@@ -140,7 +140,7 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
     async with browser(tmp_path) as page:
         await page.open(address)
         await page.until(lambda text: "my design.toml" in text and "solved in" in text and "Bore" in text)
-        for _ in range(4):  # engine, layout, cylinders, strokes: bore
+        for _ in range(2):  # design, note: bore
             await page.press("Tab")
         await page.type("95,5")
         await page.until(lambda text: "[95,5 " in text and "= 95.5" in text and "edited" in text)
