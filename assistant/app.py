@@ -3,6 +3,7 @@
 
 import os
 import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, runtime_checkable
@@ -148,6 +149,7 @@ class ContralberoApp(BaseApp):
         """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter for where
         that leads."""
         if isinstance(event, events.Key) and not event.is_forwarded:
+            self.struck = time.monotonic()
             if self._held is not None:
                 self._held.append(event)
                 return

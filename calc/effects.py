@@ -2,7 +2,7 @@
 """How far the inputs that move a check move it: the sign and the size of each effect, by solving the design again with a small change."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from .addresses import as_list, quantities, value_at
 from .design_file import Document, design
@@ -29,11 +29,13 @@ class Effect:
     unit: str
 
 
-def effects(document: Document, results: Results, checks: Iterable[Check], most: int = MOST) -> dict[str, tuple[Effect, ...]]:
+def effects(
+    document: Document, results: Results, checks: Iterable[Check], most: int = MOST, stop: Callable[[], bool] = bool
+) -> dict[str, tuple[Effect, ...]]:
     """For each check what the inputs do that move it most, in the order of use.  `document` is that of the results.
 
     Of checks with one cause the worst says which inputs are moved, `most` of them.  Each is moved once, and only what depends on it is
-    solved again.
+    solved again.  `stop` as of a solve.
     """
     known = dict(quantities(document.data))
     wanted = list(checks)
@@ -42,7 +44,7 @@ def effects(document: Document, results: Results, checks: Iterable[Check], most:
         numbers = [key for key in _keys(group[0], known) if known[key].kind in KINDS and value_at(document.data, key) is not None]
         for key in numbers[:most]:
             if key not in moved:
-                moved[key] = _moved(document, results, key, known[key])
+                moved[key] = _moved(document, results, key, known[key], stop)
     return {c.id: tuple(_effect(c, key, known[key], moved.get(key)) for key in _keys(c, known)) for c in wanted}
 
 
@@ -58,7 +60,7 @@ def _keys(check: Check, known: dict[str, Quantity]) -> list[str]:
     return list(found)
 
 
-def _moved(document: Document, results: Results, key: str, about: Quantity) -> Moved:
+def _moved(document: Document, results: Results, key: str, about: Quantity, stop: Callable[[], bool]) -> Moved:
     """The change of an input in its unit, and all checks after it."""
     old = value_at(document.data, key)
     numbers = [x for x in as_list(old) if isinstance(x, (int, float))]
@@ -66,7 +68,7 @@ def _moved(document: Document, results: Results, key: str, about: Quantity) -> M
     for change in (1, -1) if about.kind == "integer" else (size, -size):
         new = [x + change for x in numbers]
         try:
-            after = solve(design(document.with_value(key, new if isinstance(old, list) else new[0])), results)
+            after = solve(design(document.with_value(key, new if isinstance(old, list) else new[0])), results, stop)
         except BadInput:
             continue  # beyond what is allowed: the other way
         return change, {check.id: check for check in after.checks()}
@@ -85,12 +87,12 @@ def _finite(number: float) -> float | None:
     return number if math.isfinite(number) else None
 
 
-def moved_by(document: Document, results: Results, key: str) -> tuple[tuple[Check, Effect], ...]:
+def moved_by(document: Document, results: Results, key: str, stop: Callable[[], bool] = bool) -> tuple[tuple[Check, Effect], ...]:
     """What one input moves: every check, with the effect of one unit more; first those whose margin it moves most, of what there is."""
     about = dict(quantities(document.data)).get(key)
     if about is None or about.kind not in KINDS or value_at(document.data, key) is None:
         return ()
-    moved = _moved(document, results, key, about)
+    moved = _moved(document, results, key, about, stop)
     found = [(check, _effect(check, key, about, moved)) for check in results.checks()]
     there = [(check, effect) for check, effect in found if effect.gain]
     return tuple(sorted(there, key=lambda one: -abs((one[1].gain or 0.0) / (abs(one[0].nearest[0]) or 1.0))))

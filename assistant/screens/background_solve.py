@@ -31,6 +31,8 @@ if TYPE_CHECKING:
 
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
+REST = 0.3  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
+HIDDEN = 0.2  # seconds until a calculation that is not on the screen is written out
 SEEK = 1.0  # seconds from then until a remedy is looked for: a step of that can not be stopped half-way
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
 
@@ -46,6 +48,13 @@ class Page:
     leaves: tuple[Curve | Table, ...]
 
 
+def rest(host: Host) -> None:
+    """Asked in another thread, again and again, by what nobody waits for: between two lines a key may come, and need not wait."""
+    time.sleep(0.0005)
+    while host.is_attached and time.monotonic() < host.app.struck + REST:
+        time.sleep(0.02)
+
+
 class BackgroundSolve:
     """Keeps the results of a screen's session up to date, and what is written of them."""
 
@@ -56,12 +65,14 @@ class BackgroundSolve:
         self._solving = False
         self._slow: Timer | None = None
         self._ahead: Timer | None = None
+        self._page: Timer | None = None
 
     def begin(self) -> None:
         """Another design is entered: nothing that was written holds for it."""
         self.pages = {}
-        if self._ahead is not None:
-            self._ahead.stop()
+        for timer in (self._ahead, self._page):
+            if timer is not None:
+                timer.stop()
 
     def solve(self) -> None:
         """Solve what is to be solved, one at a time; an edit in the meantime stops it, and it begins once more."""
@@ -113,11 +124,15 @@ class BackgroundSolve:
         """What may be shown a moment after the verdicts."""
         if self._host.stands:
             self._host.show_state()
+            self._host.show_picture()
             self.write_out()
 
     # --- the calculation, written out
     def write_out(self) -> None:
-        """Show the calculation of the step: at once where it is written already, else as soon as another thread has written it."""
+        """Show the calculation of the step: at once where it is written already, else as soon as another thread has written it.
+
+        One that is not on the screen is written a little later: what is there is painted first.
+        """
         host = self._host
         results = host.session.results
         if results is None:
@@ -125,15 +140,22 @@ class BackgroundSolve:
         if self.written(results, host.step):
             host.show_written()
             self._go_ahead()
+            return
+        if self._page is not None:
+            self._page.stop()
+        write = partial(host.in_thread, "page", partial(self._write_page, results, host.step))
+        if host.pane_layout.written:
+            write()
         else:
-            host.in_thread("page", partial(self._write_page, results, host.step))
+            self._page = host.set_timer(HIDDEN, write)
 
     def _write_page(self, results: "Results", step: Step) -> None:
         """Runs in another thread."""
         from ..widgets import plot  # noqa: F401  loaded here, so that the screen need not wait for it
 
         worker = get_current_worker()
-        self.write(results, step, lambda: worker.is_cancelled or not self._host.is_attached)
+        host = self._host
+        self.write(results, step, lambda: worker.is_cancelled or not host.is_attached or host.session.results is not results)
         if not worker.is_cancelled:
             self._host.call_later(self._wrote_page, results)
 
@@ -204,7 +226,7 @@ class BackgroundSolve:
         results = self._host.session.results
 
         def stop() -> bool:
-            time.sleep(0.0005)  # between two lines a key may come, and need not wait
+            rest(self._host)
             return not self._idle(results)
 
         for step in STEPS:
@@ -241,6 +263,7 @@ class BackgroundSolve:
         worker = get_current_worker()
 
         def progress(share: float, what: str) -> None:
+            rest(self._host)
             if worker.is_cancelled or not self._idle(results) or not self._host.is_current:  # a list of remedies has its own search
                 raise Cancelled
 

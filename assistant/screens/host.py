@@ -89,6 +89,9 @@ class Host(Protocol):
     def show_verdicts(self) -> None:
         """Show the checks and verdicts: first, and at once."""
 
+    def show_picture(self) -> None:
+        """Show the picture of the step."""
+
     def show_written(self) -> None:
         """Show the calculation, the curves and whatever else takes a moment to be prepared."""
 

@@ -56,6 +56,11 @@ class PaneLayout:
             return ("steps", "inputs", "picture", "curve", "calculation" if self.turned == "calculation" else "checks")
         return ("steps", "inputs", "picture", self.turned)
 
+    @property
+    def written(self) -> bool:
+        """Whether what is written out of the results is on the screen."""
+        return not {"calculation", "curve"}.isdisjoint(self.shown)
+
     def at(self, pane: str) -> None:
         """This pane has the focus now."""
         self.pane = pane

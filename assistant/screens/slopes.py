@@ -6,12 +6,15 @@ from collections.abc import Callable
 from functools import partial
 from typing import TYPE_CHECKING
 
+from textual.worker import get_current_worker
+
 from calc.addresses import quantity_of, value_at
 from calc.sheet.check import Check
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, Cancelled
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Small, Text
 
 from ..places import label_of
+from .background_solve import rest
 from .host import Host
 
 if TYPE_CHECKING:
@@ -76,12 +79,20 @@ class Slopes:
         """Runs in another thread."""
         from calc.effects import effects, moved_by  # which brings the solver with it
 
+        worker = get_current_worker()
+
+        def stop() -> bool:
+            rest(self._host)
+            return worker.is_cancelled or results is not self._host.session.results
+
         check = next((check for check in results.checks() if check.id == name), None)
         try:
             if check is not None:
-                words = of_check(document.data, check, effects(document, results, [check], MOVED)[name])
+                words = of_check(document.data, check, effects(document, results, [check], MOVED, stop)[name])
             else:
-                words = of_input(document.data, name, moved_by(document, results, name))
+                words = of_input(document.data, name, moved_by(document, results, name, stop))
+        except Cancelled:
+            return
         except Exception as error:  # a mistake of the program must not stop the session
             self._host.app.log(f"no slopes: {type(error).__name__}: {error}")
             return
