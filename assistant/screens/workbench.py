@@ -311,8 +311,9 @@ class Workbench(Screen[None]):
         """Show another step, with the focus on a field if one had it before; `stay` leaves the focus where it is."""
         idle = focus is None and isinstance(self.focused, Form)
         inside = not stay and (self.pane_layout.pane == "inputs" or focus is not None)
+        before = self.step
         with self.app.batch_update():
-            if step is not self.step:
+            if step is not before:
                 if self.pane_layout.pane == "inputs":
                     self.set_focus(None, scroll_visible=False)
                 self.form.display = False
@@ -323,11 +324,12 @@ class Workbench(Screen[None]):
                     await self.query_one("#forms").mount(Form(step, self.session))
                     if not self.stands:  # the end came before the form
                         return
-                self.show_step()
             if inside and idle:
                 self.form.focus(scroll_visible=False)
             elif inside:
-                self.form.focus_place(focus)
+                self.form.focus_place(focus, at_once=True)  # before the picture, in which its field is lit
+            if step is not before:
+                self.show_step()
 
     # --- focus and panes
     def on_descendant_focus(self, event: events.DescendantFocus) -> None:
