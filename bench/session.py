@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How quick the guided session feels, measured in a real pseudo-terminal: `python -m bench.session [ROUNDS]`.
 
-First paint, the echo of keys while the design is solved again, the results after the last key, and the change of step; each in
-milliseconds and as a multiple of what a bare interpreter takes in the same run, because times depend on the machine.
-We aim at: first paint under 600 ms; an echo under 20 ms at the median; results under 150 ms after the last key.
+First paint of the start page and of a design, the echo of keys while the design is solved again, the findings after the last key, the
+first visit of every step with its picture and the way back, and what opens over them; each in milliseconds and as a multiple of what a
+bare interpreter takes in the same run, because times depend on the machine.  Where another program takes the processor, the best
+of several runs says most.
+We aim at: first paint under 600 ms; an echo under 20 ms at the median; findings under 150 ms after the last key; a first visit under
+300 ms to its last byte.
 """
 
 import fcntl
@@ -22,8 +25,12 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 DESIGN = ROOT / "designs" / "r753ie4_gamma.toml"
+STARTED = re.compile(rb"Open a file")  # a row of the start page
 PAINTED = re.compile(rb"Crank radius")  # a label of the first form
 SOLVED = re.compile(rb"solved in")
+NEXT, BEFORE, FIX, LEAVE = b"\x1bOR", b"\x1bOQ", b"\x1b[15~", b"\x1b"  # F3, F2, F5, Esc
+STEPS = ("imbalance", "countershaft", "bearings", "gears", "friction")  # behind the one that is there at first
+TYPED = (("engine.bore", b"94."), ("imbalance.crank_balance_fraction", b"0."))  # a field, and how a number in it begins
 
 
 class Terminal:
@@ -108,7 +115,7 @@ def bare() -> float:
 def report(name: str, seconds: list[float], unit: float) -> None:
     median, best, worst = (1000 * f(seconds) for f in (statistics.median, min, max))
     print(
-        f"{name:<40} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst {worst:6.0f}   n = {len(seconds)}"
+        f"{name:<62} median {median:6.0f} ms = {median / unit / 1000:6.2f} ×   best {best:6.0f}   worst {worst:6.0f}   n = {len(seconds)}"
     )
 
 
@@ -134,33 +141,68 @@ def results(terminal: Terminal, key: bytes) -> float:
     return terminal.until(SOLVED, limit=10)
 
 
-def main(rounds: int = 5) -> None:
-    bares = [bare() for _ in range(rounds)]
-    unit = statistics.median(bares)
-    report("bare interpreter", bares, unit)
-    paints, solves = [], []
+def starts(rounds: int, unit: float) -> None:
+    """The first picture of the start page and of a design, and the first results."""
+    pages, paints, solves = [], [], []
     for _ in range(rounds + 1):
+        terminal = Terminal(["-m", "assistant.app"])
+        terminal.until(STARTED)
+        pages.append(time.perf_counter() - terminal.started)
+        terminal.end()
         terminal = Terminal(["-m", "assistant.app", str(DESIGN)])
         terminal.until(PAINTED)
         paints.append(time.perf_counter() - terminal.started)
         terminal.until(SOLVED)
         solves.append(time.perf_counter() - terminal.started)
         terminal.end()
-    report("start to first paint", paints[1:], unit)  # the first one compiles
-    report("start to first results", solves[1:], unit)
+    report("start page, first paint", pages[1:], unit)  # the first one compiles
+    report("design, first paint", paints[1:], unit)
+    report("design, first results", solves[1:], unit)
+
+
+def opened(columns: int, rows: int) -> Terminal:
+    terminal = Terminal(["-m", "assistant.app", str(DESIGN)], columns, rows)
+    terminal.until(SOLVED)
+    terminal.drain()
+    return terminal
+
+
+def visits(size: str, columns: int, rows: int, rounds: int, unit: float) -> None:
+    """Every step for the first time, each round in a session of its own; then back over forms that are there, and the list of remedies."""
+    first: dict[str, list[float]] = {step: [] for step in STEPS}
+    back, fixes = [], []
+    for _ in range(rounds):
+        terminal = opened(columns, rows)
+        for step in STEPS:
+            first[step].append(terminal.key(NEXT)[1])
+        back += [terminal.key(BEFORE)[1] for _ in STEPS]
+        for _ in STEPS[1:-1]:
+            terminal.key(NEXT)  # to the gears, which fail
+        fixes.append(terminal.key(FIX)[0])
+        terminal.key(LEAVE)
+        terminal.end()
+    for step, seconds in first.items():
+        report(f"{size}: first visit, {step}", seconds, unit)
+    report(f"{size}: step before, known form", back, unit)
+    report(f"{size}: F5, the list opens", fixes, unit)
+
+
+def main(rounds: int = 5) -> None:
+    bares = [bare() for _ in range(rounds)]
+    unit = statistics.median(bares)
+    report("bare interpreter", bares, unit)
+    starts(rounds, unit)
     for columns, rows in ((80, 24), (120, 40), (200, 60)):
         size = f"{columns}x{rows}"
-        terminal = Terminal(["-m", "assistant.app", str(DESIGN)], columns, rows)
-        terminal.until(SOLVED)
-        terminal.drain()
-        for keys in (b"\x10", b"engine.bore", b"\r", b"\x1b[F", b"\x15", b"94."):  # palette, its field, End, delete all, a number
-            terminal.key(keys)
-        report(f"{size}: key to echo, while solving", typed(terminal, b"5\x7f" * 20), unit)
-        report(f"{size}: key to results", [results(terminal, key) for key in (b"5", b"\x7f") * rounds], unit)
-        report(f"{size}: next step, new form", [terminal.key(b"\x1bOR")[1] for _ in range(5)], unit)
-        report(f"{size}: step before, known form", [terminal.key(b"\x1bOQ")[1] for _ in range(5)], unit)
-        if code := terminal.end():
-            print(f"ended with {code}")
+        for field, number in TYPED:
+            terminal = opened(columns, rows)
+            for keys in (b"\x10", field.encode(), b"\r", b"\x1b[F", b"\x15", number):  # palette, End, delete all
+                terminal.key(keys)
+            report(f"{size}: {field}, echo while solving", typed(terminal, b"5\x7f" * 20), unit)
+            report(f"{size}: {field}, findings", [results(terminal, key) for key in (b"5", b"\x7f") * rounds], unit)
+            if code := terminal.end():
+                print(f"ended with {code}")
+        visits(size, columns, rows, rounds, unit)
 
 
 if __name__ == "__main__":
