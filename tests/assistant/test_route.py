@@ -39,7 +39,7 @@ async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(scre
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
         assert "Which engine shakes?" in rows(pilot) and ("engine", "firing_order") not in places(pilot)
-        fold = work(pilot).form.query(Fold).first()
+        fold = next(one for one in work(pilot).form.query(Fold) if one.row.place == ("engine", "+0"))
         fold.focus()
         await strike(pilot, "enter")
         await settled(pilot)
@@ -143,3 +143,16 @@ async def test_leaving_a_step_out_asks_for_the_reason(screen: Screen, light: Ses
         await until(pilot, lambda: not isinstance(pilot.app.screen, Reason))
         assert light.data["without"] == {"friction": "it is settled elsewherex"}
         assert light.undo() is not None and "without" not in light.data
+
+
+async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) -> None:
+    async with screen() as pilot:
+        bench = work(pilot)
+        await bench.moves.to_field(("document", "number"))
+        await type_in(pilot, "CS-1")
+        await settled(pilot)
+        session = bench.session
+        assert bench.number == 1 and session.value("document.number") == "CS-1" and "assumed" not in rows(pilot)
+        assert "2026-03-14" in str(session.edit("document.prepared.date", "14.3.2026")) and not session.valid
+        assert not session.edit("document.prepared.date", "2026-03-14") and session.valid
+        assert b"date = 2026-03-14" in session.bytes() and b'number = "CS-1"' in session.bytes()
