@@ -79,18 +79,20 @@ def _heading(context: Context) -> list[Block]:
 
 
 def _facts(facts: list[tuple[str, str]]) -> Block:
-    """Small labels with their values below, in cells beside each other as far as they fit."""
-    across = min(len(facts), ACROSS)
-    wide = WIDTH / across
-    cells = [(one_line(label, NOTE, wide - 2 * PAD), lines(value, BODY, wide - 2 * PAD, 6)) for label, value in facts]
-    rows = [cells[i : i + across] for i in range(0, len(cells), across)]
+    """Small labels with their values below, in cells beside each other: rows of about as many, each as wide as the block."""
+    across = -(-len(facts) // -(-len(facts) // ACROSS))
+    rows = []
+    for first in range(0, len(facts), across):
+        given = facts[first : first + across]
+        room = WIDTH / len(given) - 2 * PAD
+        rows.append([(one_line(label, NOTE, room), lines(value, BODY, room, 6)) for label, value in given])
     heights = [NOTE.leading + max(len(v) for _, v in r) * BODY.leading + 3.0 for r in rows]
 
     def draw(pen: Pen, y: float) -> None:
         top = y
         for r, height in zip(rows, heights):
             for i, (label, value) in enumerate(r):
-                x = i * wide
+                x = i * WIDTH / len(r)
                 pen.put(label, x + PAD, top - 1.0 - 0.78 * NOTE.leading)
                 for n, line in enumerate(value):
                     pen.put(line, x + PAD, top - 1.0 - NOTE.leading - (n + 0.78) * BODY.leading)
