@@ -10,6 +10,8 @@ from .sheet.step import Table
 from .sheet.text import EMPTY, Name, Text
 from .solve import Results
 
+NONE = Text("–")
+
 
 def shaft(results: Results) -> tuple[Primitive, ...]:
     """The counter-shaft as lines, arcs, words and dimensions; nothing where its outline is not known."""
@@ -30,7 +32,7 @@ def wheels(results: Results) -> Table | None:
         return None
     data = {name: dict(data_table(train, name, gears)) for name in train.wheels}
     labels = dict.fromkeys(label for rows in data.values() for label in rows)
-    rows = tuple((label, *(rows.get(label, "–").replace("-", "−") for rows in data.values())) for label in labels)
+    rows = tuple((label, *(rows.get(label, NONE) for rows in data.values())) for label in labels)
     return Table("drawing_data", Text("Data of the wheels, lengths in mm"), ((EMPTY, ""), *((Name(name), "") for name in data)), rows)
 
 

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...sheet.drawing import Arc, Point, Polyline, Primitive, Words
 from ...sheet.quantity import Published, published
-from ...sheet.text import Text
+from ...sheet.text import Amount, Text
 from ...sheet.units import Metre, Number, Radian
 from ..inputs import GearsInputs
 from ..layout.phase import phase
@@ -24,6 +24,7 @@ LAYERS = ("PROFILE", "PROFILE_MAX", "PROFILE_MIN", "TIP", "REFERENCE", "BASE", "
 CIRCLES = {
     "TIP": "tip_diameter", "REFERENCE": "reference_diameter", "BASE": "base_diameter", "ROOT": "root_diameter", "FORM": "form_diameter",
 }  # fmt: skip
+HANDS = {"left": Text("left"), "right": Text("right")}
 LETTER = 0.02  # rule of this program: letters are a fiftieth of the tip diameter high, and all distances multiples of that
 UP: Radian = math.pi / 2
 Places = Mapping[str, tuple[Metre, Metre]]
@@ -126,23 +127,27 @@ def _point(at: complex) -> Point:
 
 
 # --- the table of data ------------------------------------------------------------------------------------------------------
-def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[str, str], ...]:
+def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) -> tuple[tuple[Text, Text], ...]:
     """What stands beside a wheel on its drawing: a label and what is said, with limits where the design gives them."""
     s, wheel = train.system, train.wheels[name]
     known = {v.id.removeprefix("."): v for v in published(wheel, "")}
-    hand = f", {gears.hands()[name]}" if gears is not None and s.beta else ""
+    hand = HANDS[gears.hands()[name]] if gears is not None and s.beta else None
     rows = [
-        (Text("Normal module m_n"), _mm(s.m_n)), (Text("Teeth z"), str(wheel.teeth)), (Text("Normal pressure angle"), _degrees(s.alpha_n)),
-        (Text("Helix angle"), _degrees(s.beta) + hand), (Text("Profile shift coefficient x"), _number(wheel.profile_shift, 5)),
-        (Text("Tool: addendum, tip radius"), f"{_number(s.h_aP0, 4)} / {_number(s.rho_aP0, 4)} m_n"),
-        (Text("Stock; residual undercut"), f"{_mm(s.stock)}; {_mm(s.s_pr)}"), (Text("Face width b"), _mm(wheel.face_width)),
-        (Text("Reference diameter d"), _mm(wheel.reference_diameter)), (Text("Base diameter d_b"), _mm(wheel.base_diameter)),
+        (Text("Normal module m_n"), _alone(_mm(s.m_n))), (Text("Teeth z"), Text("{z}", z=wheel.teeth)),
+        (Text("Normal pressure angle"), _alone(_degrees(s.alpha_n))),
+        (Text("Helix angle"), Text("{angle}, {hand}", angle=_degrees(s.beta), hand=hand) if hand else _alone(_degrees(s.beta))),
+        (Text("Profile shift coefficient x"), _alone(_number(wheel.profile_shift, 5))),
+        (Text("Tool: addendum, tip radius"), Text("{h} / {rho} m_n", h=_number(s.h_aP0), rho=_number(s.rho_aP0))),
+        (Text("Stock; residual undercut"), Text("{q}; {s_pr}", q=_mm(s.stock), s_pr=_mm(s.s_pr))),
+        (Text("Face width b"), _alone(_mm(wheel.face_width))),
+        (Text("Reference diameter d"), _alone(_mm(wheel.reference_diameter))),
+        (Text("Base diameter d_b"), _alone(_mm(wheel.base_diameter))),
         (Text("Tip diameter d_a"), _between(wheel.tip_diameter, wheel.tip_diameter_min, wheel.tip_diameter_max)),
         (Text("Root diameter d_f"), _between(wheel.root_diameter, wheel.root_diameter_min, wheel.root_diameter_max)),
         (Text("Form diameter d_Ff"), _between(wheel.form_diameter, wheel.form_diameter_min, wheel.form_diameter_max)),
     ]  # fmt: skip
     if gears is not None:
-        rows.append((Text("Accuracy grade (ISO 1328-1)"), str(gears.accuracy_grade)))
+        rows.append((Text("Accuracy grade (ISO 1328-1)"), Text("{grade}", grade=gears.accuracy_grade)))
     rows += [
         (Text("Working diameter to {mate}", mate=mate), Text("{mm}; centres {distance}", mm=_mm(d_w), distance=_distance(m)))
         for mate, d_w, m in working_circles(train.meshes, name)
@@ -150,7 +155,7 @@ def data_table(train: TrainResult, name: str, gears: GearsInputs | None = None) 
     return (*rows, *_measures(known))
 
 
-def _measures(known: Mapping[str, Published]) -> list[tuple[Text, str]]:
+def _measures(known: Mapping[str, Published]) -> list[tuple[Text, Text]]:
     """Span and size over balls, each with its limits where the wheel has an allowance."""
     rows = []
     for id in known:
@@ -161,33 +166,38 @@ def _measures(known: Mapping[str, Published]) -> list[tuple[Text, str]]:
     return rows
 
 
-def _limits(known: Mapping[str, Published], id: str) -> str:
+def _limits(known: Mapping[str, Published], id: str) -> Text:
     low, high = known.get(f"{id}_min"), known.get(f"{id}_max")
-    return (
-        Text("{shown} to {shown2}", shown=_shown(low), shown2=_shown(high)) if low is not None and high is not None else _shown(known[id])
-    )
+    if low is None or high is None:
+        return _alone(_shown(known[id]))
+    return Text("{shown} to {shown2}", shown=_shown(low), shown2=_shown(high))
 
 
-def _shown(value: Published) -> str:
-    return _number(value.shown, 4)
+def _shown(value: Published) -> Amount:
+    return _number(value.shown)
 
 
-def _between(size: Metre, low: Metre | None, high: Metre | None) -> str:
-    return Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _mm(size)
+def _between(size: Metre, low: Metre | None, high: Metre | None) -> Text:
+    return Text("{mm} to {mm2}", mm=_mm(low), mm2=_mm(high)) if low is not None and high is not None else _alone(_mm(size))
 
 
-def _distance(mesh: MeshResult) -> str:
-    return _mm(mesh.centre_distance) + (f" ±{_mm(mesh.centre_tolerance)}" if mesh.centre_tolerance else "")
+def _distance(mesh: MeshResult) -> Text:
+    distance = _mm(mesh.centre_distance)
+    return Text("{a} ±{t}", a=distance, t=_mm(mesh.centre_tolerance)) if mesh.centre_tolerance else _alone(distance)
 
 
-def _mm(length: Metre) -> str:
-    return _number(length * 1e3, 4)
+def _alone(number: Amount) -> Text:
+    return Text("{number}", number=number)
 
 
-def _degrees(angle: Radian) -> str:
-    return f"{_number(math.degrees(angle), 4)}°"
+def _mm(length: Metre) -> Amount:
+    return _number(length * 1e3)
 
 
-def _number(x: Number, digits: int) -> str:
-    text = f"{x:.{digits}f}"
-    return (text.rstrip("0").rstrip(".") if "." in text else text) if float(text) else "0"
+def _degrees(angle: Radian) -> Amount:
+    return _number(math.degrees(angle), unit="°")
+
+
+def _number(x: Number, digits: int = 4, unit: str = "") -> Amount:
+    """Rounded to so many decimals, without zeros behind them."""
+    return Amount(round(x, digits) + 0.0, unit, form=".12g")

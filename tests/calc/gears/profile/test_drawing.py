@@ -104,7 +104,7 @@ def test_the_table_of_data_stands_on_the_drawing(whole, idler):
     w = whole.wheels["idler"]
     rows = dict(data_table(whole, "idler", r753()))
     assert {*rows, *rows.values()} <= set(words)
-    assert rows["Teeth z"] == "39" and rows["Profile shift coefficient x"] == "-0.15598"
+    assert rows["Teeth z"] == "39" and rows["Profile shift coefficient x"] == "−0.15598"
     spans = {key: stated.number * 1e3 for key, stated in w.span.items()}
     assert rows["Span over 5 teeth W"] == f"{spans['span_5_min']:.4f} to {spans['span_5_max']:.4f}"
     assert rows["Size over balls M, D_M 3.5"] == f"{w.over_balls_min * 1e3:.4f} to {w.over_balls_max * 1e3:.4f}"
