@@ -66,7 +66,7 @@ class Language:
         template = text.template
         if text.one:
             told = self._catalogue.ngettext(text.one, template, round(text.number) if text.number == round(text.number) else 2)
-            known = told not in (text.one, template)
+            known = told is not text.one and told is not template  # one's plural may be spelt as English spells the other
         else:
             told = self._catalogue.gettext(template) if template else template
             known = told is not template  # gettext hands back what it does not know
