@@ -20,8 +20,7 @@ from .tables import GAP, Cell, Column, Row, named_table, natural, table
 from .typeset import symbol
 
 ACROSS = 7
-NUMBERS = 56.0  # width of values in a table of two halves
-WORDS = WIDTH / 2 - 32.0 - NUMBERS - 26.0 - 3.5 * GAP  # of what they are called
+NUMBERS = 56.0  # most width of values in a table of two halves
 LEAST_WORDS = 60.0  # width that a column of words needs in a table of many
 ALIKE = 0.6  # share of results in common, with their names and units, that puts two parts beside each other
 
@@ -101,20 +100,19 @@ def _single(context: Context, part: _Part) -> list[Block]:
 def paired_table(context: Context, title: str, rows: Sequence[tuple[str | Cell, ...]]) -> list[Block]:
     """Quantities with symbol, value and unit, two beside each other: down the left half, then down the right."""
     if len(rows) < 2:
-        return named_table(title, _paired(context), rows)
+        return named_table(title, _paired(context, rows), rows)
     half = -(-len(rows) // 2)
     both = [(*left, *right) for left, right in zip(rows[:half], [*rows[half:], ("",) * 4])]
-    return named_table(title, (*_paired(context), *_paired(context)), both)
+    return named_table(title, _paired(context, rows) * 2, both)
 
 
-def _paired(context: Context) -> tuple[Column, ...]:
+def _paired(context: Context, rows: Sequence[tuple[str | Cell, ...]]) -> tuple[Column, ...]:
+    """Columns of half the width of a page: as narrow as symbol, value and unit can be, the rest for what they are called."""
     w = context.words
-    return (
-        Column(w["quantity"], width=WORDS),
-        Column(w["symbol"], width=32.0),
-        Column(w["value"], "r", width=NUMBERS),
-        Column(w["unit"], width=26.0),
-    )
+    narrow = [Column(w["symbol"]), Column(w["value"], "r"), Column(w["unit"])]
+    cells = [[cell if isinstance(cell, Cell) else Cell(cell) for cell in column] for column in list(zip(*rows))[1:]]
+    narrow = [replace(column, width=min(_words_width(column, some), NUMBERS)) for column, some in zip(narrow, cells)]
+    return Column(w["quantity"], width=WIDTH / 2 - 3.5 * GAP - sum(column.width or 0.0 for column in narrow)), *narrow
 
 
 def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block]:
