@@ -18,8 +18,8 @@ from calc.sheet.units import UNITS
 
 from .context import Context
 from .flow import Block, paragraph
-from .prose import CELL, KEY, NOTE
-from .tables import Cell, Column, Row, named_table, table
+from .prose import CELL, HEADER, KEY, NOTE
+from .tables import Cell, Column, Row, longest, named_table, table
 from .typeset import symbol
 from .values import paired_table
 
@@ -47,19 +47,20 @@ class _Given:
     """What a document says to one key, or what the program takes instead."""
 
     text: str = ""
+    number: bool = False  # or several; any other text stands as the file has it
     default: bool = False
     left_out: bool = False
 
 
 def _given(key: Key, data: dict[str, Any]) -> _Given:
     if (value := data.get(key.key)) is not None:
-        return _Given(exact(value))
+        return _Given(exact(value), not isinstance(value, str))
     default = key.field.default
     if default is None or default is MISSING or default == ():
         return _Given(left_out=True)
     if isinstance(default, float):
         default = UNITS[key.about.unit].shown(default)
-    return _Given(exact(default, rounded=True), default=True)
+    return _Given(exact(default, rounded=True), not isinstance(default, str), default=True)
 
 
 def _symbol(about: Quantity) -> Cell:
@@ -202,7 +203,8 @@ class _Tables:
         if given.left_out:
             return Cell("–")
         self.default |= given.default
-        return Cell(f"{given.text} *" if given.default else given.text)
+        text = self.say.number(given.text) if given.number else given.text
+        return Cell(f"{text} *" if given.default else text)
 
 
 def _flat(cls: type | None) -> bool:
@@ -267,13 +269,16 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
     ]
     head = [Column(context.words[kind])]
     for key in numbers:
-        head.append(replace(_column(key.about, context.say), width=52.0))
+        column = _column(key.about, context.say)
+        head.append(replace(column, width=max(52.0, longest(column.header, HEADER))))
     rows: list[Row] = []
     for entry in entries:
         cells: list[str | Cell] = [Cell(entry.name, under=(context.say(Text(entry.source)), NOTE))]
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value
-            cells.append("–" if known is None else context.say(known) if isinstance(known, str) else exact(known, rounded=True))
+            cells.append(
+                "–" if known is None else context.say(known) if isinstance(known, str) else context.say.number(exact(known, rounded=True))
+            )
         rows.append(cells)
     return table(head, rows, gap=6.0)

@@ -95,7 +95,7 @@ def natural(cell: Cell, column: Column) -> float:
     return max(own + (5.0 if column.align == "r" else 0.0), under)
 
 
-def _longest(words: str, style: Style) -> float:
+def longest(words: str, style: Style) -> float:
     """The width of the longest word."""
     return max((run(word, style).width for word in words.split()), default=0.0)
 
@@ -116,8 +116,8 @@ def _widths(columns: Sequence[Column], rows: Sequence[Row], width: float) -> lis
         # Narrow columns keep what they need; the wide ones share the rest, and none is narrower than its longest word, if there is room.
         words = {}
         for i, n in need.items():
-            cells = [_longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style) for r in rows if not isinstance(r, Group)]
-            words[i] = min(n, max(_longest(columns[i].header, HEADER), *cells, 0.0))
+            cells = [longest(_cell(r[i]).words, _cell(r[i]).style or columns[i].style) for r in rows if not isinstance(r, Group)]
+            words[i] = min(n, max(longest(columns[i].header, HEADER), *cells, 0.0))
         whole = words if sum(words.values()) <= free else dict.fromkeys(need, 0.0)
         fair = _fair([n - whole[i] for i, n in need.items()], free - sum(whole.values()))
         need = {i: whole[i] + min(n - whole[i], fair) for i, n in need.items()}
