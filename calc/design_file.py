@@ -206,8 +206,6 @@ class _Reader:
                     return linked(str(value), address)  # a choice that looks like a number, like the property class 8.8
                 if not isinstance(value, str) or (about.choices and value not in about.choices):
                     return self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), about.kind)
-                if not _legible(value):
-                    return self.error(key, _escaped(value), UNSEEN, about.kind)
                 return _keyed(about, value, address)
             case "date":
                 return self.date(about, value, key)
@@ -275,8 +273,6 @@ class _Reader:
         for id, reason in value.items():
             if not isinstance(reason, str) or not reason.strip():
                 self.error(f"{key}.{id}", reason, Text('needs a reason in words, like "seen on the test bench"'))
-            elif not _legible(reason):
-                self.error(f"{key}.{id}", _escaped(reason), UNSEEN)
         return tuple((id, reason.strip()) for id, reason in value.items() if isinstance(reason, str))
 
 
@@ -285,18 +281,6 @@ def is_day(words: str) -> bool:
     with suppress(ValueError):
         return bool(DAY.fullmatch(words) and date.fromisoformat(words))
     return False
-
-
-UNSEEN = Text("has characters that can not be seen, and that a terminal may obey")
-
-
-def _legible(text: str) -> bool:
-    """Whether a text has no control characters; it may have several lines."""
-    return all(letter.isprintable() or letter in "\n\t\u00a0\u202f\u2009" for letter in text)
-
-
-def _escaped(text: str) -> str:
-    return text.encode("unicode_escape").decode("ascii")
 
 
 def _keyed(about: Quantity, value: object, address: str) -> object:

@@ -87,11 +87,3 @@ def test_a_table_stands_for_its_numbers_and_a_hopeless_change_for_nothing():
     found = {e.key: e for e in effects(document, results, [check])[LIMIT]}
     assert any(key.endswith("mass_kg") for key in found) and any(key.endswith("radius_mm") for key in found)
     assert not any(key == "countershaft.masses" for key in found)
-
-
-@pytest.mark.parametrize("key", ["name", "accepted.bearings.front.film_edge"])
-def test_what_a_terminal_would_obey_is_no_text(gamma, key):
-    with pytest.raises(BadInput, match="can not be seen") as caught:
-        design(gamma.with_value(key, "red\x1b[31m"))
-    assert "\x1b" not in str(caught.value)
-    assert design(gamma.with_value("note", "ω, μ and Ø\nin two lines")).note
