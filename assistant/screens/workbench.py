@@ -286,6 +286,9 @@ class Workbench(Screen[None]):
     def show_verdicts(self) -> None:
         self.results_view.show_verdicts()
 
+    def show_picture(self) -> None:
+        self.results_view.show_picture()
+
     def show_written(self) -> None:
         self.results_view.show_written()
 
