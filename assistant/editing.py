@@ -178,9 +178,12 @@ class Editing:
 
         document = self.document
         try:
-            return Plan(document.data, built(document, step, balancing).data)
+            data = built(document, step, balancing).data
         except (BadInput, NoSolution) as error:
             return Plan(document.data, document.data, text_of(error))
+        if step == "countershaft" and data == document.data:
+            return Plan(data, data, Text("the balancing that was chosen has no shaft; the step Imbalance offers others"))
+        return Plan(document.data, data)
 
     def take(self, plan: "Plan") -> Text:
         """Put in what was built, as one step of the undo.  Gives the reason why not, or nothing."""

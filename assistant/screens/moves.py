@@ -11,7 +11,9 @@ from ..route import step_of
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import sorted_checks
 from ..widgets.curve_pane import CurvePane
+from ..widgets.form import Form
 from ..widgets.item_list import ItemList
+from ..widgets.radio import Radio
 from ..widgets.steps import states_of
 from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
@@ -35,9 +37,11 @@ class Moves:
     async def turn_step(self, by: int) -> None:
         host = self._host
         host.app.forget(FIRST)
-        n = host.number - 1 + by
+        n, idle = host.number - 1 + by, isinstance(host.focused, Form)
         if 0 <= n < len(STEPS):
             await host.open_step(STEPS[n])
+            if idle and not self._done and isinstance(next(iter(host.form.stops()), None), Radio):
+                host.form.focus_place(None)  # what is to be chosen stands under the cursor; letters stay keys there
         elif by > 0:
             host.close_route()
         else:

@@ -53,16 +53,24 @@ class Todo(Radio):
         super().__init__(session, step, "todo")
 
     def build(self, width: int) -> list[Item]:
+        from calc.starter.build import hindrance
+
         say = self.app.say
         without = self.session.data.get("without", {})
         reason = without.get(self.step, "") if isinstance(without, dict) else ""
-        offers = ((self.BUILD, Text("{builds}", builds=ROUTE[self.step].builds)), (self.LEAVE, Text("leave it out")))
-        items = []
-        for key, text in offers:
-            said = f"{say(text)}: {reason}" if key == self.LEAVE and reason else say(text)
-            rows = wrap(self.button(bool(reason) and key == self.LEAVE) + said, width - 1, 4)
-            items.append(Item(key, [Content(row) for row in rows], line=said))
-        return items
+        hindered = hindrance(self.session.document, self.step)
+        if hindered:
+            said = say(Text("not built by rules: {why}", why=hindered))
+            rows = [Content.styled(row, "dim") for row in wrap(f"    {said}", width - 1, 4)]
+            items = [Item("", rows, line=said)]
+        else:
+            items = [self._offer(self.BUILD, say(ROUTE[self.step].builds), False, width)]
+        leave = say(Text("leave it out"))
+        return [*items, self._offer(self.LEAVE, f"{leave}: {reason}" if reason else leave, bool(reason), width)]
+
+    def _offer(self, key: str, said: str, on: bool, width: int) -> Item:
+        rows = wrap(self.button(on) + said, width - 1, 4)
+        return Item(key, [Content(row) for row in rows], line=said)
 
     def explained(self) -> tuple[str, str]:
         title, text = super().explained()

@@ -10,7 +10,7 @@ from ..design_file import Document, design
 from ..imbalance.result import ImbalanceResult
 from ..sheet.errors import BadInput, NoSolution
 from ..sheet.quantity import keys
-from ..sheet.text import Text
+from ..sheet.text import EMPTY, Amount, Text
 from ..solve import Results, solve
 from . import balancing as which
 from . import journals, shaft, train
@@ -39,12 +39,31 @@ def built(document: Document, step: str, balancing: str = "") -> Document:
         "imbalance": lambda: _imbalance(document, balancing),
         "countershaft": lambda: _balanced(document, balancing),
         "bearings": lambda: _bearings(document),
-        "gears": lambda: _with(document, train.gears(document, _results(document))),
+        "gears": lambda: _with(document, train.gears(_put(document, {}, ("friction",)), _results(document))),
         "friction": lambda: _with(document, train.friction(document, _results(document))),
     }
     if step not in builders:
         raise NoSolution(Text("the step {step} is not built by rules", step=step))
+    if why := hindrance(document, step):
+        raise NoSolution(why)
+    if step in SHAFT_STEPS[1:]:
+        document = _put(document, {}, (step,))  # one that was left out comes back
     return builders[step]()
+
+
+def hindrance(document: Document, step: str) -> Text:
+    """Why the rules can not build a step for the shaft that the design has, or has not; empty where nothing stands against it."""
+    if step not in SHAFT_STEPS[1:]:
+        return EMPTY
+    if given := as_table(document.data.get("countershaft")):
+        ratio = given.get("speed_ratio", -1)
+        if isinstance(ratio, (int, float)) and ratio != -1:
+            return Text("for a shaft that turns at {ratio} times crank speed no rules are known here", ratio=Amount(ratio, form="g"))
+    elif step == "bearings" or "countershaft" in as_table(document.data.get("without")):
+        return Text("there is no shaft yet: the step Counter-shaft comes first")
+    if step == "friction" and "gears" not in document.data:
+        return Text("there are no wheels yet: the step Gears comes first")
+    return EMPTY
 
 
 def begun(document: Document) -> str:

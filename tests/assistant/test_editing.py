@@ -44,7 +44,7 @@ def test_a_step_that_can_not_be_built_says_why_and_changes_nothing(session: Sess
     for key in ("friction", "bearings", "gears", "countershaft"):
         session.put_table((key,), False)
     before = session.data
-    assert "give [countershaft] first" in session.ask("bearings")
+    assert "the step Counter-shaft comes first" in session.ask("bearings")
     assert session.data is before
 
 

@@ -156,3 +156,22 @@ async def test_the_document_control_is_asked_for_below_the_name(screen: Screen) 
         assert "2026-03-14" in str(session.edit("document.prepared.date", "14.3.2026")) and not session.valid
         assert not session.edit("document.prepared.date", "2026-03-14") and session.valid
         assert b"date = 2026-03-14" in session.bytes() and b'number = "CS-1"' in session.bytes()
+
+
+async def test_a_choice_is_under_the_cursor_after_a_turned_step_and_what_can_not_be_built_is_not_offered(
+    screen: Screen, light: Session
+) -> None:
+    assert not light.ask("countershaft", "none")
+    async with screen() as pilot:
+        await pilot.press("escape", "3", "escape", "f3")
+        await settled(pilot)
+        todo = work(pilot).form.query_one(Todo)
+        assert work(pilot).number == 4 and [item.key for item in todo.items] == ["", Todo.LEAVE]
+        assert "not built by rules: there is no shaft" in rows(pilot)
+
+
+async def test_the_choice_of_a_step_that_was_turned_to_takes_the_next_enter(screen: Screen) -> None:
+    async with screen() as pilot:
+        await pilot.press("escape", "3", "escape", "f3")
+        await settled(pilot)
+        assert work(pilot).number == 4 and pilot.app.focused is work(pilot).form.query_one(Todo)

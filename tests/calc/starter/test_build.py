@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Steps that are missing are built by rules: from an own engine to ready, around what is there, and with reasons where nothing fits."""
 
+import re
 import time
+from dataclasses import replace
 from functools import reduce
 
 import pytest
@@ -11,7 +13,7 @@ from calc.design_file import Document, design, read
 from calc.sheet.errors import NoSolution
 from calc.shipped import DESIGNS, _rows
 from calc.solve import Results, solve
-from calc.starter.build import APART, built, choice_made
+from calc.starter.build import APART, built, choice_made, hindrance
 
 DIESEL: Table = {
     "name": "own inline three", "layout": "inline", "cylinders": 3, "strokes": 4, "bore_mm": 95.0, "crank_radius_mm": 55.0,
@@ -113,14 +115,32 @@ def test_a_pair_is_designed_without_bearings_and_train() -> None:
     assert open_findings(solved(pair)) == []
 
 
+@pytest.mark.parametrize("step", STEPS[1:])
+def test_a_step_that_was_left_out_is_built_after_all(step: str) -> None:
+    before = reduce(built, STEPS[: STEPS.index(step)], built(alone(DIESEL), "imbalance"))
+    left = dict.fromkeys(STEPS[STEPS.index(step) :], "bought in")
+    document = built(replace(before, data={**before.data, "without": left}), step)
+    assert step in document.data and set(document.data.get("without", {})) == set(left) - {step}  # type: ignore[call-overload]
+
+
+@pytest.mark.parametrize(("engine", "balancing"), [("inline-4", "second"), ("v6-60", "half"), ("twin-360", "pair")])
+def test_what_can_not_be_built_for_a_balancing_is_said_in_words(engine: str, balancing: str) -> None:
+    document = built(alone(shipped(engine)), "countershaft", balancing)
+    for step in STEPS[1:]:
+        why = str(hindrance(document, step))
+        assert why and "[" not in why
+        with pytest.raises(NoSolution, match=re.escape(why)):
+            built(document, step)
+
+
 def test_what_can_not_be_built_says_why() -> None:
     with pytest.raises(NoSolution, match="nothing to take"):
         built(alone(shipped("inline-6")), "countershaft", "shaft")
     with pytest.raises(NoSolution, match="mirror image"):
         built(alone(shipped("v8-flat")), "countershaft", "second")
-    with pytest.raises(NoSolution, match=r"give \[countershaft\] first"):
+    with pytest.raises(NoSolution, match="the step Counter-shaft comes first"):
         built(alone(DIESEL), "bearings")
-    with pytest.raises(NoSolution, match=r"give \[gears\] first"):
+    with pytest.raises(NoSolution, match="the step Gears comes first"):
         built(alone(DIESEL), "friction")
 
 
