@@ -31,6 +31,7 @@ class Beginning:
     about: Text | str = EMPTY
     size: Text = EMPTY
     edited: bool = False
+    words: str = ""  # what else finds it
 
     @property
     def key(self) -> str:
@@ -39,7 +40,10 @@ class Beginning:
 
 def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list[Beginning]]]:
     """All ways to begin, under their headings; for a file that is not there, those that make it."""
-    made = [Beginning("engine", id, engine.name, engine.what, _size(engine_table(id))) for id, engine in engines().items()]
+    made = [
+        Beginning("engine", id, engine.name, engine.what, _size(engine_table(id)), words=_words(engine_table(id)))
+        for id, engine in engines().items()
+    ]
     begin = (Text("Begin with an engine"), made)
     example = Beginning("example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why"))
     if missing is not None:
@@ -69,6 +73,12 @@ def shown(folder: Path) -> str:
 def _size(engine: dict[str, Any]) -> Text:
     bore, stroke = float(engine["bore_mm"]), 2 * float(engine["crank_radius_mm"])
     return Text("{bore} × {stroke}", bore=Amount(bore, form="g"), stroke=Amount(stroke, "mm", form="g"))
+
+
+def _words(engine: dict[str, Any]) -> str:
+    """What an engine is called beside its name: any of them may become one's own, of either fuel."""
+    parallel = "parallel twin" if (engine["layout"], engine["cylinders"]) == ("inline", 2) else ""
+    return f"own new engine diesel petrol gasoline {engine['layout']} {engine['cylinders']} cylinders {parallel}"
 
 
 def own_file(id: str, folder: Path) -> Path:

@@ -29,6 +29,10 @@ from .new_dialog import begin_with
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
+NOTHING = Text(
+    "Nothing is called so. For an engine of your own begin with one that has its layout: every number of it can be replaced. "
+    "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
+)
 SPACES = 3  # cells before a row
 TITLE, SIZE = 20, 17  # cells of the columns
 
@@ -126,12 +130,12 @@ class Start(Screen[None]):
         )
         self.ways.highlighted = self._rows.index(before) if stays else first
         if not options:
-            self.query_one(BeginDetail).tell(Text("Nothing is called so."))
+            self.query_one(BeginDetail).tell(NOTHING)
 
     def _found(self, words: list[str], rows: list[Beginning]) -> "Iterator[tuple[float, Beginning]]":
         say = self.app.say
         for row in rows:
-            score, _ = match(words, row.title, folded(f"{say(row.about)} {row.about} {row.id}"))
+            score, _ = match(words, row.title, folded(f"{say(row.about)} {row.about} {row.id} {row.words}"))
             if score:
                 yield score, row
 

@@ -107,3 +107,12 @@ async def test_the_language_changes_while_it_stands(memory: Memory) -> None:
         await app.speak("it")
         await strike(pilot, *"boxer")
         assert start(pilot).here is not None and start(pilot).here.id.startswith("boxer")  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize(("words", "engine"), [("own", ""), ("own inline 3", "inline-3"), ("parallel twin", "twin-360"), ("diesel", "")])
+async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory, words: str, engine: str) -> None:
+    async with ContralberoApp(None, memory=memory).run_test(size=(120, 40)) as pilot:
+        await type_in(pilot, words)
+        found = [row for row in start(pilot)._rows if row is not None]
+        assert found and all(row.kind == "engine" for row in found)
+        assert not engine or engine in {row.id for row in found}
