@@ -184,17 +184,20 @@ class Session(Editing):
 
     # --- solving
     def job(self) -> Job | None:
-        """What is to be solved now; None where the input is not valid or the results are up to date."""
-        if not self.valid or self.solved == self.generation:
+        """What is to be solved now; None where the results are up to date, or the input is not valid: then the last valid one counts,
+        which is solved if it never was."""
+        first = self.results is None and not self.failure
+        if self.solved == self.generation or not (self.valid or first):
             return None
         asked = self.generation
         return Job(asked, self.design, self.results, stop=lambda: self.generation != asked)
 
     def accept(self, answer: Answer) -> bool:
         """Take over what a solve gave; an answer to an older question is dropped."""
-        if answer.generation != self.generation or self.errors:
+        if answer.generation != self.generation or (self.errors and self.results is not None):
             return False
-        self.solved = answer.generation
+        if not self.errors:
+            self.solved = answer.generation
         self.failure = answer.failure
         if answer.results is not None:
             self.results, self.seconds = answer.results, answer.seconds

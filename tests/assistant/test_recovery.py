@@ -16,7 +16,7 @@ from assistant.screens.edit_feedback import KEEP
 from assistant.session import EXAMPLE, Session
 from calc.sheet.errors import BadInput
 
-from .conftest import Screen
+from .conftest import NOON, Screen
 from .driving import go_to, type_in, until
 
 BORE = "engine.bore_mm"
@@ -323,3 +323,19 @@ def test_settings_that_can_not_be_kept_stop_nothing(tmp_path: Path) -> None:
     memory.set_setting("theme", "nord")
     memory.remember(tmp_path / "a.toml")
     assert memory.settings() == Settings() and memory.recent() == []
+
+
+@pytest.mark.parametrize("text", ["hello", "99999"])
+def test_a_session_that_begins_with_an_entry_that_is_not_accepted_has_the_results_of_the_last_valid_input(
+    design: Path, memory: Memory, text: str
+) -> None:
+    first = Session.open(design, memory=memory, now=lambda: NOON)
+    first.edit(first.place("engine.rod_length_mm"), text)
+    first.autosave()
+    again = Session.open(design, memory=memory, now=lambda: NOON)
+    assert again.text("engine.rod_length_mm") == text and not again.valid
+    again.solve()
+    assert again.results is not None and again.job() is None and not again.current
+    assert again.undo() is not None
+    again.solve()
+    assert again.current
