@@ -14,6 +14,7 @@ from textual import events
 from textual.await_complete import AwaitComplete
 from textual.binding import Binding, BindingType
 from textual.screen import ModalScreen, Screen
+from textual.timer import Timer
 
 from calc.languages import language
 from calc.sheet.errors import BadInput
@@ -65,6 +66,7 @@ class ContralberoApp(BaseApp):
             self.theme = settings.theme
         self._theme_kept = self.theme
         self._held: list[events.Key] | None = None
+        self._hold: Timer | None = None  # ends their wait at the latest
 
     def on_mount(self) -> None:
         if self.key_map:
@@ -156,7 +158,7 @@ class ContralberoApp(BaseApp):
             opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
             if opens or (event.key == "enter" and getattr(self.screen, "HOLDS", False)):
                 self._held = []
-                self.set_timer(HELD, self.release)
+                self._hold = self.set_timer(HELD, self.release)
         await super().on_event(event)
 
     def _keys(self, id: str) -> list[str]:
@@ -164,6 +166,8 @@ class ContralberoApp(BaseApp):
         return (self.key_map.get(id) or BY_ID[id].keys).split(",")
 
     def release(self) -> None:
+        if self._hold is not None:
+            self._hold.stop()  # or it would end the wait of other keys
         held, self._held = self._held, None
         for event in held or ():
             self.post_message(event)
