@@ -125,7 +125,7 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         monkeypatch.setattr(pilot.app, "copy_to_clipboard", copied.append)
         await go_to(pilot, "engine.crank_radius_mm")
         await type_in(pilot, "54")
-        await strike(pilot, "escape")
+        await strike(pilot, "enter", "escape")
         await strike(pilot, "=")
         await asked(pilot)
         await strike(pilot, "enter")
