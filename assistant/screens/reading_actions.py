@@ -70,15 +70,16 @@ class ReadingActions:
         results, focused = host.session.results, host.focused
         if results is None or not isinstance(focused, ItemList):
             return {}
-        lines = results.outcomes[host.step.key].lines
+        lines = page.whole.lines if page is not None else ()
         if isinstance(focused, Checks):
             check = next((c for c in results.checks() if c.id == focused.key), None)
             if check is None:
                 return {}
             index = page.sheet.line_of.get(check.id) if page is not None else None
             return {"check": check} | ({"line": lines[index]} if index is not None else {})
-        if isinstance(focused, Calculation) and "." in focused.key and page is not None:  # else those are lines of older results
-            return {"line": lines[int(focused.key.partition(".")[2]) - 1]}
+        if isinstance(focused, Calculation) and page is not None:  # else those are lines of older results, as they are without a row to see
+            numbers = [entry.number for entry in page.sheet.entries]
+            return {"line": lines[numbers.index(focused.key)]} if focused.key in numbers else {}
         if isinstance(focused, TableList) and focused.table is not None and focused.table.id == VALUES:
             return {"value": focused.table.rows[int(focused.key.rpartition(" ")[2])][-1]}
         if focused.key in host.session.values():
