@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The screens as they are seen: each is a plain text file in `__snapshots__/`, to be read by whoever reviews a change.
+"""The screens as they are seen, few of them: each is a plain text file in `__snapshots__/`, to be read by whoever reviews a change.
 
 Where a screen is meant to change, `pytest tests/assistant/test_snapshots.py --snapshot-update` writes them anew; then read what `git diff` shows.
 """
 
-from collections.abc import AsyncIterator, Callable, Iterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import AbstractAsyncContextManager, asynccontextmanager
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -18,25 +19,28 @@ from textual.pilot import Pilot
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory, Settings
 from assistant.screens import background_solve, edit_feedback
-from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
+from assistant.screens.new_dialog import NewDialog
+from assistant.screens.ready import ReadyScreen
+from assistant.screens.remedies import Remedies
 from assistant.screens.selection import Choosing
+from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
 from assistant.session import EXAMPLE, Session
-from assistant.sheets import Sheet, sheet
 from assistant.solving import Answer
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from calc.design import STEPS
-from calc.repair import remedy as remedies
+from calc.repair.remedy import remedy
+from calc.solve import Results
 
 from .conftest import NOON
-from .driving import at_rest, go_to, screen_rows, strike, type_in, until, work
+from .driving import at_rest, screen_rows, strike, until, work
 from .test_curves import drawn
 
-BY_SIZE = pytest.mark.parametrize("size", [(120, 40), (80, 24)], ids=lambda size: f"{size[0]}x{size[1]}")
 SECONDS = 0.64  # that a solve is said to take
-pytestmark = pytest.mark.usefixtures("calculations")
+SIZED = EXAMPLE.with_name("r753ie4_sized.toml")
+FIRST_FAILING = "bearings.front.film_edge"
 
 
 class Screens(SingleFileSnapshotExtension):
@@ -51,48 +55,38 @@ def seen(snapshot: SnapshotAssertion) -> SnapshotAssertion:
     return snapshot.use_extension(Screens)
 
 
-# --- the example, solved once
-@pytest.fixture(scope="module")
-def solved_once(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
-    """The results of the shipped example, and the remedies of the steps that fail."""
-    session = Session.open(EXAMPLE, memory=Memory(tmp_path_factory.mktemp("once")))
+# --- a design, solved once
+@cache
+def solved_once(path: Path) -> Results:
+    session = Session.open(path, memory=Memory(path.parent / "nowhere"))
     session.solve()
     assert session.results is not None
-    outcomes = session.results.outcomes
-    found = {s.key: remedies.remedy(session.document, s.key, session.results) for s in STEPS if outcomes[s.key].verdict == "fail"}
-    yield session.results, found
+    return session.results
 
 
-@pytest.fixture(scope="module")
-def calculations() -> Iterator[None]:
-    """The calculations of the example are written out once in each language."""
-    made: dict[tuple[int, str], tuple[Any, Sheet]] = {}
-
-    def once(outcome: Any, number: int, say: Any, stop: Any) -> Sheet:
-        if (id(outcome), say.code) not in made:
-            made[id(outcome), say.code] = outcome, sheet(outcome, number, say)
-        return made[id(outcome), say.code][1]
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("assistant.sheets.sheet", once)
-        yield
+@cache
+def remedy_once(path: Path, step: str) -> Any:
+    return remedy(Session.open(path, memory=Memory(path.parent / "nowhere")).document, step, solved_once(path))
 
 
 Opened = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
 
 
 @pytest.fixture
-def opened(solved_once: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
-    """Opens a step of the example, which is solved; with a clock that stands, and a solve that always takes as long."""
-    results, found = solved_once
+def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
+    """Opens a step of a shipped design, which is solved; with a clock that stands, and a solve that always takes as long."""
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
-    monkeypatch.setattr("calc.repair.remedy.remedy", lambda document, step, results, progress: found[step])
 
     @asynccontextmanager
-    async def opened(step: int, size: tuple[int, int], **options: Any) -> AsyncIterator[Pilot[int]]:
-        session = Session.open(EXAMPLE, memory=Memory(tmp_path / "state"), now=lambda: NOON)
-        assert session.accept(Answer(session.generation, results, SECONDS))
+    async def opened(step: int, size: tuple[int, int], path: Path = EXAMPLE, **options: Any) -> AsyncIterator[Pilot[int]]:
+
+        def known(document: Any, step: str, results: Any, progress: Any, **rest: Any) -> Any:
+            return remedy(document, step, results, progress, **rest) if rest else remedy_once(path, step)
+
+        monkeypatch.setattr("calc.repair.remedy.remedy", known)
+        session = Session.open(path, memory=Memory(tmp_path / "state"), now=lambda: NOON)
+        assert session.accept(Answer(session.generation, solved_once(path), SECONDS))
         app = ContralberoApp(session, **options)
         bench = app.get_default_screen()
         assert isinstance(bench, Workbench)
@@ -120,6 +114,15 @@ async def still(pilot: Pilot[int]) -> None:
     await at_rest(pilot)
 
 
+async def to_failing(pilot: Pilot[int]) -> Checks:
+    """To the first finding that fails, told in full."""
+    await strike(pilot, "f7")
+    checks = work(pilot).query_one(Checks)
+    await until(pilot, lambda: checks.key == FIRST_FAILING and FIRST_FAILING in checks.slopes)
+    await still(pilot)
+    return checks
+
+
 def picture(pilot: Pilot[int]) -> str:
     """The screen as text, without the blanks at the end of its rows; a row that is longer or shorter than the screen is a fault of itself."""
     found = screen_rows(pilot)
@@ -137,86 +140,123 @@ async def over(pilot: Pilot[int], key: str, kind: type[Any]) -> Any:
 
 
 # --- what is seen
-@BY_SIZE
-@pytest.mark.parametrize("number", range(1, 7), ids=lambda n: f"{n}-{STEPS[n - 1].key}")
-async def test_step(opened: Opened, seen: SnapshotAssertion, size: tuple[int, int], number: int) -> None:
-    async with opened(number, size) as pilot:
+async def test_start(seen: SnapshotAssertion, tmp_path: Path) -> None:
+    """The engines to begin with, and what the one under the cursor is; nothing is recent."""
+    async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
+        await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
+        await strike(pilot, *"inline 3")
+        await at_rest(pilot)
         assert picture(pilot) == seen
 
 
-@BY_SIZE
-async def test_help_views_and_explanation(opened: Opened, seen: SnapshotAssertion, size: tuple[int, int]) -> None:
-    """Help on a field; the panes that a narrow screen shows one at a time; and where the number of the worst check comes from."""
-    async with opened(4, size) as pilot:
+async def test_imbalance_of_a_new_design(seen: SnapshotAssertion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The one question of the step, what each answer leaves, and its picture."""
+    monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
+    monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)
+    monkeypatch.chdir(tmp_path)
+    async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
+        await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
+        await strike(pilot, *"inline 3", "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, NewDialog) and pilot.app.screen.focused is not None)
+        await strike(pilot, "enter")
+        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).stands and work(pilot).session.current)
+        await strike(pilot, "f3")
+        await still(pilot)
+        work(pilot).session.seconds = SECONDS
+        work(pilot).refresh_top_line()
+        await at_rest(pilot)
+        assert picture(pilot) == seen
+
+
+async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
+    """The first finding that fails, told in full below the films in their gaps."""
+    async with opened(4, (120, 40)) as pilot:
+        await to_failing(pilot)
+        assert picture(pilot) == seen
+
+
+async def test_gears_on_a_narrow_screen(opened: Opened, seen: SnapshotAssertion) -> None:
+    async with opened(5, (80, 24)) as pilot:
+        await strike(pilot, "f4", "f4")
+        await still(pilot)
+        assert picture(pilot) == seen
+
+
+async def test_ready(opened: Opened, seen: SnapshotAssertion) -> None:
+    async with opened(6, (120, 40), SIZED) as pilot:
+        await over(pilot, "f3", ReadyScreen)
+        await at_rest(pilot)
+        assert picture(pilot) == seen
+
+
+async def test_remedies(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("assistant.screens.remedies.SECONDS", 1000.0)  # however slow the machine is, all are found
+    async with opened(4, (120, 40)) as pilot:
+        await to_failing(pilot)
+        shown = await over(pilot, "f5", Remedies)
+        await until(pilot, lambda: not shown.searching)
+        await at_rest(pilot)
+        assert picture(pilot) == seen
+
+
+async def test_help(opened: Opened, seen: SnapshotAssertion) -> None:
+    async with opened(4, (80, 24)) as pilot:
         await over(pilot, "f1", HelpScreen)
-        assert picture(pilot) == seen(name=f"help {size[0]}")
-        await strike(pilot, "escape")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
-        for view in ("checks", "calculation", "curve") if size[0] < 100 else ():
-            await strike(pilot, "f4")
-            await still(pilot)
-            assert picture(pilot) == seen(name=f"{view} {size[0]}")
-        await strike(pilot, "f7")
-        await over(pilot, "enter", Explain)
-        assert picture(pilot) == seen(name=f"explain {size[0]}")
+        await at_rest(pilot)
+        assert picture(pilot) == seen
 
 
-@BY_SIZE
-async def test_choosing_and_a_mistake(opened: Opened, seen: SnapshotAssertion, size: tuple[int, int]) -> None:
-    """The firing orders, with what the first would do to all steps; and an entry that is not accepted."""
-    async with opened(1, size) as pilot:
+async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion) -> None:
+    """The firing orders, with what the first would do to all steps."""
+    async with opened(1, (120, 40), ascii=True) as pilot:
         shown = await over(pilot, "ctrl+t", Choosing)
         await until(pilot, lambda: bool(shown.previews))
-        await pilot.pause()
-        assert picture(pilot) == seen(name=f"choose {size[0]}")
-        await strike(pilot, "escape")
-        await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
-        await go_to(pilot, "engine.bore_mm")
-        await type_in(pilot, "-9")
-        await until(pilot, lambda: "last valid input" in picture(pilot))
-        await still(pilot)
-        assert picture(pilot) == seen(name=f"not valid {size[0]}")
+        await at_rest(pilot)
+        assert picture(pilot) == seen
 
 
 async def test_in_italian(opened: Opened, seen: SnapshotAssertion) -> None:
-    async with opened(1, (80, 24), settings=Settings(language="it")) as pilot:
+    async with opened(4, (80, 24), settings=Settings(language="it")) as pilot:
         assert picture(pilot) == seen
 
 
-async def test_plain_signs(opened: Opened, seen: SnapshotAssertion) -> None:
-    async with opened(3, (120, 40), ascii=True) as pilot:
-        assert picture(pilot) == seen
-
-
-async def test_too_small_a_terminal(opened: Opened, seen: SnapshotAssertion) -> None:
-    async with opened(1, (44, 12)) as pilot:
+async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion) -> None:
+    async with opened(3, (200, 60)) as pilot:
         assert picture(pilot) == seen
 
 
 # --- colours only help
 async def test_verdicts_are_told_without_colours(opened: Opened, monkeypatch: pytest.MonkeyPatch) -> None:
     """With NO_COLOR every cell is grey, and the same is read; but for curves, whose lines are then told apart by their pattern."""
-    monkeypatch.setenv("NO_COLOR", "1")
-    async with opened(4, (120, 40)) as pilot:
-        bench, signs = work(pilot), pilot.app.signs  # type: ignore[attr-defined]
-        colours = [colour for strip in pilot.app.screen._compositor.render_strips() for _, style, _ in strip if style is not None
-                   for colour in (style.color, style.bgcolor) if colour is not None and not colour.is_default]  # fmt: skip
-        assert colours and all(len({*colour.get_truecolor()}) == 1 for colour in colours)
+    shown = []
+    for plain in (False, True):
+        if plain:
+            monkeypatch.setenv("NO_COLOR", "1")
+        async with opened(4, (200, 60)) as pilot:
+            checks = await to_failing(pilot)
+            curve, rows = work(pilot).query_one(CurvePane).region, picture(pilot).splitlines()
+            for y in range(curve.y, curve.bottom):
+                rows[y] = rows[y][: curve.x] + rows[y][curve.right :]
+            shown.append(rows)
+            if plain:
+                _grey(pilot)
+                _signed(checks)
+    assert shown[0] == shown[1]
 
-        assert bench.session.results is not None
-        checks = {check.id: check.verdict for check in bench.session.results.outcomes["bearings"].checks}
-        assert {*checks.values()} >= {"fail", "warn", "note", "pass"}
-        listed = bench.query_one(Checks)
-        for id in checks:
-            listed.go_to(id)  # which unfolds it
-        shown = {item.key: item.rows[0].plain for item in listed.items if "." in item.key}
-        assert shown.keys() == checks.keys()
-        for id, row in shown.items():
-            assert row.startswith(f"{signs.mark(checks[id])} "), row
 
-        file = Path(__file__).parent / "__snapshots__" / "test_snapshots" / "test_step[4-bearings-120x40].txt"
-        coloured = file.read_text(encoding="utf-8")
-        curve = bench.query_one(CurvePane).region
-        for y, (with_colours, without) in enumerate(zip(coloured.splitlines(), picture(pilot).splitlines(), strict=True)):
-            room = curve.x if curve.y <= y < curve.bottom else None
-            assert without[:room].rstrip() == with_colours[:room].rstrip()
+def _grey(pilot: Pilot[int]) -> None:
+    colours = [colour for strip in pilot.app.screen._compositor.render_strips() for _, style, _ in strip if style is not None
+               for colour in (style.color, style.bgcolor) if colour is not None and not colour.is_default]  # fmt: skip
+    assert colours and all(len({*colour.get_truecolor()}) == 1 for colour in colours)
+
+
+def _signed(checks: Checks) -> None:
+    """Every check begins with the sign of its verdict."""
+    verdicts = {check.id: check.verdict for check in solved_once(EXAMPLE).outcomes["bearings"].checks}
+    assert {*verdicts.values()} >= {"fail", "warn", "note", "pass"}
+    for id in verdicts:
+        checks.go_to(id)  # which unfolds it
+    told = {item.key: item.rows[0].plain for item in checks.items if "." in item.key}
+    assert told.keys() == verdicts.keys()
+    for id, row in told.items():
+        assert row.startswith(f"{checks.app.signs.mark(verdicts[id])} "), row
