@@ -44,9 +44,7 @@ def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ())
     owners = [key if any(key == step.key for step in STEPS) else STEPS[0].key for key in owners]
     left_out = as_table(data.get("without"))
     outcomes: Mapping[str, Outcome[object]] = results.outcomes if results is not None else {}
-    return tuple(
-        _state(step.key, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS
-    )
+    return tuple(_state(step.key, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
 
 
 def ready(states: Iterable[StepState]) -> bool:
