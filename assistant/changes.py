@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """Changes of a design as `--set` takes them, KEY=VALUE: made all together, and told in words."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from calc.addresses import parse_assignment, quantity_of, value_at
 from calc.design_file import Document
 from calc.locks import locked
 from calc.sheet.errors import BadInput
+from calc.sheet.quantity import Quantity
 from calc.sheet.text import EMPTY, SEMICOLON, Amount, Name, Part, Text
 
 
@@ -21,30 +22,37 @@ def applied(document: Document, changes: Iterable[str]) -> Document:
 def told(document: Document, changes: Iterable[str]) -> Text:
     """What each change does: "Length bearings.front.length_mm 27.5 → 34 mm"; those that change nothing are left out."""
     texts = []
-    for key, value in map(parse_assignment, changes):
-        try:
-            about, before = quantity_of(document.data, key), value_at(document.data, key)
-        except BadInput:  # the key of an element that is only made by these changes
+    for key, value, there in _different(document, changes):
+        if there is None:
             texts.append(Text("{key} {value}", key=key, value=_part(value)))
             continue
-        if before != value:
-            texts.append(
-                Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
-            )
+        about, before = there
+        texts.append(
+            Text("{label} ({key}) {before} → {value}", label=about.label, key=key, before=_part(before), value=_part(value, about.unit))
+        )
     return SEMICOLON.join(texts)
 
 
 def locked_text(document: Document, changes: Iterable[str]) -> Text:
     """`changes what is locked: Oil (bearings.oil): the oil is the engine's`; empty where nothing of it is."""
-    texts = []
+    texts = [
+        Text("{label} ({key}): {reason}", label=there[0].label, key=key, reason=reason)
+        for key, _, there in _different(document, changes)
+        if there is not None and (reason := locked(document.data, key))
+    ]
+    return Text("changes what is locked: {inputs}", inputs=SEMICOLON.join(texts)) if texts else EMPTY
+
+
+def _different(document: Document, changes: Iterable[str]) -> Iterator[tuple[str, Any, tuple[Quantity, object] | None]]:
+    """Keys with their new values, each with its description and the value before; None of an element that only the changes make."""
     for key, value in map(parse_assignment, changes):
         try:
-            about, before = quantity_of(document.data, key), value_at(document.data, key)
-        except BadInput:  # the key of an element that is only made by these changes
+            there = quantity_of(document.data, key), value_at(document.data, key)
+        except BadInput:
+            yield key, value, None
             continue
-        if before != value and (reason := locked(document.data, key)):
-            texts.append(Text("{label} ({key}): {reason}", label=about.label, key=key, reason=reason))
-    return Text("changes what is locked: {inputs}", inputs=SEMICOLON.join(texts)) if texts else EMPTY
+        if there[1] != value:
+            yield key, value, there
 
 
 def _part(value: Any, unit: str = "") -> Part:

@@ -16,11 +16,8 @@ from calc.sheet.drawing import Sketch
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
-from .signs import Signs
 
 if TYPE_CHECKING:
-    from calc.engine.inputs import EngineInputs
-    from calc.languages import Language
     from calc.solve import Results
 
 STEP, PRESSED = 20, 10  # degrees that the crank turns by itself at a time, and by a key
@@ -108,15 +105,3 @@ def sketch_of(step: str, design: Design | None, results: "Results | None", angle
     make: Callable[..., Sketch] = import_module(f"calc.{step}.sketch").sketch
     sketch = make(design, results)
     return make(design, results, angle=angle) if sketch.turning and angle else sketch
-
-
-def icon_lines(engine: "EngineInputs", columns: int, rows: int, signs: Signs, say: "Language") -> Content:
-    """Crank and banks of an engine in a few cells, for a list of engines; nothing where they cannot be drawn."""
-    from calc.engine.sketch import icon
-
-    from ..canvas import draw
-
-    try:
-        return draw(icon(engine), columns, rows, signs, say)
-    except (ArithmeticError, ValueError):
-        return Content("\n" * (rows - 1))

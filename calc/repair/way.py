@@ -107,6 +107,8 @@ def _open_still(after: State, group: tuple[Check, ...]) -> tuple[Check, ...]:
 def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> Text:
     if quality == NEAR and left:
         worst = left[0]
+        if worst.id != group[0].id:
+            return Text("still open: {checks}", checks=worst.name)
         return Text("comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text())
     if left:
         return plural("passes as given; {n} is still open", "passes as given; {n} are still open", n=len(left))

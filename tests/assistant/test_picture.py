@@ -5,12 +5,14 @@ import pytest
 from textual.app import ComposeResult
 
 from assistant.base_app import BaseApp
+from assistant.canvas import draw
 from assistant.recovery import Memory
 from assistant.session import Session
 from assistant.widgets import picture
-from assistant.widgets.picture import Picture, icon_lines
+from assistant.widgets.picture import Picture
 from assistant.widgets.signs import Signs
 from calc.design_file import load
+from calc.engine.sketch import icon
 from calc.languages import language
 from calc.shipped import engine_inputs, engines
 from calc.solve import solve
@@ -97,7 +99,6 @@ async def test_it_turns_by_itself_only_with_the_focus_and_animations(shown, gamm
 
 @pytest.mark.parametrize("name", engines())
 def test_every_shipped_engine_has_its_icon(name):
-    icon = icon_lines(engine_inputs(name), 16, 5, Signs(), language("en"))
-    lines = icon.plain.split("\n")
+    lines = draw(icon(engine_inputs(name)), 16, 5, Signs(), language("en")).plain.split("\n")
     assert [len(line) for line in lines] == [16] * 5
     assert sum(letter != " " for line in lines for letter in line) > 15
