@@ -53,11 +53,11 @@ def _within(place: tuple[str | int, ...], outer: tuple[str | int, ...]) -> bool:
 
 
 def toggled(data: Table, key: str, reason: str) -> Table:
-    """The tables with a key locked, or unlocked where it was."""
+    """The tables with a key locked, or unlocked where it was: then the locks that hold it go, that of its table too."""
     now, place = dict(locks(data)), _place(data, key)
-    inside = [one for one in now if _within(place, _place(data, one))]
-    for one in inside:
+    holding = [one for one in now if _within(place, _place(data, one))]
+    for one in holding:
         del now[one]
-    if not inside:
+    if not holding:
         now[key] = reason
     return {**data, "locked": now}

@@ -20,6 +20,7 @@ from textual.worker import get_current_worker
 from calc.design import STEPS
 from calc.languages import Language
 from calc.repair.way import Way, ranked
+from calc.repair.words import named
 from calc.sheet.check import Check
 from calc.sheet.errors import Cancelled
 from calc.sheet.text import EMPTY, Amount, Text
@@ -231,14 +232,15 @@ class Remedies(Once, ModalScreen[Way | None]):
             self.dismiss(way)
 
     def action_lock(self) -> None:
-        """Lock what the row changes, or unlock it, and search anew."""
+        """Lock the input that the row changes, of several the first, or unlock it, and search anew."""
         way = self.way
         if way is None:
             return
         key = way.keys[0]
         self.session.toggle_lock(key)
         locked = bool(self.session.lock_reason(key))
-        self.app.tell(Text("{kind}: locked", kind=way.kind) if locked else Text("{kind}: may be changed again", kind=way.kind))
+        what = named(self.session.document, key)
+        self.app.tell(Text("{input}: locked", input=what) if locked else Text("{input}: may be changed again", input=what))
         self._begin()
 
     def action_copy(self) -> None:

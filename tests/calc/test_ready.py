@@ -65,6 +65,20 @@ def test_a_design_is_ready_when_nothing_is_open(gamma: tuple[Document, Results])
         assert ready(readiness(data, of_pair)) is expected
 
 
+def test_a_caution_that_can_not_be_judged_is_a_caution_and_decides_nothing(gamma: tuple[Document, Results]) -> None:
+    _, results = gamma
+    fails = next(check for check in results.outcomes["bearings"].checks if check.verdict == "fail")
+    limit = replace(fails, missing=("bearings.housing_material",))
+    caution = replace(limit, kind="caution")
+    for check, state in ((limit, "not_verified"), (caution, "warn")):
+        alone = Results(results.design, {**results.outcomes, "bearings": replace(results.outcomes["bearings"], checks=(check,))})
+        assert words({"schema": 1, "bearings": {}}, alone)["bearings"][0] == state
+    wide = replace(fails, value=10 * fails.nearest[1], id="bearings.front.film_edge")
+    both = replace(results.outcomes["bearings"], checks=(replace(caution, cause="a", id="bearings.front.heat"), wide))
+    told = headline(Results(results.design, {**results.outcomes, "bearings": both}), "bearings")
+    assert told is not None and told.check is wide
+
+
 def test_a_mistake_outside_the_steps_keeps_a_design_from_being_ready(gamma: tuple[Document, Results]) -> None:
     _, results = gamma
     data = {"schema": 1, "gears": {}}

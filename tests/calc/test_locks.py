@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Inputs that the program may not change."""
+
+import pytest
+
+from calc.design_file import Document, read
+from calc.locks import locked, locks, standing, toggled
+from calc.shipped import EXAMPLE
+
+
+@pytest.fixture(scope="module")
+def gamma() -> Document:
+    return read(EXAMPLE)
+
+
+def test_the_oil_is_locked_until_the_design_says_otherwise(gamma: Document) -> None:
+    assert locked(gamma.data, "bearings.oil") and locked(gamma.data, "measured.0.value")
+    assert not locked(gamma.data, "bearings.front.length_mm")
+    assert not locked({**gamma.data, "locked": {}}, "bearings.oil")
+    assert "friction.oil" in locks(gamma.data) and "friction.oil" not in standing(gamma.data)  # that of the bearings is used
+
+
+def test_a_table_locks_what_stands_in_it_and_is_unlocked_from_there(gamma: Document) -> None:
+    data = toggled(gamma.data, "bearings.front", "the casting is there")
+    assert locked(data, "bearings.front.length_mm") == "the casting is there" and locked(data, "bearings.oil")
+    assert not locked(data, "bearings.rear.length_mm") and not locked(data, "bearings.front_load_N")
+    assert not locked(toggled(data, "bearings.front.length_mm", "no matter"), "bearings.front.length_mm")
+
+
+def test_an_element_is_locked_by_its_name_and_by_its_place(gamma: Document) -> None:
+    name = str(gamma.data["gears"]["wheels"][1]["name"])
+    data = toggled(gamma.data, f"gears.wheels.{name}.teeth", "the wheel is bought")
+    assert locked(data, "gears.wheels.1.teeth") == "the wheel is bought" and not locked(data, "gears.wheels.0.teeth")
