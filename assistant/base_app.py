@@ -4,18 +4,23 @@
 `app.ContralberoApp` adds the screens.  Widgets and dialogs annotate `app: BaseApp` and so need not import the screens that hold them.
 """
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from textual.app import App
+from textual.filter import LineFilter
 from textual.notifications import SeverityLevel
 
 from calc.languages import LANGUAGES, language
 from calc.sheet.text import EMPTY, Text
 
 from .actions import BY_ID, OLD_IDS, key_name
+from .legible import Legible
 from .recovery import Memory, Settings
 from .session import Session
 from .widgets.signs import Signs
+
+LEGIBLE = Legible()
 
 
 class BaseApp(App[int]):
@@ -43,6 +48,9 @@ class BaseApp(App[int]):
         self.writing = EMPTY  # a file that is being written, and how far it is
         self.struck = 0.0  # when the last key was struck, by `time.monotonic`
         self.guiding = settings.guide  # each form begins with what is to be decided in its step
+
+    def get_line_filters(self) -> Sequence[LineFilter]:
+        return [*super().get_line_filters(), LEGIBLE]
 
     @property
     def session(self) -> Session:

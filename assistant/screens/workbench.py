@@ -80,9 +80,7 @@ class Workbench(Screen[None]):
         self.closing = ReadyActions(self, self.files)
         self.building = Building(self, self.moves)
         self.results_view = ResultsView(self, self.background, self.slopes)
-        self._actions = methods(
-            self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing
-        )  # fmt: skip
+        self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)
         self.feedback = EditFeedback(self)
         self._composing = False
         self._begin(session)

@@ -76,3 +76,11 @@ def test_what_is_typed_and_not_understood_survives_a_change_elsewhere(session: S
     assert session.text("bearings.front.length_mm") == "long" and session.value("bearings.rear.length_mm") == 31
     session.apply(["bearings.front.length_mm=32"])
     assert session.text("bearings.front.length_mm") == "32" and session.valid
+
+
+def test_what_was_built_for_an_earlier_design_is_not_taken(session: Session) -> None:
+    plan = session.plan("countershaft", "half")
+    session.edit("engine.bore_mm", "95")
+    before = session.data
+    assert not plan.why and "changed meanwhile" in session.take(plan)
+    assert session.data is before
