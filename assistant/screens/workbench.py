@@ -271,7 +271,7 @@ class Workbench(Screen[None]):
 
     def show_state(self) -> None:
         complete = self.feedback.show()
-        self.query_one(TopLine).refresh()
+        self.refresh_top_line()
         if complete:
             self.show_remedy()
             self.query_one(Steps).rebuild()

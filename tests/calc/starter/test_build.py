@@ -107,6 +107,18 @@ def test_another_choice_takes_the_place_of_the_one_before() -> None:
     assert choice_made(shaft) == "shaft" and "accepted" not in shaft.data and "without" not in shaft.data
 
 
+def test_steps_that_no_longer_fit_the_shaft_go_with_the_one_before() -> None:
+    """The bearings of γ fail beside any shaft; those that pass stay."""
+    gamma = read(DESIGNS / "r753ie4_gamma.toml")
+    assert "bearings" not in built(gamma, "countershaft", "shaft").data
+    own = alone(shipped("inline-3", piston=0.8, size=1.2))
+    for step in ("imbalance", "countershaft", "bearings"):
+        own = built(own, step)
+    kept = built(own, "countershaft", "shaft")
+    assert kept.data["bearings"] == own.data["bearings"]
+    assert max(solved(kept).values()[f"countershaft.slope_{end}"].shown for end in ("front", "rear")) <= 0.2
+
+
 def test_a_pair_is_designed_without_bearings_and_train() -> None:
     pair = built(alone(shipped("inline-4")), "countershaft", "second")
     assert pair.data["countershaft"]["speed_ratio"] == 2 and pair.data["countershaft"]["pair"] == "yes"  # type: ignore[index]
