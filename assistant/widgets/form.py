@@ -97,8 +97,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         """Show what the session says; a design of another shape gets a form of another shape."""
         rows = self._rows()
         found = {identity(row): row for row in rows}
-        for todo in self.query(Todo):
-            todo.rebuild()
+        for child in self.children:
+            if isinstance(child, Todo):
+                child.rebuild()
         if [self._identities.get(child) for child in self.children] != [part for part, _ in self._parts.parts(rows)]:
             self.rebuild()
         for child in self.children:
@@ -123,13 +124,15 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self.refresh_fields(self.session.reasons())
 
     def refresh_taken(self) -> None:
-        for guide in self.query(GuideText):
-            guide.redraw()
-        for balance in self.query(Balance):
-            balance.refresh_options()
-            balance.rebuild()
-        for taken in self.query(Taken):
-            taken.rebuild()
+        for child in self.children:
+            match child:
+                case GuideText():
+                    child.redraw()
+                case Balance():
+                    child.refresh_options()
+                    child.rebuild()
+                case Taken():
+                    child.rebuild()
 
     def on_resize(self, event: events.Resize) -> None:
         if (side_ := side(event.size.width)) != self._side:
