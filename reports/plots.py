@@ -178,6 +178,9 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
     for i, (_, value) in enumerate(limits(curve)):
         colour, dashes, thick = limit_style(i)
         axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
+    if curve.point is not None and all(map(isfinite, curve.point)):
+        sign, size, thick = ("x", 7.0, 2.0) if curve.fails else ("o", 4.5, 0.5)
+        axes.plot(*curve.point, marker=sign, markersize=size, color=BLACK, markeredgewidth=thick, zorder=4, clip_on=False)
     low, high = axes.get_ylim()
     if low < 0 < high and not curve.equal:
         axes.axhline(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=2.5 if curve.bars else 0.9)
