@@ -49,11 +49,8 @@ VALUES: dict[str, tuple[str, ...]] = {
         "loss", "efficiency", "loss_factor", "friction_mean", "lambda_min", "pressure_max", "film_min",
     ))),
 }  # fmt: skip
-# Of each pattern the first curve is drawn; the tables stand as they are
-CURVES = (
-    "torque", "locus", "orders_couple", "orders_force", "deflection", "moment", "film_front", "film_rear", "backlash_temperature_*",
-    "losses",
-)  # fmt: skip
+# Of each pattern the first curve is drawn, beside the sketch of its step; the tables stand as they are
+CURVES = ("torque", "orders_couple", "orders_force", "deflection", "film_front", "backlash_temperature_*")
 TABLES = ("measured",)
 
 # Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they stand

@@ -20,6 +20,7 @@ from .plots import Plots
 from .proof import proofs
 from .proof_blocks import proof_blocks
 from .prose import BODY, NOTE
+from .sketches import sketch_figure
 from .tables import Column, Row, table
 from .values import table_blocks, value_blocks
 from .words import verdict
@@ -36,7 +37,7 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
     proven = {check.id for proof in proofs(outcome.checks) for check in proof.checks}
     values = [value for value in outcome.values() if is_key_value(value.id)]
     return (
-        ("verdicts_of", lambda: finding_blocks(context, outcome)),
+        ("verdicts_of", lambda: finding_blocks(context, outcome) + sketch_figure(context, step, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
         ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
         ("key_values", lambda: value_blocks(context, outcome, values)),

@@ -91,10 +91,10 @@ class Context:
         return [self.say(word) for word in belongs(id)]
 
     def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
-        """The curves of a step with their numbers: all of them for an audit, else the main ones, at least one."""
+        """The curves of a step with their numbers: all of them for an audit, else the main ones."""
         if not self.audit:
             firsts = [next((c for c in curves if like(c.id, (pattern,))), None) for pattern in CURVES]
-            curves = tuple(curve for curve in firsts if curve is not None) or curves[:1]
+            curves = tuple(curve for curve in firsts if curve is not None)
         first = self.figures + 1
         self.figures += len(curves)
         return list(enumerate(curves, first))

@@ -73,17 +73,18 @@ class Pen:
     def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
         self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
 
-    def line(self, points: list[tuple[float, float]], thick: float, colour: Colour) -> None:
+    def line(self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()) -> None:
         """An open line through points of the page."""
-        (x, y), *rest = points
-        to = " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
-        self.code.append(f"{_rgb(colour)} RG {thick:.2f} w {x:.2f} {y:.2f} m {to} S")
+        drawn = f"{_rgb(colour)} RG {thick:.2f} w {_path(points)} S"
+        self.code.append(f"[{' '.join(f'{d:g}' for d in dashes)}] 0 d {drawn} [] 0 d" if dashes else drawn)
 
     def area(self, points: list[tuple[float, float]], colour: Colour) -> None:
         """A filled polygon with its corners at points of the page."""
-        (x, y), *rest = points
-        to = " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
-        self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} m {to} f")
+        self.shape([points], colour)
+
+    def shape(self, outlines: list[list[tuple[float, float]]], colour: Colour) -> None:
+        """What is filled within closed outlines; what lies in two of them stays empty."""
+        self.code.append(f"{_rgb(colour)} rg {' '.join(map(_path, outlines))} f*")
 
     def write(self) -> None:
         """Put everything on the canvas."""
@@ -131,6 +132,11 @@ class Pen:
             runs = groupby([letters[c] for c in words], itemgetter(0))
             known = strings[words] = [(name, "".join([code for _, code in run])) for name, run in runs]
         return known
+
+
+def _path(points: list[tuple[float, float]]) -> str:
+    (x, y), *rest = points
+    return f"{x:.2f} {y:.2f} m " + " ".join(f"{a:.2f} {b:.2f} l" for a, b in rest)
 
 
 def _rgb(colour: Colour) -> str:

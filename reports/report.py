@@ -34,6 +34,7 @@ from .logo import logo
 from .paper import PAGE, WIDTH
 from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
+from .sketches import sketch_figure
 from .summary import step_anchor, summary_blocks
 from .title_block import NOTE_LINES
 from .values import table_blocks, value_blocks
@@ -184,6 +185,11 @@ def _everything(context: Context, step: Step, outcome: Outcome[object], plots: P
         ("proposals", lambda: [block for proposal in outcome.proposals for block in bullet(proposal)]),
         ("tables", lambda: table_blocks(context, outcome.tables)),
         ("checks", lambda: check_blocks(context, outcome.checks)),
-        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), context.words["figure"], plots)),
+        (
+            "figures",
+            lambda: (
+                sketch_figure(context, step, outcome) + figure_blocks(context.number(tuple(outcome.curves)), context.words["figure"], plots)
+            ),
+        ),
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )
