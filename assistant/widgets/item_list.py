@@ -114,6 +114,7 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
             self._first.append(n)
             n += len(item.rows)
         keys = [item.key for item in self.items]
+        key = self._wanted[0] if self._wanted is not None and self._wanted[0] in keys else key
         self.cursor = keys.index(key) if key in keys and key else next((i for i, k in enumerate(keys) if k), -1)
         size = Size(width, n)
         if size != self.virtual_size:
@@ -155,14 +156,14 @@ class ItemList(ScrollView, can_focus=True, inherit_bindings=False):
 
     def go_to(self, key: str, *, top: bool = False) -> bool:
         """Put the cursor on an item and bring it into view, now or as soon as the list is shown."""
+        index = next((i for i, item in enumerate(self.items) if item.key == key), None)
         if not self.items or not self.size.height:
             self._wanted = (key, top)
+            self.cursor = self.cursor if index is None else index  # a key that comes before the list is shown is for that item
             return True
-        for i, item in enumerate(self.items):
-            if item.key == key:
-                self._move(i, top=top)
-                return True
-        return False
+        if index is not None:
+            self._move(index, top=top)
+        return index is not None
 
     def move(self, by: int) -> None:
         """Move the cursor over the items that can be chosen."""
