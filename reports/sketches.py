@@ -18,7 +18,7 @@ from calc.languages import Language
 from calc.sheet.check import SIGNS
 from calc.sheet.drawing import AXIS, CONTEXT, DIMENSIONS, HIDDEN, OUTLINE, Arc, Area, Dimension, Mark, Point, Polyline, Sketch, State, Words
 from calc.sheet.step import Outcome, Step
-from calc.sheet.text import Text
+from calc.sheet.text import Amount, Text
 
 from .boxes import BLACK, GREY, Colour
 from .context import Context
@@ -181,7 +181,7 @@ def _labels(sketch: Sketch, say: Language) -> Iterator[Label]:
 def _number(mark: Dimension, say: Language) -> Label:
     (x, y), (x_2, y_2) = _ends(mark)
     n = 1 if mark.upright else 0
-    words = say(mark.label) if mark.label else say(Text("{length}", length=round(abs(mark.end[n] - mark.start[n]) * 1e3, 2)))
+    words = say(mark.label) if mark.label else say(Text("{length}", length=Amount(round(abs(mark.end[n] - mark.start[n]) * 1e3, 2))))
     return Label(one_line(words, LETTERS, WIDEST), ((x + x_2) / 2, (y + y_2) / 2), "left" if mark.upright else "above")
 
 
