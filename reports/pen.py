@@ -80,7 +80,7 @@ class Pen:
 
     def area(self, points: list[tuple[float, float]], colour: Colour) -> None:
         """A filled polygon with its corners at points of the page."""
-        self.shape([points], colour)
+        self.code.append(f"{_rgb(colour)} rg {_path(points)} f")
 
     def shape(self, outlines: list[list[tuple[float, float]]], colour: Colour) -> None:
         """What is filled within closed outlines; what lies in two of them stays empty."""
