@@ -6,13 +6,12 @@ from functools import partial
 from typing import TYPE_CHECKING
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT, Check
+from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.text import COMMA, Text
 
 from ..changes import told
 from ..offers.offer import CHOICES
 from ..places import Place
-from ..widgets.checks import sorted_checks
 from ..widgets.entry import Entry
 from ..widgets.field import Field
 from ..widgets.form import Form
@@ -106,9 +105,9 @@ class EditActions:
         for outcomes in ([results.outcomes[host.step.key]], [results.outcomes[step.key] for step in STEPS]):
             if (stuck := next((outcome.key for outcome in outcomes if outcome.state == "no_solution"), None)) is not None:
                 return stuck
-            worst = sorted_checks(tuple(c for outcome in outcomes for c in outcome.checks))
-            if worst and worst[0].verdict in URGENT:
-                return worst[0]
+            groups = grouped(c for outcome in outcomes for c in outcome.checks)
+            if groups and groups[0][0].verdict in URGENT:
+                return groups[0][0]
         return None
 
     async def _remedied(self, generation: int, way: "Way | None") -> None:

@@ -2,14 +2,13 @@
 """Actions that go somewhere: to a step, a pane, a field, a check or a line."""
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT
+from calc.sheet.check import URGENT, grouped, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
 from ..places import Place
 from ..route import step_of
 from ..widgets.array_heading import ArrayHeading
-from ..widgets.checks import sorted_checks
 from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
@@ -71,8 +70,8 @@ class Moves:
         if session.results is None:
             return
         outcomes = session.results.outcomes
-        faults = [(s, c) for s in STEPS for c in sorted_checks(outcomes[s.key].checks) if c.verdict in URGENT]
-        faults.sort(key=lambda f: f[1].verdict != "fail")
+        faults = [(s, group[0]) for s in STEPS for group in grouped(outcomes[s.key].checks) if group[0].verdict in URGENT]
+        faults.sort(key=lambda f: severity(f[1])[:3])
         if not faults:
             host.app.tell(Text("No check fails or warns."))
             return

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The inputs of one step, generated from their descriptions."""
 
+import asyncio
 from collections.abc import Callable, Collection
 from dataclasses import dataclass
 
@@ -151,11 +152,18 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     async def _remake(self) -> None:
         """One at a time and never cancelled: a removal that is cut off leaves widgets that answer no more."""
+        cut = 0
         try:
             while self._stale:
                 self._stale = False
-                with self.app.batch_update():
-                    await self._put_in_order()
+                try:
+                    with self.app.batch_update():
+                        await self._put_in_order()
+                except asyncio.CancelledError:  # a part went while it was awaited: once more, unless all of the form goes
+                    cut += 1
+                    if cut > 1 or not self.is_attached:
+                        raise
+                    self._stale = True
         finally:
             self._remaking = False
         self.refresh_fields(self.session.reasons())

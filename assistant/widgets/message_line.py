@@ -7,14 +7,14 @@ from textual.content import Content
 from textual.widget import Widget
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT, Check
+from calc.sheet.check import URGENT, Check, grouped
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
 from ..places import key_at
 from ..route import step_of
 from ..session import Session
-from .checks import sorted_checks
+from .steps import states_of
 from .wrap import fit, wrap
 
 if TYPE_CHECKING:
@@ -22,6 +22,11 @@ if TYPE_CHECKING:
 
 
 ROWS = 2
+
+
+def _worst(checks: tuple[Check, ...]) -> Check:
+    """The one that stands first among the findings."""
+    return grouped(checks)[0][0]
 
 
 class MessageLine(Widget):
@@ -65,13 +70,13 @@ class MessageLine(Widget):
         here = next((check for check in outcome.checks if check.id == self.finding), None)
         if here is not None:
             return here.verdict, self._check(here)
-        checks = sorted_checks(outcome.checks)
-        if checks and checks[0].verdict in URGENT:
+        checks = outcome.checks
+        if checks and (first := _worst(checks)).verdict in URGENT:
             bad = sum(c.verdict in URGENT for c in checks)
             more = "  " + say(Text("({n} of {count} checks here)", n=bad, count=len(checks))) if bad > 1 else ""
-            return checks[0].verdict, self._check(checks[0]) + more
+            return first.verdict, self._check(first) + more
         outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
-        worst = [(key, found[0]) for key, other in outcomes if (found := sorted_checks(other.checks))]
+        worst = [(key, _worst(other.checks)) for key, other in outcomes if other.checks]
         for key, check in worst:
             if check.verdict == "fail":
                 return "fail", self._title(key) + self._check(check)
@@ -81,6 +86,9 @@ class MessageLine(Widget):
         for key, check in worst:
             if check.verdict in URGENT:
                 return check.verdict, self._title(key) + self._check(check)
+        todo = {state.key for state in states_of(session) if state.state == "todo"}
+        if (ahead := next((one for one in STEPS if one.key in todo), None)) is not None:
+            return "todo", say(Text("Enter goes on: {n} {step} is to do.", n=STEPS.index(ahead) + 1, step=ahead.title))
         return "pass", say(Text("every check passes"))
 
     def _title(self, key: str) -> str:

@@ -18,6 +18,7 @@ from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
 from assistant.widgets.pane import Pane
 from calc.design import STEPS
+from calc.sheet.check import grouped
 
 from .conftest import Screen, solved
 from .driving import CHARACTERS, go_to, rows, screen_rows, settled, strike, told, type_in, until, work
@@ -57,7 +58,8 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
     async with screen(session=session) as pilot:
         results = work(pilot).session.results
         assert results is not None
-        failing = [(n, c.id) for n, s in enumerate(STEPS, 1) for c in results.outcomes[s.key].checks if c.verdict == "fail"]
+        findings = [(n, group[0]) for n, s in enumerate(STEPS, 1) for group in grouped(results.outcomes[s.key].checks)]
+        failing = [(n, worst.id) for n, worst in findings if worst.verdict == "fail"]
         assert len(failing) > 1
         seen = []
         for _ in failing:
