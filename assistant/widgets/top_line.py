@@ -70,7 +70,7 @@ class TopLine(Widget):
             fitting = [f" {say(one)}" for one in told if len(say(one)) < width]
             return Content(fitting[0] if fitting else fit(say(told[-1]), width))
         if self.app.writing:
-            right += [(say(self.app.writing), "bold"), "  "]
+            right = [*([] if short else right), (say(self.app.writing), "bold"), "  "]
         right.append((f"{time:>18}" if not short else time, "dim"))
         end = Content.assemble(*right, " ")
         state = self.state(short)

@@ -56,9 +56,9 @@ def test_bars_lie_on_both_sides_of_nought_with_the_first_name_on_top() -> None:
 def test_names_and_numbers_stand_whole_beside_their_rows() -> None:
     pdf = report(curve())
     read = text_of(pdf)
-    for words in (*NAMES, "low end", "high end", "ΔP, W", "Figure 1. What the constants change"):
+    for words in (*NAMES, "low end", "high end", "ΔP, W", "Figure 2. What the constants change"):
         assert squeezed(words) in squeezed(read), words
-    assert "1 film, 2" not in read and "…" not in read.partition("low end")[2].partition("Figure 1")[0]
+    assert "1 film, 2" not in read and "…" not in read.partition("low end")[2].partition("Figure 2")[0]
     axis = read.partition("limiting shear")[2].split()
     assert axis[axis.index("−4") : axis.index("ΔP,")] == ["−4", "−3", "−2", "−1", "0", "1", "2"]
     nought = bars(pdf, 1)[0][2]
@@ -109,10 +109,10 @@ def test_two_variants_of_many_lines_are_drawn_apart() -> None:
     first = Curve("a", "Before", "x", "y", series[:1])
     crowd = Curve("b", "Film", "x", "y", series, variants=kinds)
     read = text_of(report(first, crowd, first))
-    for words in ("Figure 1. Before", "Figure 2a. Film, by regime", "Figure 2b. Film, as the source", "Figure 3. Before"):
+    for words in ("Figure 2. Before", "Figure 3a. Film, by regime", "Figure 3b. Film, as the source", "Figure 4. Before"):
         assert squeezed(words) in squeezed(read), words
     few = Curve("b", "Film", "x", "y", (series[0], series[3]), variants=kinds)
-    assert "Figure 1. Film" in text_of(report(few)) and "Figure 1a" not in text_of(report(few))
+    assert "Figure 2. Film" in text_of(report(few)) and "Figure 2a" not in text_of(report(few))
 
 
 def test_numbers_of_an_axis_are_written_one_way() -> None:

@@ -183,7 +183,7 @@ async def fix(pilot: Pilot[int], do: Do) -> None:
     session = await edited(pilot, mass, "2")
     await do()
     shown = await over(pilot, Remedies)
-    assert "First-order couple left over" in text(pilot)
+    assert "First-order force left over: 963.5 N" in text(pilot)
     await until(pilot, lambda: not shown.searching)
     assert "mass of front 2 → 2.5 kg" in text(pilot) and "Counter-shaft ✗ → ▲ warn" in text(pilot)
     await strike(pilot, "k")
