@@ -22,7 +22,7 @@ GUIDES: dict[str, Guide] = {
     ),
     "imbalance": Guide(
         Text("How much of the reciprocating mass the crank's own counterweights carry, and so what is left for a counter-shaft."),
-        Text("One half: what is left of first order then turns backward only, and one shaft at −ω takes it whole."),
+        Text("Little left, by little mass: the row marked ◀ is what this engine calls for."),
         Text(
             "Second order is out of reach of one shaft: lighter pistons, a longer rod, two shafts at twice the speed, "
             "or good engine mounts."
@@ -31,7 +31,7 @@ GUIDES: dict[str, Guide] = {
     "countershaft": Guide(
         Text("The shaft that takes the rest: its masses, their radius, angle and place, where it is supported, and what it is made of."),
         Text(
-            "No first-order couple left, journals that stand at less than {slope}, the first critical speed far above the running speed.",
+            "Nothing left of what it is to take, journals at less than {slope}, the first critical speed far above the running speed.",
             slope=Amount(SLOPE * 1e3, "mrad"),
         ),
         Text(

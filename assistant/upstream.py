@@ -4,9 +4,21 @@
 # step → values (or inputs) of earlier steps that it uses
 TAKEN: dict[str, tuple[str, ...]] = {
     "imbalance": ("engine.rated_speed_rpm", "engine.reciprocating_mass", "engine.lambda"),
-    "countershaft": ("engine.rated_speed_rpm", "imbalance.required_couple", "imbalance.required_couple_phase"),
+    "countershaft": (
+        "engine.rated_speed_rpm",
+        "imbalance.required_couple",
+        "imbalance.required_couple_phase",
+        "imbalance.required_force",
+        "imbalance.required_force_phase",
+    ),
     "bearings": ("engine.rated_speed_rpm", "countershaft.reaction_front", "countershaft.reaction_rear"),
-    "gears": ("engine.rated_speed_rpm", "imbalance.required_couple", "countershaft.moment_of_inertia", "bearings.housing_material"),
+    "gears": (
+        "engine.rated_speed_rpm",
+        "imbalance.required_couple",
+        "imbalance.required_force",
+        "countershaft.moment_of_inertia",
+        "bearings.housing_material",
+    ),
     "friction": ("bearings.oil", "bearings.supply_temperature_C", "bearings.front.friction_power", "bearings.rear.friction_power"),
 }
 

@@ -65,6 +65,16 @@ def test_edits_of_another_version_are_not_put_back_by_themselves(session: Sessio
     assert other.restore() and other.value(BORE) == 95.0
 
 
+def test_edits_of_an_earlier_session_that_were_all_taken_back_do_not_come_again(session: Session) -> None:
+    session.edit(BORE, "95")
+    session.autosave()
+    other = reopened(session)
+    assert other.value(BORE) == 95.0
+    other.undo()
+    other.autosave()
+    assert not other.dirty and not reopened(session).dirty
+
+
 @pytest.mark.parametrize("text", ["-1", "12x", "1,234.5", ""])
 def test_entries_that_are_not_accepted_come_back_too(session: Session, text: str) -> None:
     session.edit("engine.rod_length_mm", "170")
