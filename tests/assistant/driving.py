@@ -4,10 +4,12 @@
 import asyncio
 import time
 from collections.abc import Callable
+from contextlib import suppress
 
 from textual import events
 from textual.keys import _character_to_key
 from textual.pilot import Pilot
+from textual.worker import WorkerCancelled
 
 from assistant.screens.workbench import Workbench
 from assistant.widgets.choice import Choice
@@ -55,7 +57,8 @@ async def settled(pilot: Pilot[int]) -> None:
     """Wait until a form that is being made anew stands there."""
     for _ in range(3):
         await pilot.pause()
-        await pilot.app.workers.wait_for_complete([w for w in pilot.app.workers if w.group.startswith("form-")])
+        with suppress(WorkerCancelled):  # of a form that was taken away: another design was entered
+            await pilot.app.workers.wait_for_complete([w for w in pilot.app.workers if w.group.startswith("form-")])
     await pilot.pause()
 
 
