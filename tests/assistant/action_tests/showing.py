@@ -223,8 +223,8 @@ async def choose(pilot: Pilot[int], do: Do) -> None:
 @deed
 async def guide(pilot: Pilot[int], do: Do) -> None:
     for shown in (False, True):
-        assert "Which balancing?" in text(pilot) and ("Good: One half" in text(pilot)) != shown
+        assert "Which balancing?" in text(pilot) and ("Good: Little left" in text(pilot)) != shown
         await do()
         await still(pilot)
-        assert "Which balancing?" in text(pilot) and ("Good: One half" in text(pilot)) == shown
+        assert "Which balancing?" in text(pilot) and ("Good: Little left" in text(pilot)) == shown
         assert work(pilot).session.memory.settings().guide is shown
