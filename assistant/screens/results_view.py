@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What of the results stands on the main screen, and what it says of the field that is being edited."""
 
+from typing import TYPE_CHECKING
+
 from calc.languages.outcome import said
 from calc.sheet.check import URGENT
 from calc.sheet.text import Text, plural
@@ -22,10 +24,14 @@ from .background_solve import BackgroundSolve
 from .host import Host
 from .slopes import Slopes
 
+if TYPE_CHECKING:
+    from calc.solve import Results
+
 
 class ResultsView:
     def __init__(self, host: Host, background: BackgroundSolve, slopes: Slopes) -> None:
         self._host, self._background, self._slopes = host, background, slopes
+        self._unchosen: tuple[Results, Results] | None = None  # of a design without [imbalance]: its own results, and those with it
 
     def show_remedy(self) -> None:
         host, session = self._host, self._host.session
@@ -68,8 +74,20 @@ class ResultsView:
         """The picture of the step, with what the edited field changes lit."""
         session, field = self._host.session, self._field
         lit = named_key(session.data, field.place) if field is not None else ""
-        design = session.results.design if session.results is not None else None
-        self._host.query_one(Picture).show(self._host.step.key, design, session.results, lit)
+        results = self._pictured()
+        self._host.query_one(Picture).show(self._host.step.key, results.design if results is not None else None, results, lit)
+
+    def _pictured(self) -> "Results | None":
+        """The results; where it is asked which balancing, and none is chosen yet, with the usual counterweights."""
+        session = self._host.session
+        results = session.results
+        if results is None or self._host.step.key != "imbalance" or "imbalance" in session.data or not session.current:
+            return results
+        if self._unchosen is None or self._unchosen[0] is not results:
+            from calc.starter.balancing import with_imbalance
+
+            self._unchosen = results, with_imbalance(session.document, results)
+        return self._unchosen[1]
 
     def show_keys(self) -> None:
         """The footer leaves out first what does nothing here."""
