@@ -18,7 +18,7 @@ from textual.pilot import Pilot
 
 from assistant.app import ContralberoApp
 from assistant.recovery import Memory, Settings
-from assistant.screens import background_solve, edit_feedback
+from assistant.screens import background_solve, edit_feedback, slopes
 from assistant.screens.help import HelpScreen
 from assistant.screens.new_dialog import NewDialog
 from assistant.screens.ready import ReadyScreen
@@ -215,12 +215,14 @@ async def test_choosing_with_plain_signs(opened: Opened, seen: SnapshotAssertion
         assert picture(pilot) == seen
 
 
-async def test_in_italian(opened: Opened, seen: SnapshotAssertion) -> None:
+async def test_in_italian(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slopes, "WAIT", 1000.0)  # sooner or later the foot and the findings would tell them
     async with opened(4, (80, 24), settings=Settings(language="it")) as pilot:
         assert picture(pilot) == seen
 
 
-async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion) -> None:
+async def test_a_very_wide_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slopes, "WAIT", 1000.0)  # sooner or later the foot and the findings would tell them
     async with opened(3, (200, 60)) as pilot:
         assert picture(pilot) == seen
 
