@@ -175,7 +175,8 @@ async def test_bearings(opened: Opened, seen: SnapshotAssertion) -> None:
         assert picture(pilot) == seen
 
 
-async def test_gears_on_a_narrow_screen(opened: Opened, seen: SnapshotAssertion) -> None:
+async def test_gears_on_a_narrow_screen(opened: Opened, seen: SnapshotAssertion, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(slopes, "WAIT", 1000.0)
     async with opened(5, (80, 24)) as pilot:
         await strike(pilot, "f4", "f4")
         await still(pilot)
