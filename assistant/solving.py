@@ -34,6 +34,11 @@ class Answer:
     failure: Text = EMPTY
 
 
+def mistake(error: Exception) -> Text:
+    """What is told of a mistake of the program, which must not take the user's work with it."""
+    return Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+
+
 def run(job: Job) -> Answer:
     """Solve.  The numerics are loaded here, not at the start of the program."""
     started = time.perf_counter()
@@ -44,7 +49,5 @@ def run(job: Job) -> Answer:
     except Cancelled:
         return Answer(job.generation, None, 0.0)
     except Exception as error:  # a mistake of the program must not take the user's work with it
-        return Answer(
-            job.generation, None, 0.0, Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
-        )
+        return Answer(job.generation, None, 0.0, mistake(error))
     return Answer(job.generation, results, time.perf_counter() - started)

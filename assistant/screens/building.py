@@ -9,6 +9,7 @@ from calc.sheet.text import Text
 
 from ..editing import Plan
 from ..session import Session
+from ..solving import mistake
 from .host import Host
 from .moves import Moves
 from .reason import Reason
@@ -39,7 +40,7 @@ class Building:
         try:
             plan = session.plan(step, balancing)
         except Exception as error:  # a mistake of the program must not take the user's work with it
-            why = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
+            why = mistake(error)
             plan = Plan({}, {}, why)
         self._host.call_later(self._built, session, plan)
 

@@ -28,6 +28,7 @@ from calc.sheet.text import EMPTY, Amount, Text
 from ..base_app import BaseApp
 from ..saving import SaveError, free_name, write_atomic
 from ..session import Session
+from ..solving import mistake
 from ..widgets.item_list import ItemList
 from ..widgets.way_list import WayList
 from ..widgets.wrap import wrap
@@ -143,8 +144,7 @@ class Remedies(Once, ModalScreen[Way | None]):
         except Cancelled:
             pass
         except Exception as error:  # a mistake of the program must not take the user's work with it
-            why = Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error))
-            self.post_message(self.Ended(generation, why))
+            self.post_message(self.Ended(generation, mistake(error)))
 
     def on_remedies_progress(self, event: Progress) -> None:
         event.stop()

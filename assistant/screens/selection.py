@@ -26,7 +26,7 @@ from ..base_app import BaseApp
 from ..changes import applied, locked_text, told
 from ..offers.offer import Offer, offer
 from ..session import Session
-from ..solving import Answer, Job, run
+from ..solving import Answer, Job, mistake, run
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
 from ..widgets.wrap import wrap
@@ -138,9 +138,7 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
         except NoSolution as none:
             self.post_message(self.Found(None, none.text))
         except Exception as error:  # a mistake of the program must not take the user's work with it
-            self.post_message(
-                self.Found(None, Text("the program made a mistake: {kind}: {error}", kind=type(error).__name__, error=str(error)))
-            )
+            self.post_message(self.Found(None, mistake(error)))
 
     def on_choosing_progress(self, event: Progress) -> None:
         event.stop()

@@ -35,7 +35,7 @@ def sketch(design: Designed, results: Solved) -> Sketch:
         return awaited(outcome)
     checks = {check.id: check for check in outcome.checks}
     gap = rounded(min(GAP * r.seat.bearing.diameter / r.clearance_hot for r in found.bearings.values()))
-    notes = Text("gap × {factor}", factor=Amount(gap)), Text("the load points down")
+    notes = Text("gap × {factor}", factor=Amount(gap)), Text("the load points down"), Text("pressure in the shape of a short bearing")
     front, *others = (Sketch(tuple(_bearing(place, r, inputs, gap, checks)), title=_title(place, r)) for place, r in found.bearings.items())
     return Sketch(front.primitives, notes, title=front.title, beside=tuple(others))
 
