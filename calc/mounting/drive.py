@@ -1,0 +1,257 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The wrenches on the engine's centre of gravity: every order, every variant of the balancing, at any speeds."""
+
+import math
+
+import numpy as np
+
+from ..engine.crank import firing
+from ..engine.inputs import EngineInputs
+from ..engine.result import EngineResult
+from ..imbalance.orders import Order
+from ..imbalance.result import ImbalanceResult
+from ..sheet.arrays import Array, ComplexArray, each, phasors
+from ..sheet.record import record
+from ..sheet.text import Text
+from ..sheet.trace import about
+from ..sheet.units import Metre, Number, Radian, RevPerSecond
+from ..sheet.value import based_on
+from . import excitation as x
+from .gas_torque import Nodes, harmonics, nodes
+from .inputs import MountingInputs
+
+VARIANTS = ("bare", "half", "shaft", "scatter", "tooth")
+TITLES = {
+    "bare": Text("nothing balanced"),
+    "half": Text("half on the crank"),
+    "shaft": Text("with the shaft"),
+    "scatter": Text("with the shaft as it scatters"),
+    "tooth": Text("with the shaft one tooth late"),
+}
+Moving = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]  # F⁺ F⁻ C⁺ C⁻ of every order
+PURE = 1e-6  # of a couple: smaller forces beside it are dust
+
+
+@record
+class ShaftOnEngine:
+    """The counter-shaft as the mounts see it: at `ratio` times crank speed, F_S and C_S with cylinder 1 at TDC at rated speed.
+
+    `errors`: of a shaft as it scatters, of its couple s and its angle δ, None where nothing is known; `teeth`: of its wheel.
+    """
+
+    ratio: float
+    force: complex
+    couple: complex
+    pair: bool
+    axis: tuple[Metre, ...] | None
+    errors: tuple[Number, Radian] | None
+    teeth: int | None
+
+    def deviations(self) -> dict[str, tuple[Number, Radian]]:
+        """Of each variant with the shaft: s and δ."""
+        found: dict[str, tuple[Number, Radian]] = {"shaft": (0.0, 0.0)}
+        if self.errors is not None:
+            found["scatter"] = self.errors
+        if self.teeth is not None:
+            found["tooth"] = (0.0, based_on(2 * math.pi / self.teeth, self.teeth))
+        return found
+
+
+@record
+class Drive:
+    """`inertia`: forces and moments of the masses at rated speed about the centre of gravity (variants, orders, 6), torque included.
+
+    `gas`: of one cylinder at which speeds; None where it is not given.  `apart`: the order in which the variants differ, by index.
+    """
+
+    engine: EngineInputs
+    e: EngineResult
+    orders: Array
+    variants: tuple[str, ...]
+    inertia: ComplexArray
+    torque_of_masses: ComplexArray
+    nodes: Nodes | None
+    spread: Array
+    fires: Array
+    r_G: Array
+    apart: tuple[int, ...]
+    of_shaft: float  # the order of the shaft; 1 where there is none
+    first_order: dict[str, float]  # half over each variant with the shaft, where the order of the shaft is a pure couple
+
+    def torque(self, speeds: Array) -> ComplexArray:
+        """Order by order on the crank (speeds, orders): gas and inertia."""
+        of_masses = self.torque_of_masses * self._squares(speeds)[:, None]
+        one = np.zeros_like(of_masses) if self.nodes is None else harmonics(self.engine, self.e, self.nodes, speeds)
+        of_masses = based_on(of_masses, self.torque_of_masses, self.e.angular_speed)
+        return phasors(
+            x.all_cylinders(
+                t_one=each(one), t_inertia=each(of_masses), spread=each(self.spread), fires=each(self.fires), n=each(self.orders)
+            )
+        )
+
+    def strengths(self, wrench: ComplexArray | None, rho: float) -> Array:
+        """How strong each order is with half on the crank, of a wrench (orders, variants, 6); None: of the masses alone, without torque.
+
+        `rho`: radius of gyration, by which a force is compared with a moment.
+        """
+        v = self.variants.index("half")
+        if wrench is None:
+            return x.strength(self.inertia[v][:, :3], self.inertia[v][:, 3:5], rho)
+        return x.strength(np.asarray(wrench)[:, v, :3], np.asarray(wrench)[:, v, 3:], rho)
+
+    def mean_torque(self, speeds: Array) -> Array:
+        """Of the gas of all cylinders; inertia adds nothing."""
+        if self.nodes is None:
+            return np.zeros(len(speeds))
+        one = harmonics(self.engine, self.e, self.nodes, speeds, mean=True)[:, 0].real / 2
+        found: Array = one * (1 + np.asarray(self.spread)).sum()
+        return found
+
+    def wrench(self, speeds: Array, torque: ComplexArray) -> ComplexArray:
+        """About the centre of gravity (speeds, orders, variants, 6)."""
+        squares = self._squares(speeds)
+        found = np.swapaxes(self.inertia, 0, 1)[None] * squares[:, None, None, None]
+        found[..., 5] -= (np.asarray(torque) - self.torque_of_masses * squares[:, None])[:, :, None]
+        return based_on(found, self.inertia, torque, self.r_G)
+
+    def frequencies(self, speeds: Array) -> Array:
+        """Ω of every speed and order, in one row."""
+        found: Array = (2 * math.pi * np.asarray(speeds)[:, None] * self.orders).ravel()
+        return found
+
+    def _squares(self, speeds: Array) -> Array:
+        return (np.asarray(speeds, dtype=float) / float(self.engine.rated_speed)) ** 2
+
+
+def drive(
+    mounting: MountingInputs, engine: EngineInputs, e: EngineResult, imbalance: ImbalanceResult, shaft: ShaftOnEngine | None
+) -> Drive:
+    n = x.orders_of(engine.strokes)
+    fires = firing(engine, e.crank)
+    turning = e.torque
+    assert turning is not None
+    torque, reaction = _integer(turning.harmonics, n), _integer(turning.reaction_harmonics, n)
+    inertia, variants = [], ["bare", "half"]
+    with about(Text("half on the crank")):
+        half = _moving(n, imbalance.orders, bare=False)
+    with about(Text("nothing balanced")):
+        inertia.append(_wrench(_moving(n, imbalance.orders, bare=True), reaction))
+    inertia.append(_wrench(half, reaction))
+    for name, (s, delta) in (shaft.deviations() if shaft is not None else {}).items():
+        assert shaft is not None
+        with about(TITLES[name]):
+            inertia.append(_wrench(*_with_shaft(n, half, reaction, shaft, s, delta)))
+        variants.append(name)
+    whole = based_on(np.stack(inertia), *inertia)
+    whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
+    moment = x.about_gravity(F=each(whole[..., :3]), M=each(whole[..., 3:]), r_G=mounting.centre_of_gravity)  # type: ignore[arg-type]
+    at_gravity = based_on(np.concatenate([whole[..., :3], phasors(moment)], -1), moment)
+    gas = nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None
+    apart = sorted({_index(n, 1.0)} | ({_index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
+    return Drive(
+        engine,
+        e,
+        n,
+        tuple(variants),
+        at_gravity,
+        based_on(torque, turning.harmonics),
+        gas,
+        _spread(mounting, engine, fires.order),
+        fires.angles,
+        np.asarray(mounting.centre_of_gravity),
+        tuple(apart),
+        float(round(abs(shaft.ratio))) if shaft is not None else 1.0,
+        _first_order(n, half, shaft),
+    )
+
+
+def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[str, float]:
+    """How much less there is of the shaft's order at every place, where it is a couple that turns backward and nothing else."""
+    if shaft is None or shaft.pair or shaft.ratio > 0:
+        return {}
+    i = _index(n, round(-shaft.ratio))
+    F_f, F_b, C_f, C_b = (complex(part[i]) for part in half)
+    if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
+        return {}
+    left = C_b + shaft.couple
+    found = {"shaft": x.couple_ratio(C=based_on(C_b, half[3]), C_left=based_on(left, half[3], shaft.couple))} if left else {}
+    others = {name: given for name, given in shaft.deviations().items() if name != "shaft" and any(given)}
+    return found | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
+
+
+def _index(n: Array, order: float) -> int:
+    return int(np.argmin(np.abs(n - order)))
+
+
+def _integer(harmonics: tuple[complex, ...], n: Array) -> ComplexArray:
+    """Harmonics of the turn at their places among the orders of the cycle."""
+    found = np.zeros(n.size, dtype=complex)
+    for order, one in enumerate(harmonics, 1):
+        found[_index(n, order)] = one
+    return found
+
+
+def _moving(n: Array, orders: dict[str, Order], *, bare: bool) -> Moving:
+    """F⁺ F⁻ C⁺ C⁻ of every order; `bare`: with no share of the reciprocating masses on the crank."""
+    found = np.zeros((4, n.size), dtype=complex)
+    sources = []
+    for word, one in orders.items():
+        vectors = one.unbalanced if bare else one.vectors
+        found[:, _index(n, float(word.removeprefix("order_")))] = vectors
+        sources.append(vectors)
+    return tuple(based_on(part, *(four[i] for four in sources)) for i, part in enumerate(found))  # type: ignore[return-value]
+
+
+def _wrench(moving: Moving, roll: ComplexArray) -> ComplexArray:
+    """Forces and moments about the origin from the vectors that turn (orders, 6)."""
+    F_f, F_b, C_f, C_b = (each(part) for part in moving)
+    X, Y = x.vertical(p=F_f, m=F_b), x.horizontal(p=F_f, m=F_b)
+    M_x, M_y = x.moment_about_x(p=C_f, m=C_b), x.moment_about_y(p=C_f, m=C_b)
+    zero = np.zeros(roll.size, dtype=complex)
+    return based_on(np.stack([phasors(X), phasors(Y), zero, phasors(M_x), phasors(M_y), roll], -1), X, Y, M_x, M_y, roll)
+
+
+def _with_shaft(n: Array, half: Moving, roll: ComplexArray, shaft: ShaftOnEngine, s: Number, delta: Radian) -> tuple[Moving, ComplexArray]:
+    """The same vectors with those of the shaft at its order, and with the roll of its force."""
+    i, backward = _index(n, round(abs(shaft.ratio))), shaft.ratio < 0
+    sides = [(shaft.force, shaft.couple, backward, 1.0)]
+    if shaft.pair:
+        sides.append((shaft.force.conjugate(), shaft.couple.conjugate(), not backward, -1.0))
+    F_f, F_b, C_f, C_b = (np.array(part) for part in half)
+    rolled, of = np.array(roll), []
+    for force, couple, back, side in sides:
+        lag = delta if back else -delta
+        F, C = x.late_force(F_S=force, delta=lag), x.late_couple(C_S=couple, s=s, delta=lag)
+        (F_b if back else F_f)[i] += F
+        (C_b if back else C_f)[i] += C
+        of += [F, C]
+        if shaft.axis is not None:
+            p, m = (0j, F) if back else (F, 0j)
+            X, Y = x.vertical(p=p, m=m), x.horizontal(p=p, m=m)
+            M_z = x.shaft_roll(x_S=shaft.axis[0], Y=Y, y_S=side * shaft.axis[1], X=X)
+            rolled[i] += M_z
+            of.append(M_z)
+    parts = tuple(based_on(part, one, *of) for part, one in zip((F_f, F_b, C_f, C_b), half))
+    return parts, based_on(rolled, roll, *of)  # type: ignore[return-value]
+
+
+def _spread(mounting: MountingInputs, engine: EngineInputs, order: tuple[int, ...]) -> Array:
+    """ε of each cylinder: given, or from one standard deviation, evenly spaced quantiles in firing order."""
+    given = mounting.cylinder_spread
+    if given is None:
+        return np.zeros(engine.cylinders)
+    if len(given) == engine.cylinders and engine.cylinders > 1:
+        return based_on(np.asarray(given, dtype=float), given)
+    from statistics import NormalDist
+
+    quantiles = [NormalDist().inv_cdf((k + 0.5) / engine.cylinders) for k in range(engine.cylinders)]
+    found = np.zeros(engine.cylinders)
+    found[np.asarray(order) - 1] = given[0] * np.array(quantiles)
+    return based_on(found, given)
+
+
+def operating(mounting: MountingInputs, engine: EngineInputs) -> tuple[tuple[str, RevPerSecond, float], ...]:
+    """Name, speed and hours of every operation; where none is given, idle and rated."""
+    if mounting.operation:
+        return tuple((row.name, row.speed, row.hours or 0.0) for row in mounting.operation)
+    return ("idle", mounting.idle_speed, 0.0), ("rated", engine.rated_speed, 0.0)

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What drives the body: forces and moments of every order about the crank's origin, as real phasors of x, y and z.
+
+a(t) = Re{â·e^{inωt}}, t = 0 at the firing TDC of cylinder 1; n in halves for a four-stroke engine.  A vector of the imbalance step that
+turns backward enters conjugated: without that the vertical couple of a three-cylinder would lie flat.
+"""
+
+import numpy as np
+
+from ..sheet.arrays import Array, ComplexArray, each, many, phasors
+from ..sheet.formula import formula
+from ..sheet.functions import cis, conj, modulus
+from ..sheet.units import (
+    Metre,
+    Newton,
+    NewtonMetre,
+    Number,
+    PhasorNewton,
+    PhasorNewtonMetre,
+    Radian,
+)
+
+HIGHEST = 8
+SAMPLES = 7200  # over a cycle
+REAL = "kinematics: a vector that turns forward and one that turns backward, as phasors of their components"
+
+
+def orders_of(strokes: int) -> Array:
+    """0.5, 1, … 8 of a four-stroke engine, 1, 2, … 8 of a two-stroke."""
+    first = 2.0 / strokes
+    found: Array = np.arange(1, round(HIGHEST / first) + 1, dtype=float) * first
+    return found
+
+
+def order_word(n: float) -> str:
+    """The order in the names of values: 1, 1_5, 2 …"""
+    return f"{n:g}".replace(".", "_")
+
+
+# --- vectors that turn ------------------------------------------------------------------------------------------------------
+@formula("X̂", REAL, names={"p": "F⁺", "m": "F⁻"})
+def vertical(p: PhasorNewton, m: PhasorNewton) -> PhasorNewton:
+    """Of the vectors that turn forward and backward, real up."""
+    return p + conj(m)
+
+
+@formula("Ŷ", REAL, names={"p": "F⁺", "m": "F⁻"})
+def horizontal(p: PhasorNewton, m: PhasorNewton) -> PhasorNewton:
+    return -1j * (p - conj(m))
+
+
+@formula(
+    "M̂_x", "statics: a force to the side, towards the flywheel, turns the engine against its vertical axis", names={"p": "C⁺", "m": "C⁻"}
+)
+def moment_about_x(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return 1j * (p - conj(m))
+
+
+@formula("M̂_y", "statics: a force upward, towards the flywheel, turns the engine about its lateral axis", names={"p": "C⁺", "m": "C⁻"})
+def moment_about_y(p: PhasorNewtonMetre, m: PhasorNewtonMetre) -> PhasorNewtonMetre:
+    return p + conj(m)
+
+
+# --- the counter-shaft --------------------------------------------------------------------------------------------------------
+@formula("F_S,δ", "kinematics: a shaft that turns backward and is late by δ; in e^(−iωt) a lag is e^(+iδ)", names={"delta": "δ_S"})
+def late_force(F_S: PhasorNewton, delta: Radian) -> PhasorNewton:
+    return F_S * cis(delta)
+
+
+@formula("C_S,δ", "kinematics: a shaft that turns backward and is late by δ, its couple too large by s", names={"s": "s_C", "delta": "δ_S"})
+def late_couple(C_S: PhasorNewtonMetre, s: Number, delta: Radian) -> PhasorNewtonMetre:
+    return C_S * (1 + s) * cis(delta)
+
+
+@formula("M̂_z,S", "statics: moment about the crank of a force on an axis beside it")
+def shaft_roll(x_S: Metre, Y: PhasorNewton, y_S: Metre, X: PhasorNewton) -> PhasorNewtonMetre:
+    return x_S * Y - y_S * X
+
+
+@formula(
+    "felt_1",
+    "mathematics: a couple against what is left of it by a shaft whose couple is too large by s and late by δ",
+    names={"s": "s_C", "delta": "δ_S"},
+)
+def first_order_ratio(s: Number, delta: Radian) -> Number:
+    return 1 / modulus(1 - (1 + s) * cis(delta))
+
+
+@formula("felt_1", "mathematics: a couple against what the shaft as designed leaves of it")
+def couple_ratio(C: PhasorNewtonMetre, C_left: PhasorNewtonMetre) -> Number:
+    return modulus(C) / modulus(C_left)
+
+
+# --- torque of the gas ----------------------------------------------------------------------------------------------------------
+@formula(
+    "t_n",
+    "mathematics: Fourier analysis of the gas torque of one cylinder over its working cycle",
+    shows="2/N·Σ T_k(ε_j)·e^(−i·n·ε_j), N = 7200; T_k of the mixed cycle as the engine has it",
+)
+def one_cylinder(basis: NewtonMetre, p_max: Newton, p_2: Newton, p_ex: Newton, p_in: Newton, p_case: Newton) -> PhasorNewtonMetre:
+    """The torque is linear in the pressures: `basis` holds what each of them does, so that many speeds cost no more than one."""
+    at = np.asarray(basis)
+    parts = np.stack(np.broadcast_arrays(p_max, p_2, p_ex, p_in, p_case), -1)[..., None]
+    found: ComplexArray = np.sum(parts * at, -2)
+    return each(found)
+
+
+@formula(
+    "t_n",
+    "mathematics: the cylinders one after the other, the gas torque of each with its spread ε_k, the inertia torque alike",
+    shows="Σ_k t_G,n·(1 + ε_k)·e^(−i·n·f_k) + t_I,n",
+    names={"fires": "f"},
+)
+def all_cylinders(t_one: PhasorNewtonMetre, t_inertia: PhasorNewtonMetre, spread: Number, fires: Radian, n: Number) -> PhasorNewtonMetre:
+    turned = np.exp(-1j * np.asarray(n)[:, None] * many(fires))
+    sums = (turned * (1 + np.asarray(spread))).sum(-1)
+    sums[np.abs(sums) < 1e-12 * turned.shape[1]] = 0.0
+    found = phasors(t_one) * sums + phasors(t_inertia)
+    found = np.where(np.abs(found) < 1e-12 * np.abs(found).max(-1, keepdims=True), 0.0, found)
+    return each(found)
+
+
+@formula("T_n", "mathematics: amplitude of one order of the torque on the crank")
+def amplitude(t_n: PhasorNewtonMetre) -> NewtonMetre:
+    return modulus(t_n)
+
+
+# --- about the centre of gravity --------------------------------------------------------------------------------------------------
+@formula("M̂_G", "statics: the same force and moment about the centre of gravity", shows="M̂ − r_G × F̂")
+def about_gravity(F: PhasorNewton, M: PhasorNewtonMetre, r_G: Metre) -> PhasorNewtonMetre:
+    return each(phasors(M) - np.cross(np.asarray(r_G), phasors(F)))
+
+
+def strength(F: ComplexArray, M: ComplexArray, rho: float) -> Array:
+    """How strong each order is, a force taken at the radius of gyration: |M| + ρ·|F|."""
+    sizes: Array = np.linalg.norm(M, axis=-1) + rho * np.linalg.norm(F, axis=-1)
+    return sizes

@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What leads every result of the mounts: what the shaft takes and what it leaves; and what all of it rests on."""
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from ..engine.inputs import EngineInputs
+from ..sheet.arrays import Array
+from ..sheet.text import Amount, Name, Text
+from .aids import NOTICED
+from .body import radius_of_gyration
+from .drive import ShaftOnEngine
+from .inputs import MountingInputs
+from .levels import NONE_BELOW
+from .result import MountingResult
+from .severity import scope
+
+
+def honest(result: MountingResult) -> Text:
+    """What the shaft takes and what it leaves, in a sentence with its numbers."""
+    if not result.has_shaft:
+        return Text(
+            "No shaft: with half on the crank the orders {orders} drive the engine, the strongest at {operation} is {strongest}.",
+            orders=Text(", ").join(_orders(result)),
+            operation=Name(next(iter(result.speeds))),
+            strongest=_strongest(result),
+        )
+    return Text("{takes} {leaves}{felt}", takes=_takes(result), leaves=_leaves(result), felt=_felt(result))
+
+
+def _takes(result: MountingResult) -> Text:
+    n = Amount(result.drive.of_shaft)
+    if result.felt_order_1 is not None:
+        return Text("The shaft takes the rocking couple of order {n} and nothing else:", n=n)
+    return Text("The shaft takes what the masses have of order {n} and nothing else:", n=n)
+
+
+def _leaves(result: MountingResult) -> Text:
+    """The firing torque, and of the masses the strongest other order."""
+    e = result.drive.engine
+    firing = 2.0 * e.cylinders / e.strokes
+    taken, masses = result.drive.of_shaft, _strengths(result, of_masses=True)
+    others = [
+        (size, n)
+        for size, n in zip(masses.tolist(), result.drive.orders.tolist())
+        if n not in (taken, firing) and size > NOTICED * masses.max()
+    ]
+    if result.drive.nodes is None:
+        return Text("order {n} stays, and the gas is not given.", n=Amount(max(others)[1])) if others else Text("the gas is not given.")
+    if not others:
+        return Text("the firing torque of order {firing}, which one feels at idle, stays.", firing=Amount(firing))
+    return Text(
+        "the firing torque of order {firing}, which one feels at idle, and order {n} stay.", firing=Amount(firing), n=Amount(max(others)[1])
+    )
+
+
+def _felt(result: MountingResult) -> Text:
+    """Of the first seat at the first and at the last operation; without one, of the forces in the mounts."""
+    seat = next((point.name for point in result.system.mounting.points if point.role == "seat"), None)
+    first, last = next(iter(result.speeds)), list(result.speeds)[-1]
+    place, unit = (f"{seat}.weighted", "m/s²") if seat is not None else ("force_sum", "N")
+    a, b, c, d = (result.leaf(f"{name}.{variant}.{place}") for name in (first, last) for variant in ("half", "shaft"))
+    if a is None or b is None or c is None or d is None:
+        return Text("")
+    where = Text(" At the seat") if seat is not None else Text(" In the mounts")
+    return Text(
+        "{where} {a} → {b} {unit} at {first}, {c} → {d} at {last}.{worse}",
+        where=where,
+        a=_level(a),
+        b=_level(b),
+        unit=unit,
+        first=Name(first),
+        c=_level(c),
+        d=_level(d),
+        last=Name(last),
+        worse=WORSE if b > a or d > c else Text(""),
+    )
+
+
+def _strengths(result: MountingResult, *, of_masses: bool = False) -> Array:
+    """At the first operation."""
+    M = result.stiffness[1]
+    wrench = None if of_masses else np.asarray(result.levels.wrench)[0]
+    return result.drive.strengths(wrench, radius_of_gyration(float(M[0, 0]), M[3:, 3:]))
+
+
+def _orders(result: MountingResult) -> list[Text]:
+    sizes = _strengths(result)
+    return [Text("{n}", n=Amount(float(n))) for n, size in zip(result.drive.orders, sizes) if size > NOTICED * sizes.max()]
+
+
+def _strongest(result: MountingResult) -> Amount:
+    return Amount(float(result.drive.orders[_strengths(result).argmax()]))
+
+
+WORSE = Text(" Here the shaft makes it worse.")
+
+
+def _level(a: float) -> Amount:
+    return Amount(a, digits=3)
+
+
+def notes(mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None) -> Iterator[Text]:
+    """The scope of the standards first."""
+    yield from scope(mounting.application, mounting.power or engine.rated_power, engine.rated_speed, mounting.machine_class).sentences
+    yield Text("The daily exposure is the engine's share only: travel over ground dominates the true one.")
+    yield from _worse(result)
+    yield from _assumed(mounting, engine, result, shaft)
+    yield Text(
+        "Not counted: valve gear, fan, fuel pump, the couple of the rods, whip of the crank, the gyroscopic couple (about 2 % at order 1), "
+        "start and stop, which sweep through the modes."
+    )
+    yield Text(
+        "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and the stiffness that "
+        "the weight itself adds, below 1 % of ordinary mounts, is left out."
+    )
+
+
+def _worse(result: MountingResult) -> Iterator[Text]:
+    """A shaft that is late, or mistuned, and makes it worse: in the mounts, or where it is felt."""
+    for name, (speed, _) in result.speeds.items():
+        for id, place in (("felt_seat", Text("at the seat")), ("felt_engine", Text("at the engine"))):
+            ratio = result.leaf(f"{name}.{id}")
+            if ratio is not None and ratio < 1 - NONE_BELOW:
+                yield Text(
+                    "The shaft makes it worse {place} at {name}, {speed}: half over shaft is {ratio}.",
+                    place=place,
+                    name=Name(name),
+                    speed=Amount(speed * 60, "rpm"),
+                    ratio=Amount(ratio, digits=3),
+                )
+        for variant, words in VARIANTS.items():
+            half, with_it = (result.leaf(f"{name}.{one}.force_sum") for one in ("half", variant))
+            if half is not None and with_it is not None and with_it > half * (1 + NONE_BELOW):
+                yield Text(
+                    "{words} makes it worse at {name}, {speed}: the forces in the mounts rise from {half} to {with_it}.",
+                    words=words,
+                    name=Name(name),
+                    speed=Amount(speed * 60, "rpm"),
+                    half=Amount(half, "N", digits=3),
+                    with_it=Amount(with_it, "N", digits=3),
+                )
+
+
+VARIANTS = {
+    "shaft": Text("The shaft"), "scatter": Text("The shaft as it scatters"), "tooth": Text("The shaft one tooth late"),
+}  # fmt: skip
+
+
+def _assumed(mounting: MountingInputs, engine: EngineInputs, result: MountingResult, shaft: ShaftOnEngine | None) -> Iterator[Text]:
+    nodes = result.drive.nodes
+    if nodes is None:
+        yield Text("Without [engine.gas] only the masses drive the engine: the strongest excitation at idle is missing.")
+    else:
+        outside = [Name(name) for name, (speed, _) in result.speeds.items() if nodes.outside(speed)]
+        if outside:
+            yield Text("Outside of the speeds whose gas is given the nearest of them holds: {names}.", names=Text(", ").join(outside))
+        if engine.gas is not None and engine.gas.pressure:
+            yield Text("The table of pressures holds at every speed.")
+    if mounting.inertia is None:
+        yield Text(
+            "The inertia is that of {share} of a full box of the overall dimensions: own assumption, 50 to 90 % are shown as well.",
+            share=Amount(70, "%"),
+        )
+    if mounting.cylinder_spread is not None and len(mounting.cylinder_spread) == 1 and engine.cylinders > 1:
+        yield Text("The spread of the cylinders is drawn once: evenly spaced quantiles of a normal distribution, in firing order.")
+    if shaft is not None:
+        if shaft.axis is None and abs(shaft.force) > 0:
+            yield Text("No axis_mm of the counter-shaft is given: its force is taken to act at the crank, and rolls nothing.")
+        if shaft.errors is not None and mounting.late is None and mounting.scatter_couple is None:
+            yield Text("The shaft as it scatters: 95 % of its errors by [countershaft.scatter] and the free turn of the train.")
+        if shaft.errors is None:
+            yield Text("How the shaft scatters is not known: give late_deg and scatter_couple_percent.")
+    if any(mount.mobility for mount in mounting.mounts):
+        yield Text(
+            "Each foot moves by its own mobility; what one foot does to another is not counted. The modes are those on rigid ground."
+        )
+    if any(mount.dynamic_ratio < 1 for mount in mounting.mounts):
+        yield Text("A dynamic ratio below 1 is unusual: rubber is stiffer when it vibrates.")
+    if all(mount.loss_factor is None and mount.damping is None for mount in mounting.mounts):
+        yield Text("A loss factor of 0.1 taken for the mounts, since none is given.")
+    beyond = [f for f in result.levels.frequency.ravel() if f > mounting.rigid_up_to]
+    if beyond:
+        yield Text(
+            "Orders above {limit} are computed, and shown, but engine and frame bend there.", limit=Amount(mounting.rigid_up_to, "Hz")
+        )
+    mixed = [result.mode_data.words(i) for i in range(6) if result.mode_data.words(i).template.startswith("mixed")]
+    if mixed:
+        yield Text("Modes that are hardly what their name says: {mixed}.", mixed=Text("; ").join(mixed))
+    yield Text(
+        "From memory: the grades of severity (medium confidence) and their classes (low), the perception and comfort of ISO 2631-1 (high)."
+    )

@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Operation by operation: torque, levels at the points, forces of the mounts, transmissibility, and what the shaft takes off them."""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..sheet.arrays import ComplexArray, each
+from ..sheet.linked_array import gathered
+from ..sheet.quantity import Described
+from ..sheet.record import record
+from ..sheet.text import Text
+from ..sheet.value import based_on
+from . import excitation as x
+from . import levels as l
+from . import severity, weighting
+from .drive import TITLES, Drive
+from .excitation import order_word
+from .inputs import Point
+from .levels import Levels
+from .numbers import Nested, along_last, described, joined, mapped, put, there
+from .result import MountLevel, OrderForce, OrderLevel, PointLevel, Tree
+from .system import System
+
+SHOWN = tuple(name for name in PointLevel.__dataclass_fields__ if name != "orders")
+FELT = 1e-6  # of all orders together: one that is weaker is not worth a line
+BY_ORDER = ("half", "shaft")  # variants whose orders are shown one by one
+
+
+def operations(
+    driven: Drive, lines: Levels, s: System, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]
+) -> Tree:
+    """Everything that stands below the name of an operation."""
+    tree: Tree = {name: {} for name, _, _ in rows}
+    points, mounts = s.mounting.points, s.mounting.mounts
+    _torque(tree, driven, rows, torque, there)
+    for p, point in enumerate(points):
+        found = _points(driven, lines, p, _felt(driven, lines, point.name, there) if point.role != "machine" else None)
+        for (name, _, _), of_operation in zip(rows, found):
+            for variant, level in zip(driven.variants, of_operation):
+                tree[name].setdefault(variant, {})[point.name] = level
+    _mounts(tree, driven, lines, rows, [mount.name for mount in mounts], there)
+    _transmissibility(tree, driven, lines, rows, there)
+    _ratios(tree, driven, rows, points)
+    return tree
+
+
+def existing(driven: Drive, lines: Levels) -> list[int]:
+    """The orders by their index that drive the engine at all, with half on the crank."""
+    half = np.asarray(lines.wrench)[:, :, driven.variants.index("half")]
+    sizes = (np.linalg.norm(half[..., :3], axis=-1) + np.linalg.norm(half[..., 3:], axis=-1)).max(0)
+    return [int(i) for i in np.flatnonzero(sizes > l.NONE_BELOW * sizes.max(initial=0.0))]
+
+
+def _torque(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]], torque: ComplexArray, there: list[int]) -> None:
+    about = described(Text("Torque on the crank, this order"), "N·m", "T_n")
+    for (name, _, _), t in zip(rows, np.asarray(torque).tolist()):
+        for i in there:
+            if t[i]:
+                put(tree[name], ("torque", f"order_{order_word(driven.orders[i])}"), about, x.amplitude(t_n=based_on(t[i], torque)))
+
+
+def _points(driven: Drive, lines: Levels, point: int, felt: "Felt | None") -> list[list[PointLevel]]:
+    """The levels at a point (operations, variants)."""
+    numbers = []
+    banded = np.sqrt((np.abs(np.where(lines.band, lines.motion, 0.0)[:, :, point]) ** 2).sum(-1) / 2)
+    for k, (of_axis, of_all) in enumerate(l.KINDS):
+        level = mapped(of_axis, lines.motion[:, :, point, k], source=lines.source)
+        numbers += [joined(of_all, level), *along_last(level)]
+    numbers.append(mapped(severity.grade, *np.moveaxis(banded, 2, 0), source=lines.source))
+    if felt is not None:
+        numbers += [felt.whole, *along_last(felt.axes)]
+    return [
+        [
+            PointLevel(**dict(zip(SHOWN, map(there, (x[i][v] for x in numbers)))), orders=felt.orders(i, v) if felt is not None else None)
+            for v in range(len(driven.variants))
+        ]
+        for i in range(len(lines.speeds))
+    ]
+
+
+@record
+class Felt:
+    """What is felt at a seat or at a hand: (operations, variants), its axes along the last, and each order of some variants."""
+
+    whole: Nested
+    axes: Nested
+    by_order: Nested  # (operations, those variants, orders)
+    shown: list[int]
+    words: list[str]
+
+    def orders(self, i: int, v: int) -> dict[str, OrderLevel] | None:
+        if v not in self.shown:
+            return None
+        return {word: OrderLevel(weighted=there(x)) for word, x in zip(self.words, self.by_order[i][self.shown.index(v)])}
+
+
+def _felt(driven: Drive, lines: Levels, name: str, existing: list[int]) -> Felt:
+    a = np.abs(lines.acceleration[name])
+    W = np.broadcast_to(lines.weight[name], a.shape)
+    along = mapped(weighting.weighted, W, a, source=lines.source)
+    shown = _shown(driven)
+    sizes = np.linalg.norm(W * a, axis=-2).max((0, 1))
+    existing = [n for n in existing if not sizes[n] < FELT * sizes.max()]
+    apart = [np.moveaxis(x[:, shown][..., existing], -1, 2)[..., None] for x in (W, a)]  # (operations, variants, orders, axes, 1)
+    by_order = joined(weighting.total_value, mapped(weighting.weighted, *apart, source=lines.source))
+    return Felt(joined(weighting.total_value, along), along, by_order, shown, _words(driven, existing))
+
+
+def _shown(driven: Drive) -> list[int]:
+    return [v for v, variant in enumerate(driven.variants) if variant in BY_ORDER]
+
+
+def _words(driven: Drive, existing: list[int]) -> list[str]:
+    return [f"order_{order_word(driven.orders[n])}" for n in existing]
+
+
+def _mounts(
+    tree: Tree, driven: Drive, lines: Levels, rows: Sequence[tuple[str, float, float]], names: list[str], existing: list[int]
+) -> None:
+    F, shown, words = lines.force, _shown(driven), _words(driven, existing)
+    whole = mapped(l.force, F.reshape(*F.shape[:3], -1), source=lines.source)
+    peaks = mapped(l.deflection_peak, lines.deflection, source=lines.source, axes=2)
+    one = mapped(l.force, np.moveaxis(F[:, shown][..., existing], -1, -2), source=lines.source)
+    sums = [[l.force_sum(F=each(gathered(of_variant))) for of_variant in of_operation] for of_operation in whole]
+    together = described(Text("Forces of all mounts"), "N", "ΣF")
+    for i, (name, _, _) in enumerate(rows):
+        for v, variant in enumerate(driven.variants):
+            here = tree[name].setdefault(variant, {})
+            for j, mount in enumerate(names):
+                parts = None
+                if v in shown:
+                    parts = {word: OrderForce(force=there(x)) for word, x in zip(words, one[i][shown.index(v)][j])}
+                here[mount] = MountLevel(force=there(whole[i][v][j]), deflection_peak=there(peaks[i][v][j]), orders=parts)
+            put(here, ("force_sum",), together, sums[i][v])
+
+
+def _transmissibility(tree: Tree, driven: Drive, lines: Levels, rows: Sequence[tuple[str, float, float]], there: list[int]) -> None:
+    """With half on the crank: with the shaft the first order is a residue, and its ratio no property of the mounts."""
+    v = driven.variants.index("half")
+    wrench = np.asarray(lines.wrench)[:, :, v]
+    about = (
+        described(Text("Moment passed on over the moment that drives, this order"), "", "T_M"),
+        described(Text("Force passed on over the force that drives, this order"), "", "T_F"),
+    )
+    isolation = described(Text("Isolation of the moment, this order"), "%", "1 − T_M")
+    for i, (name, _, _) in enumerate(rows):
+        F, M = (np.linalg.norm(part, axis=-1) for part in (wrench[i, :, :3], wrench[i, :, 3:]))
+        F_t, M_t = (np.linalg.norm(part[i, v], axis=-1) for part in lines.passed_on)
+        for n in there:
+            way = ("half", f"order_{order_word(driven.orders[n])}")
+            if M[n] > l.NONE_BELOW * M.max():
+                T = l.moment_transmissibility(M_t=based_on(float(M_t[n]), lines.source), M=based_on(float(M[n]), lines.wrench))
+                put(tree[name], (*way, "transmissibility_moment"), about[0], T)
+                put(tree[name], (*way, "isolation"), isolation, based_on(1 - T, T))
+            if F[n] > l.NONE_BELOW * F.max():
+                T = l.force_transmissibility(F_t=based_on(float(F_t[n]), lines.source), F=based_on(float(F[n]), lines.wrench))
+                put(tree[name], (*way, "transmissibility_force"), about[1], T)
+
+
+def _ratios(tree: Tree, driven: Drive, rows: Sequence[tuple[str, float, float]], points: tuple[Point, ...]) -> None:
+    """Half over shaft at the first seat, at the first point of the engine and in the mounts: three numbers, never one."""
+    if "shaft" not in driven.variants:
+        return
+    seat = next((point.name for point in points if point.role == "seat"), None)
+    engine = next((point.name for point in points if point.on == "engine"), None)
+    asked: list[tuple[str, str, str, Described]] = []
+    if seat is not None:
+        asked.append(("felt_seat", seat, "weighted", described(Text("Felt at the seat, half over shaft"), "", "felt")))
+    if engine is not None:
+        asked.append(("felt_engine", engine, "velocity", described(Text("Felt at the engine, half over shaft"), "", "felt")))
+    for name, _, _ in rows:
+        half, shaft = tree[name]["half"], tree[name]["shaft"]
+        for id, place, kind, about in asked:
+            put(tree[name], (id,), about, _ratio(getattr(half[place], kind), getattr(shaft[place], kind)))
+        about = described(Text("Felt in the mounts, half over shaft"), "", "felt")
+        if "force_sum" in half and "force_sum" in shaft:
+            put(tree[name], ("felt_force",), about, _ratio(half["force_sum"].number, shaft["force_sum"].number))
+
+
+def _ratio(half: float | None, shaft: float | None) -> float | None:
+    return l.felt_ratio(half=half, shaft=shaft) if half is not None and shaft else None
+
+
+def felt_order_1(driven: Drive) -> Tree | None:
+    """The same at every place, of a pure couple: what the shaft's own error leaves of first order; none of one without error."""
+    tree: Tree = {}
+    for name in ("shaft", "scatter", "tooth"):
+        if name in driven.variants and (ratio := driven.first_order.get(name)) is not None:
+            put(tree, (name,), described(Text("First order felt, half over {variant}", variant=TITLES[name]), "", "felt_1"), ratio)
+    return tree or None

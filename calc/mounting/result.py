@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the step of the mounts publishes, and the arrays behind it for figures."""
+
+from typing import Any
+
+from ..sheet.arrays import Array
+from ..sheet.quantity import Stated, group, result, value
+from ..sheet.record import record
+from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
+from .drive import Drive
+from .levels import Course, Levels
+from .modes import Modes
+from .system import System
+
+
+@record
+class Rest:
+    """`deflection`: along own axes (mounts, 3), of the weight; `by_torque`: of 1 N·m about the crank; `load`: upward (mounts,)."""
+
+    deflection: Array
+    by_torque: Array
+    load: Array
+    q: Array
+    q_by_torque: Array
+
+
+Tree = dict[str, Any]  # Any: dicts of dicts down to a Stated, by the parts of the id
+
+
+@result
+class Mode:
+    """One of the six modes of the engine on rigid ground, slowest first."""
+
+    frequency: Hertz = value("Frequency", "Hz", "f")
+    loss_factor: Number = value("Loss factor", "", "η")
+    share: dict[str, Stated] = group()
+
+
+@result
+class RollAxis:
+    """The axis about which a free engine turns under a torque about the crank."""
+
+    angle: Radian = value("Torque roll axis from the crank", "°", "∠e_T")
+    decoupling: Number = value("Largest share of a mode in the motion about the torque roll axis", "%", "max s_i")
+    direction: dict[str, Stated] = group()
+
+
+@result
+class StaticMount:
+    """A mount under the weight of the engine."""
+
+    deflection: Metre = value("Static deflection along the first own axis", "mm", "δ_1")
+    load: Newton = value("Upward force on the engine", "N", "F_s")
+
+
+@result
+class Ceiling:
+    """How stiff all mounts may become."""
+
+    highest_factor: Number = value("Highest factor of all stiffnesses for isolation at idle", "", "s_high")
+    lowest_order: Number = value("Lowest order that drives the engine", "", "n_exc")
+
+
+@result
+class Window:
+    """By which factor all stiffnesses may be changed: not below the road's frequency, not above what isolates at idle."""
+
+    lowest_factor: Number = value("Lowest factor of all stiffnesses, by the road", "", "s_low")
+    spread: Number = value("Spread of the modes, highest over lowest", "", "f_max/f_min")
+    half: Ceiling | None = group(default=None)
+    shaft: Ceiling | None = group(default=None)
+
+
+@result
+class Focal:
+    """Two mounts that mirror each other: how they would have to lean for the engine to turn about its centre of gravity."""
+
+    angle: Radian | None = value("Inclination that decouples roll from lateral", "°", "φ", default=None)
+    reach: Metre = value("Highest elastic centre that an inclination gives", "mm", "a_max")
+
+
+@result
+class OrderLevel:
+    """What of one order is felt."""
+
+    weighted: MetrePerSecond2 | None = value("Weighted acceleration of this order, rms", "m/s²", "a_w", default=None)
+
+
+@result
+class OrderForce:
+    """What a mount has of one order."""
+
+    force: Newton | None = value("Force of the mount, this order, rms", "N", "F", default=None)
+
+
+@result
+class PointLevel:
+    """All orders together at a point, rms; the weighted ones at seats and hands.  None: an undamped resonance is hit."""
+
+    displacement: Metre | None = value("Displacement, rms", "mm", "s", default=None)
+    displacement_x: Metre | None = value("Displacement along x, rms", "mm", "s_x", default=None)
+    displacement_y: Metre | None = value("Displacement along y, rms", "mm", "s_y", default=None)
+    displacement_z: Metre | None = value("Displacement along z, rms", "mm", "s_z", default=None)
+    velocity: MetrePerSecond | None = value("Velocity, rms", "mm/s", "v", default=None)
+    velocity_x: MetrePerSecond | None = value("Velocity along x, rms", "mm/s", "v_x", default=None)
+    velocity_y: MetrePerSecond | None = value("Velocity along y, rms", "mm/s", "v_y", default=None)
+    velocity_z: MetrePerSecond | None = value("Velocity along z, rms", "mm/s", "v_z", default=None)
+    acceleration: MetrePerSecond2 | None = value("Acceleration, rms", "m/s²", "a", default=None)
+    acceleration_x: MetrePerSecond2 | None = value("Acceleration along x, rms", "m/s²", "a_x", default=None)
+    acceleration_y: MetrePerSecond2 | None = value("Acceleration along y, rms", "m/s²", "a_y", default=None)
+    acceleration_z: MetrePerSecond2 | None = value("Acceleration along z, rms", "m/s²", "a_z", default=None)
+    grade: Number | None = value("Severity grade, a lower bound", "", default=None)
+    weighted: MetrePerSecond2 | None = value("Weighted acceleration, rms", "m/s²", "a_w", default=None)
+    weighted_x: MetrePerSecond2 | None = value("Weighted acceleration along x, rms", "m/s²", "a_w,x", default=None)
+    weighted_y: MetrePerSecond2 | None = value("Weighted acceleration along y, rms", "m/s²", "a_w,y", default=None)
+    weighted_z: MetrePerSecond2 | None = value("Weighted acceleration along z, rms", "m/s²", "a_w,z", default=None)
+    orders: dict[str, OrderLevel] | None = group(spread=True, default=None)
+
+
+@result
+class MountLevel:
+    """A mount, all orders together."""
+
+    force: Newton | None = value("Force of the mount, rms", "N", "F", default=None)
+    deflection_peak: Metre | None = value("Largest deflection along an own axis", "mm", "δ_peak", default=None)
+    orders: dict[str, OrderForce] | None = group(spread=True, default=None)
+
+
+@result
+class MountingResult:
+    """Six modes, statics and aids, then operation by operation what the engine, the frame and the driver feel."""
+
+    frequency: dict[str, Stated] = group()
+    energy: dict[str, Stated] = group()
+    frequency_range: Tree | None = group(default=None)
+    modes: dict[str, Mode] = group(spread=True)
+    with_chassis: Tree | None = group(default=None)
+    roll_axis: RollAxis = group()
+    static: Tree = group()
+    window: Window = group()
+    focal: Tree | None = group(default=None)
+    critical: Tree = group()
+    operations: Tree = group(spread=True)
+    felt_order_1: Tree | None = group(default=None)
+    exposure: Tree | None = group(default=None)
+    range: Tree | None = group(default=None)
+    own: str  # the design's own variant
+    speeds: dict[str, tuple[float, float]]  # of each operation, and its hours
+    mode_data: Modes
+    stiffness: Any  # K and M of the engine on rigid ground
+    system: System
+    drive: Drive
+    levels: Levels
+    rest: Rest
+    output: tuple[float, ...]  # mean torque on the mounts, of each operation
+    courses: dict[str, Course]  # of each seat, over speed
+
+    @property
+    def has_shaft(self) -> bool:
+        return self.own == "shaft"
+
+    def leaf(self, id: str) -> float | None:
+        """A number below the operations, by the parts of its id; None where there is none."""
+        here: Any = self.operations
+        for part in id.split("."):
+            here = here.get(part) if isinstance(here, dict) else getattr(here, part, None)
+        number: float | None = here.number if isinstance(here, Stated) else here
+        return number

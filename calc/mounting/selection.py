@@ -1,0 +1,200 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Mounts to choose from: stiffness, shear ratio and inclination of the front and of the rear ones, which decouple the modes best.
+
+A candidate keeps all modes between the road's frequency and what isolates at idle; of those that do, the one counts whose modes are
+purest.  The lattice of whole steps and the way through it are those of every search of the program (`sheet/search.py`).
+"""
+
+import math
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from ..sheet.arrays import Array, BoolArray
+from ..sheet.changes import Changes
+from ..sheet.errors import NoSolution
+from ..sheet.progress import Progress, tell
+from ..sheet.record import record
+from ..sheet.search import judged, least, narrowed
+from ..sheet.step import Table
+from ..sheet.text import Amount, Text
+from .body import DOFS
+from .inputs import MountingInputs
+from .modes import assignments, eigen
+from .result import MountingResult
+
+STEPS = np.array([5e3, 0.05, math.radians(1.0)])  # static stiffness [N/m], shear over compression, inclination [rad]
+LOW, HIGH = np.array([16, 5, 0]), np.array([80, 20, 50])  # in steps: 80 … 400 N/mm, 0.25 … 1, 0 … 50°
+TARGETS = np.array([0.95, 0.85, 0.85, 0.85, 0.85, 0.95])  # of the energies, in the order of DOFS
+STARTS = ((34, 10, 15), (24, 6, 30), (50, 14, 25))  # in steps, front and rear alike
+SIDE = 3  # points of the grid along each axis
+FIRST_STEP = 4
+ISOLATES = math.sqrt(2.0)
+
+
+@record
+class Room:
+    """What does not change from candidate to candidate; places from the centre of gravity."""
+
+    B: Array  # (mounts, 3, 6)
+    M: Array
+    side: Array  # (mounts,): −1, 1 beside the crank, 0 on it
+    rear: BoolArray  # (mounts,): whether it stands behind the middle of all
+    ratio: Array  # dynamic over static
+    ground: Array  # (mounts, 3) of the foundation; infinite where it is rigid
+    lowest: float  # Hz
+    highest: float
+
+
+@record
+class Candidate:
+    """One row: front and rear (stiffness, shear ratio, inclination), and what it gives."""
+
+    variables: Array  # (2, 3) in SI
+    frequencies: Array  # of the named modes, in the order of DOFS
+    energies: Array
+    missed: float  # Σ max(0, target − E)²
+    inside: bool
+
+    def mounts(self, mounting: MountingInputs, room: Room) -> MountingInputs:
+        """The design with it."""
+        made = []
+        for mount, at, side in zip(mounting.mounts, room.rear, room.side):
+            k, s, phi = self.variables[int(at)].tolist()
+            made.append(replace(mount, stiffness=(k, k * s, k * s), turned=(0.0, 0.0, -float(side) * phi)))
+        return replace(mounting, mounts=tuple(made))
+
+
+def room(mounting: MountingInputs, result: MountingResult) -> Room:
+    """Raises NoSolution where nothing drives the engine, or where no frequency is left between the road's and what drives it."""
+    ceiling = result.window.shaft if result.has_shaft else result.window.half
+    if ceiling is None:
+        raise NoSolution(Text("there is nothing to isolate from"), Text("no order drives the engine"))
+    highest = float(ceiling.lowest_order) * float(mounting.idle_speed) / ISOLATES
+    if highest <= mounting.road_frequency:
+        raise NoSolution(
+            Text("no frequency is left between the road's and what isolates at idle"),
+            Text("{low} to {high}", low=Amount(mounting.road_frequency, "Hz"), high=Amount(highest, "Hz")),
+            Text("raise idle_speed_rpm or lower road_frequency_Hz"),
+        )
+    places = np.array([mount.position for mount in mounting.mounts])
+    grounds = [mount.foundation for mount in mounting.mounts]
+    ground = np.array([np.full(3, np.inf) if one is None else np.broadcast_to(np.asarray(one, dtype=float), (3,)) for one in grounds])
+    middle = float((places[:, 2].min() + places[:, 2].max()) / 2)
+    return Room(
+        result.system.between[:, :, :6],
+        result.stiffness[1],
+        np.sign(places[:, 1]),
+        places[:, 2] > middle,
+        np.array([mount.dynamic_ratio for mount in mounting.mounts]),
+        ground,
+        float(mounting.road_frequency),
+        highest,
+    )
+
+
+def evaluated(at: Room, points: Array) -> tuple[Array, Array, Array, Array]:
+    """Of many candidates (n, 6 in steps): margin, what is missed of the targets, frequencies and energies of the named modes."""
+    x = points.reshape(len(points), 2, 3) * STEPS
+    mine = x[:, at.rear.astype(int)]  # (n, mounts, 3)
+    k, s, phi = mine[..., 0], mine[..., 1], -at.side * mine[..., 2]
+    own = np.stack([k, k * s, k * s], -1) * at.ratio[:, None]
+    own = own / (1 + own / at.ground)
+    c, d = np.cos(phi), np.sin(phi)
+    along = np.stack([c, d, 0 * c], -1)[..., None, :] @ at.B  # (n, mounts, 1, 6): compression, then the two shears
+    across = np.stack([-d, c, 0 * c], -1)[..., None, :] @ at.B
+    flat = np.broadcast_to(at.B[:, 2:3], across.shape)
+    D = np.concatenate([along, across, flat], -2)
+    K = np.einsum("nmai,nma,nmaj->nij", D, own, D)
+    values, phi_ = eigen(K, at.M)
+    E = phi_ * (at.M @ phi_)
+    of = assignments()[(E.reshape(-1, 36) @ _indicator()).argmax(-1)]  # (n, 6): the mode of each coordinate
+    rows = np.arange(len(points))[:, None]
+    f = np.sqrt(np.maximum(values, 0.0)) / (2 * math.pi)
+    energy = E[rows, np.arange(6), of]
+    margin = least([judged("road", f[:, 0], at.lowest), judged("separation", f[:, -1], at.highest, "<=")])
+    missed = (np.maximum(0.0, TARGETS - energy) ** 2).sum(-1)
+    return margin, missed, f[rows, of], energy
+
+
+@cache
+def _indicator() -> Array:
+    """Which entries of an energy table each of the 720 assignments adds up (36, 720)."""
+    found = np.zeros((36, len(assignments())))
+    for j in range(6):
+        found[6 * j + assignments()[:, j], np.arange(len(assignments()))] = 1.0
+    return found
+
+
+def choices(mounting: MountingInputs, result: MountingResult, progress: Progress | None = None) -> tuple[Room, tuple[Candidate, ...]]:
+    """The best of each start, each once: those inside the window first, the purest modes first."""
+    at = room(mounting, result)
+    low, high = np.tile(LOW, 2), np.tile(HIGH, 2)
+
+    def evaluate(points: Array) -> tuple[Array, Array]:
+        margin, missed, _, _ = evaluated(at, points)
+        return margin, missed
+
+    found: dict[tuple[int, ...], Candidate] = {}
+    for n, start in enumerate(STARTS):
+        tell(progress, n / len(STARTS), Text("start {n} of {count}", n=n + 1, count=len(STARTS)))
+        best, _, _ = narrowed(evaluate, low, high, np.tile(start, 2), np.full(6, FIRST_STEP), SIDE)
+        margin, missed, f, E = evaluated(at, best[None])
+        found.setdefault(tuple(best.tolist()), Candidate(best.reshape(2, 3) * STEPS, f[0], E[0], float(missed[0]), bool(margin[0] >= 0)))
+    return at, tuple(sorted(found.values(), key=lambda one: (not one.inside, one.missed, -float(one.energies.min()))))
+
+
+def changes(one: Candidate, mounting: MountingInputs, at: Room) -> Changes:
+    """What writes it into the design."""
+    made = one.mounts(mounting, at)
+    found: Changes = {}
+    for mount in made.mounts:
+        assert mount.turned is not None
+        found[f"mounting.mounts.{mount.name}.stiffness_N_mm"] = [round(k / 1e3, 6) for k in mount.stiffness]
+        found[f"mounting.mounts.{mount.name}.turned_deg"] = [round(math.degrees(angle), 6) + 0.0 for angle in mount.turned]
+    return found
+
+
+def table(found: tuple[Candidate, ...], at: Room, top: int) -> Table:
+    columns = (
+        (Text("number"), ""),
+        (Text("front"), "N/mm"),
+        (Text("shear"), ""),
+        (Text("leans"), "°"),
+        (Text("rear"), "N/mm"),
+        (Text("shear"), ""),
+        (Text("leans"), "°"),
+        (Text("lowest"), "Hz"),
+        (Text("highest"), "Hz"),
+        (Text("bounce"), "%"),
+        (Text("roll"), "%"),
+        (Text("least"), "%"),
+    )
+    rows = tuple(
+        (
+            n,
+            *(_shown(x) for part in one.variables for x in zip(part, (1e3, 1.0, math.pi / 180))),
+            float(one.frequencies.min()),
+            float(one.frequencies.max()),
+            *(100 * float(one.energies[DOFS.index(dof)]) for dof in ("bounce", "roll")),
+            100 * float(one.energies.min()),
+        )
+        for n, one in enumerate(found[:top], 1)
+    )
+    return Table(
+        "mounts",
+        Text("Mounts that decouple the modes"),
+        columns,
+        rows,
+        Text(
+            "Static stiffness in compression, shear over compression, inclination inwards; all modes from {low} to {high}: the road's, and "
+            "what isolates at idle.",
+            low=Amount(at.lowest, "Hz"),
+            high=Amount(at.highest, "Hz", digits=3),
+        ),
+    )
+
+
+def _shown(x: tuple[float, float]) -> float:
+    return round(x[0] / x[1], 6)

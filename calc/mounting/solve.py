@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The engine on its mounts: modes, statics, and what is felt at every operation without a shaft, with one, and with one that is off."""
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from ..engine.inputs import EngineInputs
+from ..engine.result import EngineResult
+from ..imbalance.result import ImbalanceResult
+from ..sheet.arrays import many
+from ..sheet.check import Check
+from ..sheet.later import Later
+from ..sheet.quantity import Stated
+from ..sheet.step import Curve, Outcome, Table
+from ..sheet.text import Text
+from ..sheet.trace import trace, untraced
+from . import body, modal, statics
+from .checks import checks
+from .drive import Drive, ShaftOnEngine, drive, operating
+from .felt import course_values, courses, critical, crossings, exposure
+from .inputs import MountingInputs
+from .levels import levels
+from .notes import honest, notes
+from .numbers import described
+from .operations import existing, felt_order_1, operations
+from .result import MountingResult, Tree
+from .system import system
+
+
+def solve(
+    mounting: MountingInputs, engine: EngineInputs, e: EngineResult, imbalance: ImbalanceResult, shaft: ShaftOnEngine | None
+) -> Outcome[MountingResult]:
+    """`shaft`: the counter-shaft as designed, None where there is none."""
+    with trace() as lines:
+        driven = drive(mounting, engine, e, imbalance, shaft)
+        result = values(mounting, driven, body.inertia(mounting))
+        found = tuple(checks(mounting, engine, result))
+        if mounting.inertia is None:
+            result, found = _over_boxes(mounting, engine, driven, result, found)
+    return Outcome(
+        "mounting",
+        result=result,
+        checks=found,
+        lines=tuple(lines),
+        curves=Later(partial(_curves, result)),
+        tables=Later(partial(_tables, mounting, result)),
+        notes=Later(lambda: notes(mounting, engine, result, shaft)),
+        reason=honest(result),
+    )
+
+
+def values(mounting: MountingInputs, driven: Drive, J: float) -> MountingResult:
+    """Every number of the step, of an engine with this inertia tensor."""
+    free = system(mounting, many(J), frame=False)
+    m = modal.matrices(mounting, free, J)
+    one = modal.of_modes(m)
+    rest = statics.at_rest(mounting, free)
+    rows = operating(mounting, driven.engine)
+    speeds = np.array([speed for _, speed, _ in rows])
+    torque = driven.torque(speeds)
+    whole = free if mounting.chassis is None else system(mounting, many(J))
+    lines = levels(whole, driven, speeds, torque)
+    frequency, there = modal.frequencies(m, one), existing(driven, lines)
+    rows_critical = crossings(mounting, driven, there, frequency)
+    over_speed, at_critical = courses(mounting, whole, driven, [n for _, _, n in rows_critical])
+    out = statics.output(mounting, driven, speeds)
+    result = MountingResult(
+        frequency=frequency,
+        energy=modal.energies(m),
+        modes=one,
+        roll_axis=modal.roll_axis(m),
+        with_chassis=modal.with_chassis(whole) if mounting.chassis is not None else None,
+        static=statics.published(mounting, rest, out),
+        window=modal.window(mounting, driven, m, one),
+        focal=modal.focal(mounting),
+        critical=critical(rows_critical, at_critical),
+        operations=operations(driven, lines, whole, rows, torque, there),
+        felt_order_1=felt_order_1(driven),
+        range=course_values(over_speed),
+        own="shaft" if "shaft" in driven.variants else "half",
+        speeds={name: (speed, hours) for name, speed, hours in rows},
+        mode_data=m.found,
+        stiffness=(many(m.K), many(m.M)),
+        system=whole,
+        drive=driven,
+        levels=lines,
+        rest=rest,
+        output=out,
+        courses=over_speed,
+    )
+    return replace(result, exposure=exposure(mounting, result))
+
+
+def _over_boxes(
+    mounting: MountingInputs, engine: EngineInputs, driven: Drive, result: MountingResult, found: tuple[Check, ...]
+) -> tuple[MountingResult, tuple[Check, ...]]:
+    """With the range of every frequency, and with the check of the verdicts that hang on the estimate of the inertia."""
+    from .checks import inertia_check
+
+    with untraced():
+        others = [values(mounting, driven, body.inertia(mounting, share)) for share in (body.LEAST, body.MOST)]
+        verdicts = [{c.id: c.holds for c in checks(mounting, engine, one)} for one in others]
+    span: Tree = {}
+    for dof in body.DOFS:
+        ends = [one.frequency[dof].number for one in (result, *others)]
+        span[dof] = {
+            "lowest": Stated(described(Text("Lowest frequency over the range of the inertia"), "Hz"), min(ends)),
+            "highest": Stated(described(Text("Highest frequency over the range of the inertia"), "Hz"), max(ends)),
+        }
+    flips = [c.name for c in found if any(one.get(c.id, c.holds) != c.holds for one in verdicts)]
+    return replace(result, frequency_range=span), (*found, inertia_check(flips))
+
+
+def _curves(result: MountingResult) -> tuple[Curve, ...]:
+    from .curves import curves  # which a check does not draw
+
+    return curves(result)
+
+
+def _tables(mounting: MountingInputs, result: MountingResult) -> tuple[Table, ...]:
+    from .views import tables
+
+    return tables(mounting, result)

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The engine at rest on its mounts: how far they give, what they carry, and how far it rolls under a torque that leaves it."""
+
+import numpy as np
+
+from ..sheet.arrays import Array, each, many
+from ..sheet.formula import formula
+from ..sheet.linked_array import elements
+from ..sheet.quantity import Described, Stated
+from ..sheet.text import Text
+from ..sheet.units import Metre, Newton, NewtonMetre, NewtonPerMetre, Number, Radian
+from ..sheet.value import based_on, link_of, linked
+from .drive import Drive
+from .inputs import MountingInputs
+from .modes import stiffness_matrix
+from .result import Rest, StaticMount, Tree
+from .springs import static
+from .system import System
+
+GRAVITY = 9.80665  # m/s²
+
+
+@formula("q_s", "statics: equilibrium on the static stiffness of the mounts", shows="K_s⁻¹·f")
+def rest(K_s: NewtonPerMetre, f: Newton) -> Metre:
+    return each(np.linalg.solve(np.asarray(K_s), np.asarray(f)))
+
+
+@formula("δ_s", "kinematics: deflection along the mount's own axes", shows="Rᵀ·B·q_s", unit="mm")
+def own_deflection(q_s: Metre, B: Number, R: Number) -> Metre:
+    found: Array = np.einsum("jba,jbc,c->ja", np.asarray(R), np.asarray(B), np.asarray(q_s))
+    return each(found)
+
+
+@formula("δ_1", "definition: amount of the deflection along the first own axis", unit="mm")
+def first_axis(delta_s: Metre) -> Metre:
+    return abs(delta_s)
+
+
+@formula("F_s", "statics: upward force of the mount on the engine", shows="−up·R·diag(k)·δ_s")
+def load(k: NewtonPerMetre, delta_s: Metre, R: Number, up: Number) -> Newton:
+    """Of all mounts; below 0: it is pulled."""
+    found: Array = -np.einsum("jab,jb,a->j", np.asarray(R), np.asarray(k) * np.asarray(delta_s), np.asarray(up))
+    return each(found)
+
+
+@formula("φ_s", "kinematics: roll about the crank, positive from up to the side", shows="θ_z of q_s")
+def roll(q_s: Metre) -> Radian:
+    return float(np.asarray(q_s)[5])
+
+
+def at_rest(mounting: MountingInputs, s: System) -> Rest:
+    """`s`: on rigid ground."""
+    k = based_on(np.stack([static(mount) for mount in mounting.mounts]), mounting.mounts)
+    up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
+    K_s = stiffness_matrix(k=each(k), B=each(s.between), R=each(s.axes))
+    weight = np.concatenate([-float(mounting.mass) * GRAVITY * up, np.zeros(3)])
+    q = rest(K_s=K_s, f=each(based_on(weight, mounting.mass)))
+    q_T = rest(K_s=K_s, f=each(np.array([0, 0, 0, 0, 0, 1.0])))
+    delta = own_deflection(q_s=q, B=each(s.between), R=each(s.axes))
+    by_torque = own_deflection(q_s=q_T, B=each(s.between), R=each(s.axes))
+    carried = load(k=each(k), delta_s=delta, R=each(s.axes), up=each(up))
+    return Rest(np.asanyarray(delta), np.asanyarray(by_torque), np.asanyarray(carried), np.asanyarray(q), np.asanyarray(q_T))
+
+
+@formula("M_out", "statics: mean torque that the mounts carry where it leaves the body")
+def output_moment(T_out: NewtonMetre, i_out: Number) -> NewtonMetre:
+    return -T_out * i_out
+
+
+def output(mounting: MountingInputs, driven: Drive, speeds: Array) -> tuple[float, ...]:
+    """The mean torque on the mounts at each speed: 0 where it stays inside."""
+    if mounting.torque_path == "inside":
+        return (0.0,) * len(speeds)
+    if mounting.output_torque is not None:
+        torques = [mounting.output_torque] * len(speeds)
+    else:
+        torques = [based_on(x, driven.e.torque) for x in driven.mean_torque(speeds).tolist()]
+    return tuple(output_moment(T_out=T, i_out=mounting.output_ratio) for T in torques)
+
+
+def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> Tree:
+    """Mount by mount, and the roll of the engine under its weight and the largest mean torque."""
+    loads = elements(many(each(rest.load)))
+    tree: Tree = {
+        mount.name: StaticMount(
+            deflection=first_axis(delta_s=linked(float(rest.deflection[j, 0]), link_of(rest.deflection))), load=loads[j]
+        )
+        for j, mount in enumerate(mounting.mounts)
+    }
+    M_z = max(out, key=abs, default=0.0)
+    q = based_on(rest.q + rest.q_by_torque * M_z, rest.q, rest.q_by_torque, M_z)
+    tree["roll"] = Stated(Described(Text("Static roll, from up to the side"), "°", "φ_s"), roll(q_s=each(q)))
+    return tree

@@ -1,0 +1,203 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Engine and frame as one system: its matrices, the displacement of every place, and its steady state under harmonic wrenches.
+
+Coordinates: the six of the engine's centre of gravity, then the six of the chassis and one for each mode of the frame.
+"""
+
+import math
+
+import numpy as np
+
+from ..sheet.arrays import Array, ComplexArray, each, phasors
+from ..sheet.formula import formula
+from ..sheet.record import record
+from ..sheet.units import Kilogram, PhasorMetre, PhasorNewton, PhasorNewtonPerMetre, RadPerSecond
+from ..sheet.value import based_on, link_of, linked
+from . import springs
+from .body import displacement, mass_matrix
+from .inputs import MountingInputs, Point
+from .mount_inputs import Chassis
+from .tensor import tensor
+
+RESONANT = 1e-12  # of an eigenvalue: an undamped resonance is hit
+
+
+@record
+class System:
+    """`between`: how each mount is deflected (mounts, 3, coordinates), engine side less frame side, in engine axes; `axes`: R of each."""
+
+    mounting: MountingInputs
+    size: int
+    M: Array
+    between: Array
+    axes: Array
+    ground: Array  # (supports, 3, coordinates): how each support of the frame moves
+    arms: Array  # (mounts, 3): places of the mounts from the centre of gravity
+    static_frame: ComplexArray  # (coordinates, coordinates): of the modes of the frame
+    source: object  # what the matrices come of
+
+    @property
+    def constant(self) -> bool:
+        """Whether nothing depends on frequency: one eigenproblem then answers all speeds."""
+        frame = self.mounting.chassis
+        mounts = all([springs.constant(mount) for mount in self.mounting.mounts])
+        return mounts and all([springs.constant(support) for support in (frame.supports if frame is not None else ())])
+
+    def mount_stiffness(self, Omega: Array) -> tuple[ComplexArray, ComplexArray]:
+        """Along the own axes of each mount itself (mounts, frequencies, 3), and with its foundation in engine axes."""
+        own = [springs.own(mount, Omega) for mount in self.mounting.mounts]
+        whole = [springs.with_foundation(m, k, R, Omega) for m, k, R in zip(self.mounting.mounts, own, self.axes)]
+        return np.stack(own), np.stack(whole)
+
+    def stiffness(self, whole: ComplexArray, Omega: Array) -> ComplexArray:
+        """K* (frequencies, coordinates, coordinates) from that of the mounts."""
+        D, found = self.between, np.zeros((Omega.size, self.size, self.size), dtype=complex)
+        for d, k in zip(D, whole):
+            found += d.T @ k @ d
+        frame = self.mounting.chassis
+        if frame is not None:
+            for support, g in zip(frame.supports, self.ground):
+                R = springs.rotation(support.turned)
+                found += g.T @ ((R * springs.own(support, Omega)[:, None, :]) @ R.T) @ g
+        return found + self.static_frame
+
+
+def system(mounting: MountingInputs, J: Array, *, frame: bool = True) -> System:
+    """The system of a design; `frame`: with the machine below, else on rigid ground."""
+    chassis = mounting.chassis if frame else None
+    modes = chassis.modes if chassis is not None else ()
+    size = 6 + (6 + len(modes) if chassis is not None else 0)
+    r_G = np.asarray(mounting.centre_of_gravity)
+    arms = np.array([mount.position for mount in mounting.mounts]) - r_G
+    M = np.eye(size)
+    M[:6, :6] = np.asarray(mass_matrix(m=mounting.mass, J=each(J)))
+    static_frame = np.zeros((size, size), dtype=complex)
+    between = np.zeros((len(arms), 3, size))
+    supports = chassis.supports if chassis is not None else ()
+    ground = np.zeros((len(supports), 3, size))
+    for j, mount in enumerate(mounting.mounts):
+        between[j, :, :6] = displacement(arms[j])
+        if chassis is not None:
+            between[j, :, 6:] = -_on_frame(chassis, mount.name, mount.position)
+    if chassis is not None:
+        M[6:12, 6:12] = np.asarray(mass_matrix(m=chassis.mass, J=each(tensor(chassis.inertia, chassis.inertia_coupling))))
+        for i, mode in enumerate(modes):
+            static_frame[12 + i, 12 + i] = (2 * math.pi * mode.frequency) ** 2 * (1 + 1j * mode.loss_factor)
+        for j, support in enumerate(supports):
+            ground[j, :, 6:] = _on_frame(chassis, support.name, support.position)
+    axes = np.stack([springs.rotation(mount.turned) for mount in mounting.mounts])
+    own = mounting if chassis is mounting.chassis else _without_frame(mounting)
+    source = (J, mounting.mass, mounting.centre_of_gravity, mounting.mounts, chassis)
+    return System(own, size, M, between, axes, ground, arms, static_frame, source)
+
+
+def _without_frame(mounting: MountingInputs) -> MountingInputs:
+    from dataclasses import replace
+
+    return replace(mounting, chassis=None)
+
+
+def _on_frame(chassis: Chassis, name: str, position: tuple[float, ...]) -> Array:
+    """How a place of the frame moves with the chassis and its modes."""
+    rigid = displacement(np.asarray(position) - np.asarray(chassis.centre_of_gravity))
+    shapes = [next((place.move for place in mode.shape if place.name == name), (0.0, 0.0, 0.0)) for mode in chassis.modes]
+    return np.hstack([rigid, np.array(shapes, dtype=float).reshape(-1, 3).T])
+
+
+def moves(s: System, point: Point) -> Array:
+    """How a point moves with the coordinates (3, coordinates)."""
+    found = np.zeros((3, s.size))
+    if point.on == "chassis":
+        assert s.mounting.chassis is not None
+        found[:, 6:] = _on_frame(s.mounting.chassis, point.name, point.position)
+    else:
+        found[:, :6] = displacement(np.asarray(point.position) - np.asarray(s.mounting.centre_of_gravity))
+    return found
+
+
+@formula("q̂", "dynamics: steady state of a linear system under harmonic wrenches", shows="(K* − Ω²·M)⁻¹·f̂")
+def steady_state(K: PhasorNewtonPerMetre, M: Kilogram, f: PhasorNewton, Omega: RadPerSecond) -> PhasorMetre:
+    """`f`: (frequencies, cases, 6) on the engine; `K`: one matrix, or one for each frequency.  None of a resonance without loss."""
+    stiff, mass, force, w = phasors(K), np.asarray(M), phasors(f), np.asarray(Omega)
+    if stiff.ndim == 2:
+        return each(_by_modes(stiff, mass, force, w))
+    D = stiff - (w**2)[:, None, None] * mass
+    right = np.zeros((w.size, mass.shape[0], force.shape[1]), dtype=complex)
+    right[:, :6] = np.swapaxes(force, 1, 2)
+    try:
+        found = np.linalg.solve(D, right)
+    except np.linalg.LinAlgError:
+        found = np.stack([_one(d, r) for d, r in zip(D, right)])
+    return each(np.swapaxes(found, 1, 2))
+
+
+def _one(D: ComplexArray, right: ComplexArray) -> ComplexArray:
+    try:
+        found: ComplexArray = np.asarray(np.linalg.solve(D, right), dtype=complex)
+        return found
+    except np.linalg.LinAlgError:
+        return np.full_like(right, np.nan)
+
+
+@record
+class Decomposed:
+    """One complex-symmetric eigenproblem for all speeds: q̂ = right·(left·f̂)/(λ − Ω²)."""
+
+    values: ComplexArray
+    left: ComplexArray  # (modes, 6)
+    right: ComplexArray  # (coordinates, modes)
+
+
+def decomposed(K: ComplexArray, M: Array) -> Decomposed:
+    inverse = np.linalg.inv(np.linalg.cholesky(M))
+    values, V = np.linalg.eig(inverse @ K @ inverse.T)
+    return Decomposed(values, np.linalg.solve(V, inverse.astype(complex))[:, :6], inverse.T @ V)
+
+
+def gain(values: ComplexArray, Omega: Array) -> ComplexArray:
+    """1/(λ − Ω²) (frequencies, modes); no number where an undamped resonance is hit."""
+    gap = values - (Omega**2)[:, None]
+    hit = np.abs(gap) <= RESONANT * np.abs(values)
+    found: ComplexArray = np.where(hit, np.nan, 1.0 / np.where(hit, 1.0, gap))
+    return found
+
+
+def _by_modes(K: ComplexArray, M: Array, f: ComplexArray, Omega: Array) -> ComplexArray:
+    d = decomposed(K, M)
+    found: ComplexArray = ((f @ d.left.T) * gain(d.values, Omega)[:, None, :]) @ d.right.T
+    return found
+
+
+@record
+class Response:
+    """q̂ (frequencies, cases, coordinates), and the forces of the mounts on the frame (mounts, frequencies, cases, 3) in engine axes,
+    with their own deflections along their own axes."""
+
+    Omega: Array
+    q: ComplexArray
+    force: ComplexArray
+    deflection: ComplexArray
+
+
+def respond(s: System, Omega: Array, f: ComplexArray) -> Response:
+    """The steady state under wrenches about the engine's centre of gravity, (frequencies, cases, 6)."""
+    one = Omega[:1] if s.constant else Omega
+    own, whole = s.mount_stiffness(one)
+    K = s.stiffness(whole, one)
+    K_given = based_on(K[0] if s.constant else K, s.source)
+    q = steady_state(K=each(K_given), M=each(based_on(s.M, s.source)), f=each(f), Omega=each(Omega))
+    between = np.einsum("jac,fvc->jfva", s.between, phasors(q))
+    force = np.einsum("jfab,jfvb->jfva", np.broadcast_to(whole, (len(whole), Omega.size, 3, 3)), between)
+    deflection = np.einsum("jba,jfvb->jfva", s.axes, force) / own[:, :, None, :]
+    return Response(Omega, linked(phasors(q), link_of(q)), force, deflection)
+
+
+def respond_at(s: System, Omega: Array, f: ComplexArray) -> ComplexArray:
+    """The displacements alone, frequency by frequency."""
+    _, whole = s.mount_stiffness(Omega)
+    return phasors(steady_state(K=each(s.stiffness(whole, Omega)), M=each(s.M), f=each(f), Omega=each(Omega)))
+
+
+def transmitted(s: System, r: Response) -> tuple[ComplexArray, ComplexArray]:
+    """Force and moment about the centre of gravity that the mounts pass on (frequencies, cases, 3)."""
+    return r.force.sum(0), np.cross(s.arms[:, None, None, :], r.force).sum(0)
