@@ -7,13 +7,15 @@ Nothing is solved here.  A and B change places without changing what is found: e
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
-from .addresses import Table, as_list, as_table
-from .design import STEPS, Design
-from .sheet.check import ORDER, Check
-from .sheet.quantity import Published, Quantity, keys
-from .sheet.text import EMPTY, Text
+from .addresses import Table
+from .compare_inputs import InputDifference, inputs, united
+from .design import STEPS
+from .key_values import is_least, key_results
+from .sheet.check import ORDER, Check, worst
+from .sheet.quantity import Published
+from .sheet.text import EMPTY, Name, Text
 
 if TYPE_CHECKING:
     from .solve import Results
@@ -21,25 +23,7 @@ if TYPE_CHECKING:
 EQUAL = Text("The two designs are equal: no input, verdict, check or value differs.")
 SAME = 1e-6  # results that differ by less, of the larger one, are the same: iterations end somewhere, and nobody reads further
 NOTHING = 1e-13  # what is less than this share of the largest number of its unit in its step is what is left of a sum that is zero
-LAST = (  # stand behind what is calculated with
-    "accepted", "without", "locked", "oil", "material", "schema", "name", "note", "author", "checker", "revision", "date", "document",
-)  # fmt: skip
-T = TypeVar("T")
-
-
-@dataclass(frozen=True)
-class InputDifference:
-    """One key, as the two files have it; None: left out.  A table that only one of them has is one difference, and so is an element."""
-
-    key: str  # elements of arrays by name, else by index, as everywhere
-    label: Text
-    unit: str
-    a: object
-    b: object
-
-    @property
-    def step(self) -> str:
-        return self.key.partition(".")[0]
+NOTABLE = 1e-3  # a key result that differs by less is neither better nor worse
 
 
 @dataclass(frozen=True)
@@ -80,9 +64,9 @@ class CheckDifference:
         return self.id.partition(".")[0]
 
     @property
-    def name(self) -> str:
+    def name(self) -> Text:
         either = self.b or self.a
-        return either.name if either else self.id
+        return either.name if either else Name(self.id)
 
     @property
     def both(self) -> bool:
@@ -125,6 +109,29 @@ class ValueDifference:
 
 
 @dataclass(frozen=True)
+class KeyResult:
+    """One of the results that a design is known by, of each design at the part where it is worst."""
+
+    a: Published | None  # None: the design has none
+    b: Published | None
+    least: bool  # the more of it the better
+    relative: float
+
+    @property
+    def either(self) -> Published:
+        one = self.b or self.a
+        assert one is not None
+        return one
+
+    @property
+    def better(self) -> bool | None:
+        """Whether B is better than A; None: neither, or only one has it."""
+        if self.a is None or self.b is None or not self.relative > NOTABLE:
+            return None
+        return (self.b.shown > self.a.shown) == self.least
+
+
+@dataclass(frozen=True)
 class Comparison:
     """What differs.  Checks and values: step by step, first those of both designs by the size of the difference, then those of one."""
 
@@ -132,6 +139,7 @@ class Comparison:
     verdicts: tuple[StepVerdicts, ...]  # of every step
     checks: tuple[CheckDifference, ...]  # of a step those first whose verdict has moved; of those of one design those that do not pass
     values: tuple[ValueDifference, ...]
+    results: tuple[KeyResult, ...] = ()  # of either design, whether they differ or not
 
     @property
     def equal(self) -> bool:
@@ -160,77 +168,18 @@ class Comparison:
         """Of both designs with the same verdict, at another value or limit."""
         return tuple(c for c in self.checks if c.both and not c.moved)
 
+    @property
+    def whole(self) -> tuple[str, str]:
+        """The verdict of each design as a whole."""
+        return worst(v.a.verdict for v in self.verdicts), worst(v.b.verdict for v in self.verdicts)
+
 
 def compare(a: Table, b: Table, results_a: "Results", results_b: "Results", same: float = SAME) -> Comparison:
     """Compare two designs: the tables of their files, and what they gave."""
     return Comparison(
         tuple(inputs(a, b)), tuple(_verdicts(results_a, results_b)), tuple(_checks(results_a, results_b, same)),
-        tuple(_values(results_a, results_b, same)),
+        tuple(_values(results_a, results_b, same)), tuple(_key_results(results_a, results_b)),
     )  # fmt: skip
-
-
-# --- inputs -----------------------------------------------------------------------------------------------------------------
-def inputs(a: Table, b: Table) -> list[InputDifference]:
-    """The keys that differ between the tables of two design files: the steps in their order, then what only names or explains."""
-    found = list(_keys(Design, a, b, ""))
-    return sorted(found, key=lambda d: LAST.index(d.step) + 1 if d.step in LAST else 0)
-
-
-def _keys(cls: type, a: Table, b: Table, prefix: str) -> Iterator[InputDifference]:
-    for key, known in keys(cls).items():
-        about, mine, theirs = known.about, a.get(key), b.get(key)
-        if mine is theirs or mine == theirs:
-            continue
-        here = f"{prefix}{key}"
-        if about.kind == "tables":
-            yield from _elements(about, as_list(mine), as_list(theirs), here)
-        elif about.kind == "reasons":
-            one, other = as_table(mine), as_table(theirs)
-            for id in one | other:
-                if one.get(id) != other.get(id):
-                    yield InputDifference(f"{here}.{id}", about.label, "", one.get(id), other.get(id))
-        elif about.kind == "table" and mine is not None and theirs is not None:
-            assert about.table is not None
-            yield from _keys(about.table, as_table(mine), as_table(theirs), f"{here}.")
-        elif _plain(about, mine) != _plain(about, theirs):
-            yield InputDifference(here, about.label, about.unit, mine, theirs)
-
-
-def _plain(about: Quantity, content: object) -> object:
-    """One number stands for a list of one, and a choice may look like a number."""
-    if content is None:
-        return None
-    if about.kind in ("series", "integers"):
-        return as_list(content)
-    return str(content) if about.kind in ("choice", "date") else content
-
-
-def _elements(about: Quantity, a: list[object], b: list[object], here: str) -> Iterator[InputDifference]:
-    """The elements of two arrays of tables, matched by name, else by index."""
-    assert about.table is not None
-    if not a or not b:
-        if a or b:
-            yield InputDifference(here, about.label, "", a or None, b or None)
-        return
-    mine, theirs = _named(a), _named(b)
-    for name in _united(mine, theirs):
-        one, other = mine.get(name), theirs.get(name)
-        if one is not None and other is not None:
-            yield from _keys(about.table, one, other, f"{here}.{name}.")
-        else:
-            yield InputDifference(f"{here}.{name}", Text("{label}: {name}", label=about.label, name=name), "", one, other)
-
-
-def _named(items: list[object]) -> dict[str, Table]:
-    return {str(item.get("name", n)): item for n, item in enumerate(map(as_table, items))}
-
-
-def _united(a: Iterable[T], b: Iterable[T]) -> list[T]:
-    """What is in either, in an order that does not depend on which comes first."""
-    first, second = list(a), list(b)
-    shared = set(first) & set(second)
-    rest = [x for x in (*first, *second) if x not in shared]
-    return [*(x for x in first if x in shared), *sorted(rest, key=str)]
 
 
 # --- results ----------------------------------------------------------------------------------------------------------------
@@ -252,7 +201,7 @@ def _checks(a: "Results", b: "Results", same: float) -> list[CheckDifference]:
         either = (*mine.values(), *theirs.values())
         floors = size_of_nothing((c.unit, x) for c in either for x in (c.value, *_limits(c)))
         differ = []
-        for id in _united(mine, theirs):
+        for id in united(mine, theirs):
             one, other = mine.get(id), theirs.get(id)
             if one is None or other is None:
                 differ.append(CheckDifference(id, one, other, math.inf))
@@ -284,7 +233,7 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
         mine, theirs = ({v.id: v for v in results.outcomes[step.key].values()} for results in (a, b))
         floors = size_of_nothing((v.unit, v.shown) for v in (*mine.values(), *theirs.values()))
         differ = []
-        for id in _united(mine, theirs):
+        for id in united(mine, theirs):
             one, other = mine.get(id), theirs.get(id)
             either = other or one
             assert either is not None
@@ -300,6 +249,17 @@ def _values(a: "Results", b: "Results", same: float) -> list[ValueDifference]:
                 differ.append(ValueDifference(id, other.label, other.unit, one.shown, other.shown, size))
         found += sorted(differ, key=lambda d: (not d.both, -d.relative if d.both else 0.0))
     return found
+
+
+def _key_results(a: "Results", b: "Results") -> Iterator[KeyResult]:
+    mine, theirs = a.values(), b.values()
+    floors = {s.key: size_of_nothing((v.unit, v.shown) for r in (a, b) for v in r.outcomes[s.key].values()) for s in STEPS}
+    ours, others = key_results(mine), key_results(theirs)
+    for pattern in ours | others:
+        one, other = ours.get(pattern), others.get(pattern)
+        floor = floors[pattern.partition(".")[0]]
+        size = relative(one.shown, other.shown, floor.get(one.unit, 0.0)) if one is not None and other is not None else math.inf
+        yield KeyResult(one, other, is_least(pattern), size)
 
 
 def _is_phase(id: str, unit: str) -> bool:

@@ -6,9 +6,10 @@ A number is written with as many digits as it takes to tell it from the other on
 
 from collections.abc import Callable, Sequence
 
-from .compare import CheckDifference, Comparison, InputDifference, Judged, ValueDifference, turn
+from .compare import CheckDifference, Comparison, Judged, ValueDifference, turn
+from .compare_inputs import InputDifference
 from .design import STEPS
-from .id_words import addressed, belongs
+from .id_words import addressed, in_context
 from .sheet.check import Check
 from .sheet.number import short
 from .sheet.step import Table
@@ -26,9 +27,9 @@ def input_table(found: Sequence[InputDifference], names: Names, *, ids: bool = T
     """`ids`: by their keys, which say the unit too, else by their labels.  `full`: tables that only one design has are written out."""
     if ids:
         by_key = tuple((d.key, *input_texts(d, full=full)) for d in found)
-        return Table("inputs", Text("Inputs that differ"), _columns((Text("Key"), ""), names), by_key)
-    rows = tuple((named(d.key, d.label, step=True), *input_texts(d, full=full), d.unit) for d in found)
-    return Table("inputs", Text("Inputs that differ"), _columns((Text("Input"), ""), names, (Text("Unit"), "")), rows)
+        return Table("inputs", Text("Inputs that differ"), columns((Text("Key"), ""), names), by_key)
+    rows = tuple((named(d.key, d.label, step=True, within=d.within), *input_texts(d, full=full), d.unit) for d in found)
+    return Table("inputs", Text("Inputs that differ"), columns((Text("Input"), ""), names, (Text("Unit"), "")), rows)
 
 
 def input_texts(d: InputDifference, *, full: bool = False) -> tuple[Text, Text]:
@@ -57,16 +58,21 @@ def _number(number: float, digits: int) -> Text:
     return Text("{number}", number=Amount(number, digits=digits))
 
 
-def named(id: str, label: Text, *, step: bool = False) -> Text:
-    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings, front)."""
-    parts = addressed(id) if step else belongs(id)
+def named(id: str, label: Text, *, step: bool = False, within: str = "") -> Text:
+    """A label with the part of the design that it belongs to: Length (front); `step`: Length (bearings, front).
+
+    `within`: what the element is called that the id has by its index.
+    """
+    if not step:
+        return in_context(label, id)
+    parts = [Name(within) if within and part.isdigit() else part for part in addressed(id)]
     return Text("{label} ({where})", label=label, where=COMMA.join(parts)) if parts else label
 
 
 # --- verdicts and checks ----------------------------------------------------------------------------------------------------
 def verdict_table(compared: Comparison, names: Names, sign: Sign) -> Table:
     rows = tuple((v.title, judged_text(v.a, sign), judged_text(v.b, sign)) for v in compared.verdicts)
-    return Table("verdicts", Text("Verdicts of the steps"), _columns((Text("Step"), ""), names), rows)
+    return Table("verdicts", Text("Verdicts of the steps"), columns((Text("Step"), ""), names), rows)
 
 
 def judged_text(judged: Judged, sign: Sign) -> Text:
@@ -84,13 +90,21 @@ def check_table(found: Sequence[CheckDifference], names: Names, sign: Sign, *, i
     """`ids`: checks by their ids, else by their names."""
     rows = []
     for d in found:
-        values = pair(d.a.value if d.a else None, d.b.value if d.b else None)
-        sides = [_judged_value(check, value, sign) for check, value in zip((d.a, d.b), values)]
         beside = [check.margin_text() if check else "" for check in (d.a, d.b)] if margins else []
-        rows.append((d.id if ids else d.name, *sides, limit_text(d), *beside))
+        rows.append((*check_row(d, sign, ids=ids), *beside))
     heads = [(Text("Margin, {name}", name=name), "") for name in names] if margins else []
-    columns = (*_columns((Text("Check"), ""), names, (Text("Limit"), "")), *heads)
-    return Table("checks", Text("Checks that differ"), columns, tuple(rows))
+    return Table("checks", Text("Checks that differ"), (*check_columns(names), *heads), tuple(rows))
+
+
+def check_columns(names: Names) -> tuple[tuple[Text, str], ...]:
+    return columns((Text("Check"), ""), names, (Text("Limit"), ""))
+
+
+def check_row(d: CheckDifference, sign: Sign, *, ids: bool = False) -> tuple[str, Text, Text, Text]:
+    """The check with the part that it judges, its verdict and value in both designs, its limit."""
+    values = pair(d.a.value if d.a else None, d.b.value if d.b else None)
+    a, b = (_judged_value(check, value, sign) for check, value in zip((d.a, d.b), values))
+    return d.id if ids else in_context(d.name, d.id), a, b, limit_text(d)
 
 
 def _judged_value(check: Check | None, value: Text, sign: Sign) -> Text:
@@ -115,8 +129,8 @@ def value_table(step: str, title: Text, found: Sequence[ValueDifference], names:
     for d in found:
         cells = (*pair(d.a, d.b), d.unit, change_text(d))
         rows.append((d.id, *cells, d.label) if ids else (named(d.id, d.label), *cells))
-    columns = _columns((Text("Value"), ""), names, (Text("Unit"), ""), (Text("Change"), ""))
-    return Table(f"values_{step}", title, (*columns, (EMPTY, "")) if ids else columns, tuple(rows))
+    head = columns((Text("Value"), ""), names, (Text("Unit"), ""), (Text("Change"), ""))
+    return Table(f"values_{step}", title, (*head, (EMPTY, "")) if ids else head, tuple(rows))
 
 
 def pair(a: float | None, b: float | None) -> tuple[Text, Text]:
@@ -149,5 +163,5 @@ def _signed(number: float, unit: str) -> Text:
     return Text("{change}", change=Amount(number, unit, form="+.0f" if abs(number) >= 100 else "+.2g"))
 
 
-def _columns(first: tuple[Text, str], names: Names, *more: tuple[Text, str]) -> tuple[tuple[Text, str], ...]:
+def columns(first: tuple[Text, str], names: Names, *more: tuple[Text, str]) -> tuple[tuple[Text, str], ...]:
     return (first, (Name(names[0]), ""), (Name(names[1]), ""), *more)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A design: the six Inputs in order.  A seventh step is one new folder, two adjacent lines here and its call in solve.py."""
+"""A design: the Inputs of its steps in order.  A further step is one new folder, two adjacent lines here and its call in solve.py."""
 
 from collections.abc import Collection, Iterable, Mapping
 
@@ -13,6 +13,7 @@ from .friction.inputs import FrictionInputs
 from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
 from .measured import Measured
+from .mounting.inputs import MountingInputs
 from .sheet.quantity import day, inputs, integer, reasons, table, tables, text
 from .sheet.rules import is_limit
 from .sheet.step import Step
@@ -28,7 +29,9 @@ STEPS = (
     Step("bearings", Text("Bearings"), BearingsInputs, FILMS),
     Step("gears", Text("Gears"), GearsInputs, ("gears.phase_error", "gears.residual_couple")),
     Step("friction", Text("Friction"), FrictionInputs, ("friction.total_loss", "friction.crank_torque")),
+    Step("mounting", Text("Mounting"), MountingInputs, ("mounting.frequency.roll", "mounting.frequency.bounce"), optional=True),
 )
+OPTIONAL = {step.key for step in STEPS if step.optional}  # of which nothing is said in a design without them
 
 
 @inputs
@@ -36,7 +39,7 @@ class Design:
     """Everything that a design file says, checked and in SI."""
 
     schema: int = integer("Schema", low=1, high=SCHEMA)
-    name: str = text("Design")
+    name: str = text("Name of the design")
     note: str = text("Note", default="")
     author: str = text("Author", default="")
     checker: str = text("Checker", default="")
@@ -51,6 +54,7 @@ class Design:
     bearings: BearingsInputs | None = table("Bearings", BearingsInputs, default=None)
     gears: GearsInputs | None = table("Gears", GearsInputs, default=None)
     friction: FrictionInputs | None = table("Friction", FrictionInputs, default=None)
+    mounting: MountingInputs | None = table("Mounting", MountingInputs, default=None)
 
     accepted: tuple[tuple[str, str], ...] = reasons(
         "Accepted findings", help="Ids of checks that are left open, each with the reason; a limit can be accepted by nobody."
@@ -136,6 +140,8 @@ class Design:
             yield from self._bearings(self.bearings)
         yield from self._gear_materials()
         yield from self._gear_places()
+        if self.mounting is not None:
+            yield from self._mounting(self.mounting)
         if self.friction is not None and self.bearings is None:
             for attribute, key in (("oil", "friction.oil"), ("oil_temperature", "friction.oil_temperature_C")):
                 if getattr(self.friction, attribute) is None:
@@ -150,6 +156,26 @@ class Design:
             yield "gears.irregularity_order", Text("needed where there is no [engine] table whose firing order it is")
         if self.friction is not None and self.gears is not None and self.bearings is None and self.gears.power is None:
             yield "gears.power_kW", Text("needed where there is no [bearings] table whose loss the train carries")
+
+    def _mounting(self, own: MountingInputs) -> Iterable[tuple[str, Text]]:
+        """What the mounts ask of the engine."""
+        for key, there in (("engine", self.engine), ("imbalance", self.imbalance)):
+            if there is None:
+                yield "mounting", Text("needs [{key}], which says what shakes the engine", key=key)
+        if self.engine is None:
+            return
+        rated = Amount(self.engine.rated_speed * 60, "rpm")
+        if own.idle_speed >= self.engine.rated_speed:
+            yield "mounting.idle_speed_rpm", Text("must stay below the rated speed, {rated}", rated=rated)
+        if own.cylinder_spread is not None and len(own.cylinder_spread) not in (1, self.engine.cylinders):
+            count, n = len(own.cylinder_spread), self.engine.cylinders
+            yield "mounting.cylinder_spread_percent", Text("has {count} entries; needs one, or one per cylinder, {n}", count=count, n=n)
+        gas = self.engine.gas
+        for i, row in enumerate(own.operation):
+            if row.has_gas and (gas is None or gas.pressure):
+                yield f"mounting.operation.{i}", Text("its pressures need [engine.gas] with a peak pressure, of which they are changes")
+        if own.torque_path == "off_body" and own.output_torque is None and gas is None:
+            yield "mounting.output_torque_Nm", Text("needed where no [engine.gas] gives the mean torque")
 
     def _gear_places(self) -> Iterable[tuple[str, Text]]:
         """Positions count from the crank's axis, on which the first driver stands where the engine drives it."""

@@ -1,26 +1,44 @@
 # SPDX-License-Identifier: Apache-2.0
 """What of a solved design is drawn: the shaft, and beside it the data of its wheels."""
 
+from collections.abc import Mapping
 from math import pi
 
 from .countershaft.result import CountershaftResult
+from .drawing_sheet.frame import PAPER
+from .drawing_sheet.saying import Say
+from .drawing_sheet.shaft import shaft_sheet
+from .drawing_sheet.sheet import Sheet
+from .drawing_sheet.wheels import wheel_sheets
 from .gears.result import TrainResult
 from .sheet.drawing import Arc, Primitive, Words
 from .sheet.step import Table
 from .sheet.text import EMPTY, Name, Text
 from .solve import Results
 
+__all__ = ["PAPER", "Sheet", "shaft", "sheets", "train", "wheels"]
 NONE = Text("–")
 
 
 def shaft(results: Results) -> tuple[Primitive, ...]:
-    """The counter-shaft as lines, arcs, words and dimensions; nothing where its outline is not known."""
+    """The side view of the counter-shaft as lines; nothing where its outline is not known."""
     from .countershaft.drawing import shaft_drawing
 
     asked, found = results.design.countershaft, results.result(CountershaftResult)
     if asked is None or found is None or found.outline is None:
         return ()
-    return shaft_drawing(found.outline, asked.bearing_positions, results.design.name, Text("not to scale"))
+    return shaft_drawing(found.outline, asked.bearing_positions)
+
+
+def sheets(results: Results, say: Say = str, data: Mapping[str, object] | None = None) -> list[Sheet]:
+    """The workshop drawings of what the design has: its shaft, or its wheels where it is of gears alone.
+
+    `data`: of the design's file, for what it leaves to the program.
+    """
+    if results.design.countershaft is None:
+        return wheel_sheets(results, say, data)
+    made = shaft_sheet(results, say, data)
+    return [] if made is None else [made]
 
 
 def wheels(results: Results) -> Table | None:

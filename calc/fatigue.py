@@ -55,7 +55,7 @@ def roughness_factor(a_R: Number, R_z: Number, R_m: Pascal, R_N: Pascal) -> Numb
     return 1 - a_R * log10(R_z) * log10(2 * R_m / R_N)
 
 
-@formula("M_σ", Text("{fkm}: mean-stress sensitivity", fkm=FKM))
+@formula("M_σ", Text("{fkm}: mean-stress sensitivity", fkm=FKM), names={"a": "a_M", "b": "b_M"})
 def mean_sensitivity(a: PerPascal, R_m: Pascal, b: Number) -> Number:
     """>>> mean_sensitivity(a=0.35e-9, R_m=1026e6, b=-0.10)
     0.2591
@@ -68,7 +68,7 @@ def bearable(K_R: Number, sigma_W: Pascal) -> Pascal:
     return K_R * sigma_W
 
 
-@formula("σ_eq", Text("{fkm}: alternating stress as hard as amplitude and mean together", fkm=FKM), unit="MPa")
+@formula("σ_eq", Text("{fkm}: alternating stress as hard as amplitude and mean together", fkm=FKM), unit="MPa", names={"M": "M_σ"})
 def equivalent_amplitude(sigma_a: Pascal, sigma_m: Pascal, M: Number) -> Pascal:
     """`sigma_m` is not below zero: a mean pressure is given no credit.  The second line holds from a mean as large as the amplitude."""
     return smallest(sigma_a + M * sigma_m, (sigma_a + M / 3 * sigma_m) * (1 + M) / (1 + M / 3))

@@ -4,7 +4,7 @@
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
-from .sheet.check import Check, grouped
+from .sheet.check import Check
 from .sheet.quantity import Published
 from .sheet.record import record
 from .sheet.step import Outcome
@@ -55,7 +55,7 @@ def headline(results: "Results", key: str) -> Headline | None:
 
 def _worst(outcome: Outcome[object]) -> Check | None:
     """The limit that stands first among the findings, if one fails or can not be judged."""
-    first = next((group[0] for group in grouped(outcome.checks)), None)
+    first = next((group[0] for group in outcome.causes), None)
     return first if first is not None and first.kind == "limit" and first.verdict in ("fail", "not_verified") else None
 
 
@@ -130,8 +130,23 @@ def _friction(results: "Results", values: Values) -> Text | None:
     return Text("{loss}", loss=Amount(loss.shown, loss.unit, digits=3)) if loss is not None else None
 
 
+def _mounting(results: "Results", values: Values) -> Text | None:
+    """What the first seat has at the first operation, half on the crank and with the shaft."""
+    mounting = results.design.mounting
+    seat = next((point.name for point in mounting.points if point.role == "seat"), None) if mounting is not None else None
+    if mounting is None or seat is None:
+        return None
+    first = mounting.operation[0].name if mounting.operation else "idle"
+    half, shaft = (values.get(f"mounting.{first}.{variant}.{seat}.weighted") for variant in ("half", "shaft"))
+    if half is None:
+        return None
+    if shaft is None:
+        return Text("a_w {half}", half=Amount(half.shown, half.unit, digits=2))
+    return Text("a_w {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
+
+
 GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {
-    "engine": _engine, "imbalance": _imbalance, "gears": _gears, "friction": _friction,
+    "engine": _engine, "imbalance": _imbalance, "gears": _gears, "friction": _friction, "mounting": _mounting,
 }  # fmt: skip
 
 

@@ -6,7 +6,7 @@ A part of the program is a Text, which a language can say; one that the user nam
 
 import re
 
-from .sheet.text import Name, Text
+from .sheet.text import COMMA, Name, Text
 
 NUMBERED = re.compile(r"order_(\d+)")
 WORDS: dict[str, Text] = {  # by the way to them; * stands for a name of the user
@@ -59,3 +59,15 @@ def belongs(id: str) -> list[Text]:
         words.append(known or Name(part.replace("_", "–")))
         way = f"{way}.{part if known else '*'}"
     return words
+
+
+def knows(name: str, whose: str) -> bool:
+    """Whether a name says already what it belongs to."""
+    letters = re.sub(r"\W", "", name.lower())
+    return all(word in letters for word in re.findall(r"\w+", whose.lower()))
+
+
+def in_context(label: Text, id: str) -> Text:
+    """The label of a value or check with the part that it is of, where it does not say that itself: Specific load (front)."""
+    parts = COMMA.join(belongs(id))
+    return label if knows(label, parts) else Text("{label} ({where})", label=label, where=parts)

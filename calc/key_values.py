@@ -4,8 +4,11 @@
 Values, curves, tables: patterns of ids, where `*` stands for anything.  Checks: the ids of their rows in `calc/tables/checks.md`.
 """
 
+from collections.abc import Iterable, Mapping
 from fnmatch import fnmatchcase
 
+from .sheet.check import Check
+from .sheet.quantity import Published
 from .sheet.rules import pattern_of
 
 # The results on the first page: patterns of ids; of several values the one that is worst stands for all
@@ -15,7 +18,7 @@ RESULTS: tuple[tuple[str, str], ...] = (
     ("bearings.front.film_edge", "min"), ("bearings.rear.film_edge", "min"), ("bearings.*.outlet_temperature", "max"),
     ("gears.*.safety_contact", "min"), ("gears.*.safety_bending_*", "min"), ("gears.*.backlash_min", "min"),
     ("gears.*.transverse_contact_ratio", "min"), ("gears.phase_error", "max"), ("gears.residual_couple", "max"),
-    ("friction.total_loss", "max"), ("friction.crank_torque", "max"),
+    ("friction.total_loss", "max"), ("friction.crank_torque", "max"), ("mounting.*.felt_seat", "min"), ("mounting.*.felt_force", "min"),
 )  # fmt: skip
 
 # The values that stand in the chapter of their step
@@ -48,10 +51,25 @@ VALUES: dict[str, tuple[str, ...]] = {
                  "friction.crank_torque", "friction.fuel", "friction.oil_viscosity", *(f"friction.*.{name}" for name in (
         "loss", "efficiency", "loss_factor", "friction_mean", "lambda_min", "pressure_max", "film_min",
     ))),
+    "mounting": ("mounting.frequency.*", "mounting.roll_axis.*", "mounting.*.felt_*", "mounting.felt_order_1.*", "mounting.window.*",
+                 "mounting.range.*", "mounting.exposure.*", "mounting.static.*.deflection"),
 }  # fmt: skip
 # Of each pattern the first curve is drawn, beside the sketch of its step; the tables stand as they are
-CURVES = ("torque", "orders_couple", "orders_force", "deflection", "film_front", "backlash_temperature_*")
-TABLES = ("measured",)
+CURVES = (
+    "couples",
+    "forces",
+    "loads",
+    "shear_force",
+    "moment",
+    "deflection",
+    "film_front",
+    "backlash_temperature_*",
+    "open_constants",
+    "seat_*",
+    "orders_*",
+    "mount_forces",
+)
+TABLES = ("measured", "felt", "modes")
 
 # Checks that are proven whatever their margin, each with the symbols that its proof must show however far back they stand
 PROVEN: dict[str, tuple[str, ...]] = {
@@ -89,6 +107,21 @@ def _matches(parts: list[str], pattern: list[str]) -> bool:
     return len(parts) == len(pattern) and all(map(fnmatchcase, parts, pattern))
 
 
+def key_results(values: Mapping[str, Published]) -> dict[str, Published]:
+    """The results of the first page by their patterns, each of the part where it is worst."""
+    found = {}
+    for pattern, worst in RESULTS:
+        numbers = [v for id, v in values.items() if like(id, (pattern,)) and v.shown == v.shown]
+        if numbers:
+            found[pattern] = (min if worst == "min" else max)(numbers, key=lambda v: v.shown)
+    return found
+
+
+def is_least(pattern: str) -> bool:
+    """Whether the least of such results is the worst."""
+    return dict(RESULTS)[pattern] == "min"
+
+
 def is_key_value(id: str) -> bool:
     """Whether a value stands in a short report."""
     return like(id, VALUES.get(id.partition(".")[0], ()))
@@ -97,6 +130,11 @@ def is_key_value(id: str) -> bool:
 def concerns(method: str, check: str) -> bool:
     """Whether a check of a method, passed over, puts a check of the same part outside the validity of its formula."""
     return like(pattern_of(check), VALIDITY.get(pattern_of(method), ())) and _same_part(method.split(".")[1:-1], check.split(".")[1:-1])
+
+
+def outside(check: Check, checks: Iterable[Check]) -> list[Check]:
+    """The checks of the method, among those of its step, that put a check outside the validity of its formula."""
+    return [one for one in checks if one.kind == "method" and not one.holds and concerns(one.id, check.id)]
 
 
 def _same_part(method: list[str], check: list[str]) -> bool:

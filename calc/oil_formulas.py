@@ -37,7 +37,12 @@ POLYMER_THICKENED = -3.3  # slope of the viscosity line: flatter is a multigrade
 FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicones have about 1.3, polyphenyl ethers 4.7 (from memory)
 
 
-@formula("ν", "Finotti 2013, 5.3: Walther's lg lg(ν + c) = C_2 + C_1·lg T from two points; c = 0.6 there, 0.7 in ASTM D341", unit="mm²/s")
+@formula(
+    "ν",
+    "Finotti 2013, 5.3: Walther's lg lg(ν + c_ν) = C_2 + C_1·lg T from two points; c_ν = 0.6 there, 0.7 in ASTM D341",
+    unit="mm²/s",
+    names={"T": "T_oil", "c": "c_ν"},
+)
 def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> SquareMetrePerSecond:
     """>>> kinematic_viscosity(C_2=7.882, C_1=-3.039, T=120.9, c=0.6)
     9.095069...e-06
@@ -45,7 +50,7 @@ def kinematic_viscosity(C_2: Number, C_1: Number, T: Celsius, c: Number) -> Squa
     return (10 ** (10 ** (C_2 + C_1 * log10((T + ZERO_CELSIUS) / ONE_KELVIN))) - c) * CENTISTOKE
 
 
-@formula("ρ", "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit")
+@formula("ρ", "linear in temperature; reproduces the densities of Finotti 2013, 5.5.3, to their last digit", names={"T": "T_oil"})
 def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     """>>> density(rho_15=860, T=120.9)
     800.8019
@@ -53,7 +58,7 @@ def density(rho_15: KilogramPerMetre3, T: Celsius) -> KilogramPerMetre3:
     return rho_15 * (1 - SLOPE * (T - REFERENCE))
 
 
-@formula("c_p", "linear in temperature, identified from the tables without a number of Finotti 2013, 5.5.2 and 5.5.3")
+@formula("c_p", "linear in temperature, identified from the tables without a number of Finotti 2013, 5.5.2 and 5.5.3", names={"T": "T_oil"})
 def specific_heat(T: Celsius) -> JoulePerKilogramKelvin:
     return CP_0 + CP_1 * T / ONE_KELVIN
 
@@ -69,12 +74,13 @@ def dynamic_viscosity(nu: SquareMetrePerSecond, rho: KilogramPerMetre3) -> Pasca
 @formula(
     "α",
     "AGMA 925-A03: α = k·ηˢ, η dynamic (the gear friction thesis, eq. 41, writes the kinematic one)",
+    names={"k": "k_α", "s": "s_α"},
 )
 def pressure_viscosity(k: PerPascal, mu: PascalSecond, s: Number) -> PerPascal:
     return k * power(mu / MILLIPASCAL_SECOND, s)
 
 
-@formula("k", "AGMA 925-A03, solved for k at 40 °C", names={"alpha_40": "α_40", "mu_40": "μ_40"})
+@formula("k_α", "AGMA 925-A03, solved for k at 40 °C", names={"alpha_40": "α_40", "mu_40": "μ_40", "s": "s_α"})
 def pressure_viscosity_constant(alpha_40: PerPascal, mu_40: PascalSecond, s: Number) -> PerPascal:
     return alpha_40 / power(mu_40 / MILLIPASCAL_SECOND, s)
 
@@ -95,24 +101,32 @@ def implied_viscosity(mu: PascalSecond, rho: KilogramPerMetre3) -> SquareMetrePe
     return mu / rho
 
 
-@formula("β", "mathematics, derivative of the viscosity and density laws: −d ln μ/dT")
+@formula("β_T", "mathematics, derivative of the viscosity and density laws: −d ln μ/dT", names={"T": "T_oil", "c": "c_ν"})
 def temperature_coefficient(C_1: Number, nu: SquareMetrePerSecond, c: Number, T: Celsius) -> PerKelvin:
     return SLOPE / (1 - SLOPE * (T - REFERENCE)) - ln(10.0) * C_1 * log10(nu / CENTISTOKE + c) * (1 + c * CENTISTOKE / nu) / (
         T + ZERO_CELSIUS
     )
 
 
-@formula("β", "rule of this program: where the rows of an oil rise with temperature, which no oil does, the viscosity counts as constant")
+@formula(
+    "β_T",
+    "rule of this program: where the rows of an oil rise with temperature, which no oil does, the viscosity counts as constant",
+    names={"beta": "β_T"},
+)
 def not_rising(beta: PerKelvin) -> PerKelvin:
     return largest(beta, 0 * beta)
 
 
-@formula("C_1", "mathematics: slope of the viscosity line through the points at 40 and 100 °C", names={"nu_40": "ν_40", "nu_100": "ν_100"})
+@formula(
+    "C_1",
+    "mathematics: slope of the viscosity line through the points at 40 and 100 °C",
+    names={"nu_40": "ν_40", "nu_100": "ν_100", "c": "c_ν"},
+)
 def viscosity_slope(nu_100: SquareMetrePerSecond, nu_40: SquareMetrePerSecond, c: Number) -> Number:
     return (log10(log10(nu_100 / CENTISTOKE + c)) - log10(log10(nu_40 / CENTISTOKE + c))) / (log10(373.15) - log10(313.15))
 
 
-@formula("C_2", "mathematics: intercept of the viscosity line through the point at 40 °C", names={"nu_40": "ν_40"})
+@formula("C_2", "mathematics: intercept of the viscosity line through the point at 40 °C", names={"nu_40": "ν_40", "c": "c_ν"})
 def viscosity_intercept(nu_40: SquareMetrePerSecond, c: Number, C_1: Number) -> Number:
     return log10(log10(nu_40 / CENTISTOKE + c)) - C_1 * log10(313.15)
 
@@ -125,12 +139,12 @@ def row_viscosity(mu_i: PascalSecond, rho_15: KilogramPerMetre3, T_i: Celsius) -
     return mu_i / (rho_15 * (1 - SLOPE * (T_i - REFERENCE)))
 
 
-@formula("C_1", "mathematics: slope of the viscosity line between two rows of the oil's own table")
+@formula("C_1", "mathematics: slope of the viscosity line between two rows of the oil's own table", names={"c": "c_ν"})
 def slope_between(nu_1: SquareMetrePerSecond, T_1: Celsius, nu_2: SquareMetrePerSecond, T_2: Celsius, c: Number) -> Number:
     return (log10(log10(nu_2 / CENTISTOKE + c)) - log10(log10(nu_1 / CENTISTOKE + c))) / log10((T_2 + ZERO_CELSIUS) / (T_1 + ZERO_CELSIUS))
 
 
-@formula("C_2", "mathematics: intercept of the viscosity line through a row of the oil's own table")
+@formula("C_2", "mathematics: intercept of the viscosity line through a row of the oil's own table", names={"c": "c_ν"})
 def intercept_through(nu_1: SquareMetrePerSecond, T_1: Celsius, c: Number, C_1: Number) -> Number:
     return log10(log10(nu_1 / CENTISTOKE + c)) - C_1 * log10((T_1 + ZERO_CELSIUS) / ONE_KELVIN)
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 from .addresses import Table, as_table
 from .design import STEPS
-from .sheet.check import Check, grouped
+from .sheet.check import Check
 from .sheet.record import record
-from .sheet.step import Outcome
+from .sheet.step import Outcome, Step
 from .sheet.text import Text, plural
 
 if TYPE_CHECKING:
@@ -44,7 +44,7 @@ def readiness(data: Table, results: "Results | None", wrong: Iterable[str] = ())
     owners = [key if any(key == step.key for step in STEPS) else STEPS[0].key for key in owners]
     left_out = as_table(data.get("without"))
     outcomes: Mapping[str, Outcome[object]] = results.outcomes if results is not None else {}
-    return tuple(_state(step.key, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
+    return tuple(_state(step, data, left_out, owners.count(step.key), outcomes.get(step.key)) for step in STEPS)
 
 
 def ready(states: Iterable[StepState]) -> bool:
@@ -52,21 +52,27 @@ def ready(states: Iterable[StepState]) -> bool:
     return all(state.done for state in states)
 
 
-def _state(key: str, data: Table, left_out: Table, wrong: int, outcome: Outcome[object] | None) -> StepState:
+def _state(step: Step, data: Table, left_out: Table, wrong: int, outcome: Outcome[object] | None) -> StepState:
+    key = step.key
     if wrong:
         return StepState(key, "needs", wrong, plural("needs {n} input", "needs {n} inputs", n=wrong))
     if key in left_out:
         return StepState(key, "not_asked", 0, Text("left out: {reason}", reason=str(left_out[key])))
     if key not in data:
-        return StepState(key, "todo", 0, Text("to do")) if "engine" in data else StepState(key, "not_asked", 0, Text("not used"))
+        return (
+            StepState(key, "todo", 0, Text("to do"))
+            if "engine" in data and not step.optional
+            else StepState(key, "not_asked", 0, Text("not used"))
+        )
     if outcome is None or outcome.state == "not_asked":
         return StepState(key, "waits", 0, Text("solving …"))
     if outcome.state == "no_solution":
         return StepState(key, "fail", 1, Text("no solution"))
     if outcome.state == "blocked":
         return StepState(key, "waits", 0, outcome.reason)
+    counts = open_causes(outcome.causes)
     for state, words in KINDS:
-        if count := open_causes(outcome.checks)[state]:
+        if count := counts[state]:
             return StepState(key, state, count, plural(words.one, words.template, n=count))
     return StepState(key, "ready", 0, Text("ready"))
 
@@ -78,10 +84,10 @@ KINDS = (
 )
 
 
-def open_causes(checks: Iterable[Check]) -> dict[str, int]:
+def open_causes(causes: Iterable[Sequence[Check]]) -> dict[str, int]:
     """How many causes have a limit that fails, one that can not be judged, or a caution that is open; each counts as its worst."""
     counts = dict.fromkeys(OPEN, 0)
-    for group in grouped(checks):
+    for group in causes:
         worst = group[0]
         if worst.verdict in counts:
             counts["warn" if worst.verdict == "not_verified" and worst.kind != "limit" else worst.verdict] += 1
@@ -109,7 +115,7 @@ class Tally:
 def tally(states: Sequence[StepState], results: "Results | None") -> Tally:
     """What is open in the whole design.  A step without a solution counts as a limit that fails."""
     checks = results.outcomes.values() if results is not None else ()
-    open_ = [open_causes(outcome.checks) for outcome in checks if outcome.state == "solved"]
+    open_ = [open_causes(outcome.causes) for outcome in checks if outcome.state == "solved"]
     lost = sum(outcome.state == "no_solution" for outcome in checks)
     asked = [state for state in states if state.state != "not_asked"]
     return Tally(

@@ -28,6 +28,7 @@ from .gears import solve as gears
 from .gears.inputs import GearsInputs
 from .gears.result import TrainResult
 from .imbalance import solve as imbalance
+from .imbalance.result import ImbalanceResult
 from .prediction import Predicted, with_measured
 from .sheet.check import Check, worst
 from .sheet.garbage import seldom_collected
@@ -105,7 +106,7 @@ def solve(
     design: Design, before: Results | None = None, stop: Callable[[], bool] = bool, enough: Callable[[Outcome[object]], bool] | None = None,
     *, traced: bool = False,
 ) -> Results:  # fmt: skip
-    """All six steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
+    """All steps of a design.  `before`: the results of an earlier version, of which unchanged parts are taken over.
 
     `traced`: with the lines of the calculation.  Else they are made when somebody looks at an outcome's `lines`, or asks for `traced()`.
 
@@ -198,7 +199,20 @@ def _solve(part: Parts, design: Design) -> dict[str, Outcome[object]]:
         g = gears.with_speed_ratio(g, design.countershaft.speed_ratio, design.engine)
     if g.result is not None:
         g = replace(g, curves=g.curves + Later(partial(_gear_curves, g.result)))
-    return accepted((e, i, c, b, g, f), design.accepted)
+    return accepted((e, i, c, b, g, f, _mounted(part, design, e, i, c, g)), design.accepted)
+
+
+def _mounted(
+    part: Parts, design: Design, e: Outcome[EngineResult], i: Outcome[ImbalanceResult], c: Outcome[CountershaftResult],
+    g: Outcome[TrainResult],
+) -> Outcome[object]:  # fmt: skip
+    """The engine on its mounts, which most designs do not ask for: nothing of it is loaded then."""
+    late = h.unsolved((e, i, c))
+    if design.mounting is None or design.engine is None or e.result is None or i.result is None or late:
+        return part.absent("mounting", design.mounting, (e, i, *late))
+    from .mounting import solve as mounting
+
+    return part("mounting", mounting.solve, design.mounting, design.engine, e.result, i.result, h.shaft_on_engine(design, c, g))
 
 
 def _gear_curves(train: TrainResult) -> tuple[Curve, ...]:

@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """What one step hands to another: numbers that stand in one table of a design, or in one result, and are needed in the next."""
 
+from math import hypot
+from typing import TYPE_CHECKING
+
 from .bearings.inputs import BearingsInputs
 from .bearings.result import BearingsResult
 from .bearings.solve import BearingMaterials
@@ -22,6 +25,11 @@ from .lubricant import Lubricant
 from .sheet.step import Outcome
 from .sheet.text import Text
 from .sheet.value import based_on
+
+if TYPE_CHECKING:
+    from .mounting.drive import ShaftOnEngine
+
+NORMAL_95 = 1.96  # standard deviations on either side of the mean, within which 95 % lie
 
 
 def unsolved(outcomes: tuple[Outcome[object], ...]) -> tuple[Outcome[object], ...]:
@@ -202,3 +210,43 @@ def around_gears(design: Design, engine: Outcome[EngineResult], shaft: Outcome[C
         uneven=irregularity(design, engine, shaft), lubricant=lubricant, oil_temperature=oil.temperature if oil is not None else None,
         flank_ra=(Ra[0], Ra[-1]) if Ra else None,
     )  # fmt: skip
+
+
+def shaft_on_engine(design: Design, shaft: Outcome[CountershaftResult], train: Outcome[TrainResult]) -> "ShaftOnEngine | None":
+    """The counter-shaft as the engine's mounts see it; None where there is none."""
+    from .mounting.drive import ShaftOnEngine  # which most designs do not need
+
+    own, result = design.countershaft, shaft.result
+    if own is None or result is None:
+        return None
+    return ShaftOnEngine(
+        own.speed_ratio, result.force_vector, result.couple_vector, own.pair == "yes", own.axis, shaft_errors(design, result, train.result),
+        shaft_teeth(design),
+    )  # fmt: skip
+
+
+def shaft_errors(design: Design, shaft: CountershaftResult, train: TrainResult | None) -> tuple[float, float] | None:
+    """Error of the couple and of the angle of a shaft as it scatters: given, else what 95 % of the shafts stay below; None: not known."""
+    given, scatter = design.mounting, shaft.scatter
+    if given is None:
+        return None
+    s, delta = given.scatter_couple, given.late
+    if scatter is not None and shaft.couple:
+        of_couple = (scatter.couple_error_by_mass, scatter.couple_error_by_radius, scatter.couple_error_by_position)
+        of_angle = (scatter.couple_error_by_angle, scatter.couple_error_by_timing)
+        s = based_on(NORMAL_95 * hypot(*of_couple) / shaft.couple, of_couple, shaft.couple) if s is None else s
+        turned = based_on(NORMAL_95 * hypot(*of_angle) / shaft.couple, of_angle, shaft.couple)
+    else:
+        turned = 0.0
+    free = _free_turn(train)
+    if delta is None and (free is not None or turned):
+        delta = based_on(turned + (free or 0.0), turned, free)
+    return (s or 0.0, delta or 0.0) if s is not None or delta is not None else None
+
+
+def _free_turn(train: TrainResult | None) -> float | None:
+    """Of the shaft's wheel: what 95 % of the trains stay below, else the worst case."""
+    if train is None:
+        return None
+    by_chance = train.train_play.phase_error_95 if train.train_play is not None else None
+    return train.phase_error if by_chance is None else by_chance

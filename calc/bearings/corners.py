@@ -73,12 +73,12 @@ def widths(inputs: BearingsInputs, d: Metre) -> tuple[Metre, Metre]:
 
 def corner_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:
     """Eight corners at the load, then the eight at twice the load: clearance, viscosity factor and load of shape (16,)."""
-    g, factor = _corners(seat)
+    g, factor = corner_values(seat)
     load = duty.load * np.repeat([1.0, 2.0], len(g))
     return replace(seat, clearance=each(np.tile(g, 2)), viscosity_factor=each(np.tile(factor, 2))), replace(duty, load=each(load))
 
 
-def _corners(seat: BearingCase) -> tuple[Array, Array]:
+def corner_values(seat: BearingCase) -> tuple[Array, Array]:
     """Clearance at the reference temperature and viscosity factor of each corner, shape (8,)."""
     journal, hole = limits(seat.inputs, seat.bearing.diameter, seat.clearance)
     g = [hole[s > 0] - journal[j > 0] for (_, j), (_, s), _ in CORNERS]
@@ -98,7 +98,7 @@ def corners(seat: BearingCase, duty: OperatingPoint, slope: Radian, film: Film, 
         T_S, T_J = based_on(ES - EI, inputs.seat_fit, d), based_on(es - ei, inputs.journal_fit, d)
         least = f.least_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
         most = f.most_clearance(g=seat.clearance, T_S=T_S, T_J=T_J)
-    g, _ = _corners(seat)
+    g, _ = corner_values(seat)
     once, twice = slice(0, len(g)), slice(len(g), None)
     rise, h_0 = many(film.temperature_rise), many(film.film)
     columns = {

@@ -5,13 +5,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..sheet.arrays import each, many
+from ..sheet.arrays import Array, each, many
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Amount, Text
+from .corners import corner_values
 from .inputs import IN_WORDS
 from .result import BearingResult
 from .routes.balance import settled
 from .routes.states import BearingCase, Film, OperatingPoint
+from .sweep import at_speeds
 
 POINTS = 25
 SHARES = np.linspace(0.4, 2.0, POINTS)  # of the design's clearance
@@ -24,11 +26,29 @@ def curves(place: str, r: BearingResult) -> tuple[Curve, ...]:
 def _over_speed(place: str, r: BearingResult) -> Curve:
     rpm, film = np.array(r.sweep.speeds) * 60, np.array(r.sweep.films) * 1e6
     edge = (r.film - r.film_edge) * 1e6
-    title = Text("Smallest film of the {place} bearing over speed, warm", place=IN_WORDS[place])
-    return Curve(f"film_{place}", title, axis_label("speed", "rpm"), axis_label("h_0", "µm"),
-        (Series(Text("mid-bearing"), rpm, film), Series(Text("at the edge"), rpm, film - edge)),
+    series = [Series(Text("mid-bearing"), rpm, film), Series(Text("at the edge"), rpm, film - edge)]
+    at_corners = _films_at_corners(r) * 1e6 - edge
+    known = np.isfinite(at_corners).all(axis=0)
+    if band := bool(np.count_nonzero(known) > 1):
+        ends = (
+            (Text("thinnest corner"), at_corners.min(axis=0)),
+            (Text("thickest corner"), at_corners.max(axis=0)),
+        )
+        series += [Series(label, rpm[known], y[known]) for label, y in ends]
+    title = Text("Smallest film of the {place} bearing over speed, warm; corners of its tolerances at the edge", place=IN_WORDS[place])
+    return Curve(f"film_{place}", title, axis_label("speed", "rpm"), axis_label("h_0", "µm"), tuple(series),
         limits=((Text("Kreisle"), r.kreisle_film * 1e6),), point=(r.duty.speed * 60, r.film_edge * 1e6),
-        fails=r.film_edge < r.kreisle_film)  # fmt: skip
+        fails=r.film_edge < r.kreisle_film, band=band)  # fmt: skip
+
+
+def _films_at_corners(r: BearingResult) -> Array:
+    """The smallest film at each corner of the tolerances and each speed; nan where there is none."""
+    sweep, (g, factor) = r.sweep, corner_values(r.seat)
+    count = len(sweep.speeds)
+    seat = replace(r.seat, clearance=each(np.repeat(np.asarray(g), count)), viscosity_factor=each(np.repeat(factor, count)))
+    speeds, temperatures, pressures = (np.tile(row, len(factor)) for row in (sweep.speeds, sweep.temperatures, sweep.pressures))
+    film = settled(seat, at_speeds(r.seat, sweep.rated, r.duty, speeds, temperatures, pressures)).film
+    return many(film).reshape(len(factor), count)
 
 
 def clearance_points(seat: BearingCase, duty: OperatingPoint) -> tuple[BearingCase, OperatingPoint]:

@@ -58,7 +58,7 @@ class StandingResult:
     load_peak: Newton = value("Largest load over a turn", "N", "R_max")
     film_load_peak: Metre | None = value("Film under the largest load, as if it stayed", "µm", "h_R", default=None)
     film_orbit: Metre | None = value("Smallest film over a turn, by the film's stiffness and damping", "µm", "h_orb", default=None)
-    orbit_amplitude: Metre | None = value("Largest excursion of the journal over a turn", "µm", "a", default=None)
+    orbit_amplitude: Metre | None = value("Largest excursion of the journal over a turn", "µm", "a_o", default=None)
     speed_of_equal_loads: RevPerSecond | None = value("Speed at which the turning load is as large", "rpm", "n_0", default=None)
     load_at_start: Pascal = value("Specific load at the start", "MPa", "p_0")
 

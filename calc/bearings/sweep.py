@@ -76,9 +76,16 @@ def sweep_points(
     speed's temperature.
     """
     speeds, temperatures, pressures = _rows(rated, bench, duty, seat.inputs)
+    return seat, at_speeds(seat, rated, duty, speeds, temperatures, pressures)
+
+
+def at_speeds(
+    seat: BearingCase, rated: float, duty: OperatingPoint, speeds: Array, temperatures: Array, pressures: Array
+) -> OperatingPoint:  # fmt: skip
+    """The same bearing at other speeds with the oil that is supplied there."""
     ratio = speeds / rated
     turns = seat.inputs.load_speed_ratio == TURNING
-    return seat, replace(
+    return replace(
         duty, load=each(duty.load * ratio**2) if turns else duty.load, speed=each(speeds),
         effective_speed=each(duty.effective_speed * ratio), supply_temperature=each(temperatures), supply_pressure=each(pressures),
     )  # fmt: skip

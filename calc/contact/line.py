@@ -49,7 +49,7 @@ def normal_relative_radius(rho_rel: Metre, beta_b: Radian) -> Metre:
     return rho_rel / cos(beta_b)
 
 
-@formula("v_r", "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself")
+@formula("v_r", "ISO/TR 15144-1:2014 (14), (15), AGMA 925-A03: rolling speed of a flank, along itself", names={"rho": "ρ_y"})
 def rolling_speed(n: RevPerSecond, rho: Metre) -> MetrePerSecond:
     return 2 * pi * modulus(n) * rho
 

@@ -5,13 +5,15 @@ import numpy as np
 
 from ..imbalance.curves import DRAWN
 from ..sheet.arrays import Array
-from ..sheet.step import Curve, Series, axis_label
+from ..sheet.step import Curve, Load, Series, axis_label
 from ..sheet.text import EMPTY, Name, Text
 from ..sheet.units import Metre, RadPerSecond
 from .bending.shaft import Bending
 from .drawing import outline_curve
 from .result import CountershaftResult
 from .task import LEFT_OVER, WORDS, Task
+
+STACK = "bending"
 
 
 def curves(todo: Task, shaft: CountershaftResult, omega: RadPerSecond, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
@@ -26,9 +28,11 @@ def curves(todo: Task, shaft: CountershaftResult, omega: RadPerSecond, positions
             left = getattr(shaft, f"residual_order_{todo.order}_{word}")
             over_speed.append(_over_speed(todo.order, word, unit, abs(like) + abs(against), left, limit, omega))
             over_a_turn.append(_over_a_turn(todo.order, word, unit, like, against, supplied))
-    bent = _bent(shaft.bending, positions) if shaft.bending is not None else ()
     outline = (outline_curve(shaft.outline, positions),) if shaft.outline is not None else ()
-    return (*over_speed, *bent[:1], *outline, *bent[1:], _reactions(shaft, omega), *over_a_turn)
+    bent = _bent(shaft.bending, positions) if shaft.bending is not None else ()
+    if shaft.bending is not None and outline:
+        bent = (_loaded(outline[0], shaft.bending, positions), *bent)
+    return (*over_speed, *bent, *outline, _reactions(shaft, omega), *over_a_turn)
 
 
 def _over_a_turn(order: int, word: Text, unit: str, like: complex, against: complex, supplied: complex) -> Curve:
@@ -68,16 +72,28 @@ def _reactions(shaft: CountershaftResult, omega: RadPerSecond) -> Curve:
     return Curve("reactions", title, axis_label("crank speed", "rpm"), axis_label("reaction", "N"), series)
 
 
-def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, Curve]:
-    """The deflection line and the bending moment, in the plane of the shaft's couple."""
+def _loaded(outline: Curve, bent: Bending, positions: tuple[Metre, ...]) -> Curve:
+    """The shaft with the resultants of its centrifugal load and what its bearings hold against them, in the plane of its couple."""
+    held = zip(positions, (bent.reactions * np.exp(-1j * bent.plane)).real.tolist())
+    loads = [Load(Text("load"), z * 1e3, F) for z, F in bent.loads] + [Load(Text("bearing"), z * 1e3, F, held=True) for z, F in held]
+    title = Text("The shaft at rated speed: centrifugal load and reactions, shear, bending moment, deflection")
+    return Curve("loads", title, outline.x_label, outline.y_label, outline.series, stack=STACK, loads=tuple(loads), load_unit="N")
+
+
+def _bent(bent: Bending, positions: tuple[Metre, ...]) -> tuple[Curve, ...]:
+    """Shear, bending moment and deflection line, in the plane of the shaft's couple."""
     z, from_middle = bent.z * 1e3, axis_label("from mid-shaft", "mm")
     lines = (
         Series(Text("with the stiffness share of the sectors"), z, bent.deflection * 1e6),
         Series(Text("at full stiffness"), z, bent.deflection_stiff * 1e6),
         Series(Text("bearings"), np.array(positions) * 1e3, np.zeros(len(positions))),
     )
-    deflection, moment = Text("Deflection line of the shaft at rated speed"), Text("Bending moment of the shaft at rated speed")
+    shear, moment = Text("Shear force of the shaft at rated speed"), Text("Bending moment of the shaft at rated speed")
+    deflection, at = Text("Deflection line of the shaft at rated speed"), bent.largest_moment_z
+    largest = float(np.interp(at, bent.moment_z, bent.moment))
     return (
-        Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines),
-        Curve("moment", moment, from_middle, axis_label("moment", "N·m"), (Series(EMPTY, bent.moment_z * 1e3, bent.moment),)),
-    )
+        Curve("shear_force", shear, from_middle, axis_label("shear", "N"), (Series(EMPTY, bent.shear_z * 1e3, bent.shear),), stack=STACK),
+        Curve("moment", moment, from_middle, axis_label("moment", "N·m"), (Series(EMPTY, bent.moment_z * 1e3, bent.moment),),
+            point=(at * 1e3, largest), stack=STACK),
+        Curve("deflection", deflection, from_middle, axis_label("deflection", "µm"), lines, stack=STACK),
+    )  # fmt: skip

@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What is drawn of a shaft, as lines, arcs, words and dimensions on a sheet: the same for a drawing file, the report and the screen.
+"""The side view of a shaft: its silhouette, its edges, and where it is carried.
 
-The sheet's first axis runs to the right, its second up, both in metres.  In the side view the first is z and the second the direction
-of the first eccentric sector; in a cross-section, "up" is that direction too and the crank turns clockwise.
+The first axis is z, to the right, the second the direction of the first eccentric sector, up, both in metres.
 """
 
 import math
@@ -10,13 +9,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
+from ..sheet.drawing import Point, Polyline, Primitive
 from ..sheet.step import Curve, Series, axis_label
 from ..sheet.text import Text
 from ..sheet.units import UNITS, Metre, Radian
 from .outline import TOUCH, Outline, Piece
 
-LAYERS = ("OUTLINE", "SECTORS", "JOURNALS", "GEAR", "AXIS", "SUPPORTS", "DIMENSIONS", "TEXT")
 LAYER_OF = {"sector": "SECTORS", "journal": "JOURNALS", "gear": "GEAR"}  # what a piece is → where its own shape stands
 LETTER = 0.01  # rule of this program: letters are a hundredth of the shaft's length high, and all distances multiples of that
 FINE = 5e-5  # m: a shorter piece is what rounding leaves between two others; it is not drawn, and they meet
@@ -79,11 +77,11 @@ def axis(outline: Outline) -> tuple[Point, Point]:
     return (outline.start - beyond, 0.0), (outline.end + beyond, 0.0)
 
 
-def _edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
+def edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
     """The edges of a sector that are seen inside its silhouette: those of its two flat faces with its outside and with its core."""
     if piece.half_angle is None or math.pi - piece.half_angle < FLAT:
         return []
-    edges = []
+    seen_edges = []
     high, low = reach(piece, up)
     for side in (1.0, -1.0):
         angle = piece.angle - up + side * piece.half_angle
@@ -91,127 +89,23 @@ def _edges(piece: Piece, up: Radian) -> list[tuple[Point, Point]]:
         for radius, seen in ((piece.outer_radius, near), (piece.core_radius, near and faces)):
             y = radius * math.cos(angle)
             if seen and radius and -low + TOUCH < y < high - TOUCH:
-                edges.append(((piece.start, y), (piece.end, y)))
-    return edges
+                seen_edges.append(((piece.start, y), (piece.end, y)))
+    return seen_edges
 
 
-def _section(piece: Piece, up: Radian, centre: Point) -> list[Primitive]:
-    """The cross-section of a sector on its core: what is cut, as lines and arcs that close."""
-    assert piece.half_angle is not None
-    R, r_0, gamma = piece.outer_radius, piece.core_radius, piece.half_angle
-    if math.pi - gamma < FLAT:
-        return [Arc("SECTORS", centre, R, 0.0, 2 * math.pi)]
-    middle = math.pi / 2 - (piece.angle - up)  # clockwise from up, as angles of the sheet
-    first, last = middle - gamma, middle + gamma
-    shapes: list[Primitive] = [Arc("SECTORS", centre, R, first, last)]
-    for angle in (first, last):
-        shapes.append(Polyline("SECTORS", (_round(centre, r_0, angle), _round(centre, R, angle))))
-    return [*shapes, Arc("SECTORS", centre, r_0, last, first + 2 * math.pi)] if r_0 else shapes
-
-
-def _round(centre: Point, radius: Metre, angle: Radian) -> Point:
-    return centre[0] + radius * math.cos(angle), centre[1] + radius * math.sin(angle)
-
-
-# --- the sheet ----------------------------------------------------------------------------------------------------------
-def shaft_drawing(outline: Outline, positions: tuple[Metre, ...], title: str, scale: str = "1:1") -> tuple[Primitive, ...]:
-    """Side view, cross-sections of the sectors below it, dimensions and title.  `positions`: mid-planes of the supports.
+def shaft_drawing(outline: Outline, positions: tuple[Metre, ...]) -> tuple[Primitive, ...]:
+    """The side view without dimensions; `positions`: mid-planes of the supports.
 
     The layer OUTLINE holds the silhouette of the whole shaft, the others the shapes of their pieces again, so that each is whole by itself.
     """
-    up, h = upwards(outline), LETTER * (outline.end - outline.start)
-    largest = max(max(reach(piece, up)) for piece in outline.pieces)
+    up = upwards(outline)
     shapes: list[Primitive] = [Polyline("OUTLINE", silhouette(outline), True), Polyline("AXIS", axis(outline))]
     for piece in outline.pieces:
         if (layer := LAYER_OF.get(piece.what)) is not None:
             high, low = reach(piece, up)
             shapes.append(Polyline(layer, ((piece.start, -low), (piece.end, -low), (piece.end, high), (piece.start, high)), True))
-            shapes += [Polyline(layer, edge) for edge in _edges(piece, up)]
-    shapes += [Polyline("SUPPORTS", mark, True) for mark in support_marks(outline, positions)]
-    shapes += _lengths(outline, positions, largest, h)
-    shapes += _diameters(outline, h)
-    shapes += _sections(outline, up, largest, h)
-    return (*shapes, *_title(outline, up, largest, h, title, scale))
-
-
-def _lengths(outline: Outline, positions: tuple[Metre, ...], largest: Metre, h: Metre) -> list[Primitive]:
-    """Three rows below the side view: every piece, the spans of the supports, the whole shaft."""
-    ends = [piece.start for piece in drawn(outline)] + [outline.end]
-    rows = (tuple(ends), positions, (outline.start, outline.end))
-    return [
-        Dimension("DIMENSIONS", (start, -largest), (end, -largest), (start, -largest - (6 + 4 * row) * h), h)
-        for row, places in enumerate(rows)
-        if row < 2 or len(ends) > 2
-        for start, end in pairwise(places)
-    ]
-
-
-def _diameters(outline: Outline, h: Metre) -> list[Primitive]:
-    """One dimension for each kind and size of a full piece, across the longest of them, beside its middle where a support may stand."""
-    shapes: list[Primitive] = []
-    told = set()
-    for piece in sorted(outline.pieces, key=lambda piece: -piece.length):
-        size = (piece.what, round(piece.outer_radius, 9))
-        if piece.half_angle is None and size not in told:
-            told.add(size)
-            z, R = piece.start + 0.7 * piece.length, piece.outer_radius
-            shapes.append(Dimension("DIMENSIONS", (z, -R), (z, R), (z, 0.0), h, upright=True, diameter=True, shift=R / 2))
-    return shapes
-
-
-def _sections(outline: Outline, up: Radian, largest: Metre, h: Metre) -> list[Primitive]:
-    """A cross-section for each kind of sector, with its letter."""
-    shapes: list[Primitive] = []
-    letters: dict[tuple[float, ...], str] = {}
-    for piece in outline.pieces:
-        if piece.half_angle is None:
-            continue
-        aside = piece.angle - up
-        kind = tuple(round(x, 9) for x in (piece.outer_radius, piece.core_radius, piece.half_angle, math.cos(aside), math.sin(aside)))
-        letter = letters.get(kind)
-        if letter is None:
-            letter = letters[kind] = chr(ord("A") + len(letters)) if len(letters) < 26 else f"A{len(letters) - 25}"
-            x, y = _place(len(letters) - 1, outline, largest, h)
-            reaches = largest + 2 * h
-            shapes += [Polyline("AXIS", ((x - reaches, y), (x + reaches, y))), Polyline("AXIS", ((x, y - reaches), (x, y + reaches)))]
-            shapes += _section(piece, up, (x, y))
-            lines = (
-                Text("Section {letter}", letter=letter), Text("R {mm}, core {mm2}", mm=_mm(piece.outer_radius), mm2=_mm(piece.core_radius)),
-                Text("half-angle {degrees}°", degrees=_degrees(piece.half_angle)),
-                Text("middle at {degrees}°", degrees=_degrees(piece.angle % (2 * math.pi))),
-            )  # fmt: skip
-            shapes += [Words("TEXT", (x + reaches + h, y + (2 - 1.7 * i) * h), line, h) for i, line in enumerate(lines)]
-        shapes.append(Words("TEXT", ((piece.start + piece.end) / 2, largest + 2 * h), letter, h))
-    return shapes
-
-
-def _place(n: int, outline: Outline, largest: Metre, h: Metre) -> Point:
-    """The centre of a cross-section: below the rows of dimensions, as many side by side as the shaft is long."""
-    wide, high = 2 * largest + 24 * h, 2 * largest + 8 * h
-    row, column = divmod(n, max(1, int((outline.end - outline.start) / wide)))
-    return outline.start + largest + 2 * h + column * wide, -2 * largest - 20 * h - row * high
-
-
-def _title(outline: Outline, up: Radian, largest: Metre, h: Metre, title: str, scale: str) -> list[Primitive]:
-    degrees = _degrees(up % (2 * math.pi))
-    lines = [
-        Text("Millimetres, {scale}. z from mid-shaft, to the right towards the flywheel.", scale=scale),
-        Text("Drawn up: {degrees}° from up with cylinder 1 at TDC, in the sense of crank rotation. In the sections the "
-            "crank turns clockwise.", degrees=degrees),
-    ]  # fmt: skip
-    if outline.derived:
-        lines.append(Text("Put together from masses, core, journals and gear (reference circle); fillets, holes and extras are left out."))
-    top = largest + (8 + 1.8 * len(lines)) * h
-    small = [Words("TEXT", (outline.start, top - 1.8 * (i + 1) * h), line, h) for i, line in enumerate(lines)]
-    return [Words("TEXT", (outline.start, top), title, 1.6 * h), *small]
-
-
-def _mm(length: Metre) -> str:
-    return f"{length * 1e3:.2f}".rstrip("0").rstrip(".")
-
-
-def _degrees(angle: Radian) -> str:
-    return f"{math.degrees(angle):.2f}".rstrip("0").rstrip(".")
+            shapes += [Polyline(layer, edge) for edge in edges(piece, up)]
+    return (*shapes, *(Polyline("SUPPORTS", mark, True) for mark in support_marks(outline, positions)))
 
 
 # --- the screen's and the report's ---------------------------------------------------------------------------------------

@@ -29,13 +29,13 @@ from ..sheet.units import (
 TABLE_4_1 = Text("Finotti 2013, 4.1 (with ω², not ω as printed there)")
 
 
-@formula("F_S", TABLE_4_1)
+@formula("F_S", TABLE_4_1, names={"gamma": "φ"})
 def shaft_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     """The rotating force that the shaft puts on its supports: what its masses do not balance statically."""
     return omega**2 * resultant(m * e * cis(gamma))
 
 
-@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed")
+@formula("F_i", "dynamics: centrifugal force of each eccentric mass; below zero for what is removed", names={"gamma": "φ"})
 def mass_force(omega: RadPerSecond, m: Kilogram, e: Metre, gamma: Radian) -> PhasorNewton:
     return omega**2 * m * e * cis(gamma)
 
@@ -50,7 +50,7 @@ def widest(d: Metre, c_R: Metre) -> Metre:
     return d / 2 - c_R
 
 
-@formula("C_S", TABLE_4_1)
+@formula("C_S", TABLE_4_1, names={"gamma": "φ"})
 def shaft_couple(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorNewtonMetre:
     return omega**2 * resultant(m * e * z * cis(gamma))
 
@@ -65,7 +65,7 @@ def mass_moment(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre) -> NewtonM
     return omega**2 * m * e * abs(z)
 
 
-@formula("N_p", "mathematics: sum over the list of parts")
+@formula("N_p", "mathematics: sum over the list of parts", names={"n": "n_p"})
 def part_count(n: Number) -> Number:
     return total(n)
 
@@ -112,7 +112,7 @@ def reaction_front(F_S: PhasorNewton, R_r: PhasorNewton) -> PhasorNewton:
     return -F_S - R_r
 
 
-@formula("|R|", "mathematics, modulus of the vector")
+@formula("F", "mathematics, modulus of the vector", names={"R": "R_i"})
 def reaction(R: PhasorNewton) -> Newton:
     return modulus(R)
 
@@ -271,6 +271,6 @@ def stationary(G_B: Newton, R_G: Newton) -> Newton:
     return abs(G_B) + R_G
 
 
-@formula("R_max", "statics: the turning and the standing part in line, once a turn")
+@formula("R_max", "statics: the turning and the standing part in line, once a turn", names={"R": "F"})
 def reaction_peak(R: Newton, R_0: Newton) -> Newton:
     return R + R_0

@@ -24,7 +24,7 @@ class EccentricMass:
     mass: float = quantity("Mass", "kg", low=0, high=1000, symbol="m", help="Mass of this eccentric part of the shaft.")
     radius: float = quantity("Radius of its centre of gravity", "mm", low=0, high=1000, symbol="e",
         help="Distance of its centre of gravity from the shaft's axis.")  # fmt: skip
-    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="gamma", step=1, help=ANGLE)
+    angle: float = quantity("Angle", "°", low=-720, high=720, symbol="phi", step=1, help=ANGLE)
     z: float = quantity("Position", "mm", low=-5000, high=5000, symbol="z", help=FROM_MID_SHAFT)
 
 

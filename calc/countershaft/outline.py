@@ -160,12 +160,12 @@ def rear_face(z: Metre, b: Metre) -> Metre:
     return z + b / 2
 
 
-@formula("l", "geometry: length of each piece of the shaft", unit="mm")
+@formula("l", "geometry: length of each piece of the shaft", unit="mm", names={"z_1": "z_a", "z_2": "z_b"})
 def lengths(z_1: Metre, z_2: Metre) -> Metre:
     return z_2 - z_1
 
 
-@formula("z", "geometry: middle of each piece of the shaft", unit="mm")
+@formula("z", "geometry: middle of each piece of the shaft", unit="mm", names={"z_1": "z_a", "z_2": "z_b"})
 def middles(z_1: Metre, z_2: Metre) -> Metre:
     return (z_1 + z_2) / 2
 
@@ -175,7 +175,7 @@ def gear_middle(z_f: Metre, l: Metre, b: Metre) -> Metre:
     return z_f - l / 2 - b / 2
 
 
-@formula("S_γ", "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³")
+@formula("S_γ", "geometry: static moment of the sectors, each along its middle, cylinder 1 at TDC", unit="mm³", names={"gamma": "φ"})
 def directed_moment(S: CubicMetre, gamma: Radian) -> PhasorCubicMetre:
     return S * cis(gamma)
 

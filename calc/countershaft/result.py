@@ -52,7 +52,7 @@ class Standing:
 class SupportResult:
     """One support: what it carries, and the load on its journal."""
 
-    reaction: Newton = value("Reaction", "N", "R")
+    reaction: Newton = value("Reaction", "N", "F")
     specific_load: Pascal | None = value("Specific load", "MPa", "p", default=None)
     heat_index: NewtonPerMetreSecond | None = value("Heat index", "N·rpm/mm", "W", default=None)
     slope: Radian | None = value("Slope of the journal", "mrad", "θ", default=None)

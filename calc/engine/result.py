@@ -42,8 +42,8 @@ class Rod:
     gas_force: Newton | None = value("Gas force on the piston", "N", "F_G", default=None)
     inertia_force: Newton = value("Inertia force of the reciprocating mass", "N", "F_I")
     piston_force: Newton = value("Force on the piston", "N", "F")
-    rod_force: Newton = value("Force in the rod", "N", "S")
-    side_thrust: Newton = value("Side thrust on the liner", "N", "N")
+    rod_force: Newton = value("Force in the rod", "N", "F_R")
+    side_thrust: Newton = value("Side thrust on the liner", "N", "F_N")
     tangential_force: Newton = value("Tangential force at the pin", "N", "F_t")
     radial_force: Newton = value("Radial force at the pin, towards the crank axis", "N", "F_r")
 

@@ -21,12 +21,12 @@ def piston_force(F_G: Newton, F_I: Newton) -> Newton:
     return F_G + F_I
 
 
-@formula("S", Text("{rod}: force in the rod, positive in compression", rod=ROD))
+@formula("F_R", Text("{rod}: force in the rod, positive in compression", rod=ROD))
 def rod_force(F: Newton, beta: Radian) -> Newton:
     return F / cos(beta)
 
 
-@formula("N", Text("{rod}: side thrust on the liner", rod=ROD))
+@formula("F_N", Text("{rod}: side thrust on the liner", rod=ROD))
 def side_thrust(F: Newton, beta: Radian) -> Newton:
     return F * tan(beta)
 

@@ -44,7 +44,7 @@ class MeshResult:
     judged: MeshLoss = group(spread=True)
     power_in: Watt = value("Power that the mesh takes in", "W", "P_in")
     power_out: Watt = value("Power that the mesh passes on", "W", "P_out")
-    ohlendorf_loss_factor: Number = value("Loss factor by Ohlendorf", "", "H_V")
+    ohlendorf_loss_factor: Number = value("Loss factor by Ohlendorf", "", "H_v")
     bulk_rise: Kelvin = value("Estimated warming of the teeth above the oil", "K", "ΔT_b")
     source: MeshLoss = group()
     by_regime: MeshLoss | None = group()

@@ -15,7 +15,7 @@ from ..gears.result import TrainResult
 from ..lubricant import Lubricant
 from ..sheet.finite import finite
 from ..sheet.later import Later
-from ..sheet.step import Further, Outcome
+from ..sheet.step import Curve, Further, Outcome, Table
 from ..sheet.text import Text
 from ..sheet.trace import about, trace, untraced
 from ..sheet.units import Celsius, Metre, Newton, RevPerSecond, Watt
@@ -94,7 +94,7 @@ def solve(
 
     return replace(
         outcome, result=result, lines=(*lines, *outcome.lines), notes=outcome.notes + Later(notes),
-        further=partial(further, d, result, power, on),
+        further=partial(further, d, result, power, on), key_curves=Later(lambda: (_open_constants(d, result, power)[0],)),
     )  # fmt: skip
 
 
@@ -121,16 +121,23 @@ def with_rated_power(outcome: Outcome[FrictionResult], P_e: Watt | None) -> Outc
 
 def further(d: Drive, result: FrictionResult, power: Watt | None, on: OnShaft | None) -> Further:
     """Maps, sensitivity and scenarios: what is asked for when it is shown."""
-    from .studies import maps, scenarios, sensitivity
+    from .studies import maps, scenarios
 
     with QUIET(), untraced():
         of_map, of_fuel, missing = maps.pictures(maps.over_speed_and_temperature(d, power, on), d)
-        bars, table = sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
+        bars, table = _open_constants(d, result, power)
         found = result.scenarios or {}
         ways = {key: curves.way(mesh) for key, mesh in result.meshes.items()}
         return Further(
             curves=(*of_map, bars, *scenarios.curves(found, ways)), tables=(*of_fuel, table, *scenarios.tables(result)), notes=missing
         )  # fmt: skip
+
+
+def _open_constants(d: Drive, result: FrictionResult, power: Watt | None) -> tuple[Curve, Table]:
+    from .studies import sensitivity
+
+    with QUIET(), untraced():
+        return sensitivity.tornado(sensitivity.swings(d, power, result.total_loss), result.total_loss)
 
 
 def _notes(gears: GearsInputs, closed: bool) -> tuple[Text, ...]:

@@ -152,7 +152,7 @@ def pointed_diameter(d_b: Metre, alpha_p: Radian) -> Metre:
     return d_b / cos(alpha_p)
 
 
-@formula("d", "geometry: a diameter with its tolerance", unit="mm")
+@formula("d", "geometry: a diameter with its tolerance", unit="mm", names={"T": "E_d"})
 def with_tolerance(d: Metre, T: Metre) -> Metre:
     return d + T
 
@@ -177,7 +177,7 @@ def curvature_at(d_y: Metre, d_b: Metre) -> Metre:
     return sqrt(d_y**2 - d_b**2) / 2
 
 
-@formula("d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm")
+@formula("d_y", Text("{iso}: circle on which the flank has a radius of curvature", iso=ISO), unit="mm", names={"rho": "ρ_y"})
 def diameter_at(d_b: Metre, rho: Metre) -> Metre:
     return sqrt(d_b**2 + 4 * rho**2)
 
@@ -262,7 +262,7 @@ def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number,
 
 
 @formula(
-    "α",
+    "α_y",
     "mathematics: inverse of inv α = tan α − α by Newton's method, from above",
     shows="the angle whose involute is given: tan α − α = inv α",
 )
@@ -373,7 +373,7 @@ def highest_single_contact(rho_A: Metre, p_bt: Metre) -> Metre:
     return rho_A + p_bt
 
 
-@formula("ζ", Text("{iso}: specific sliding, negative below the working circle", iso=ISO), names={"T": "T_1T_2"})
+@formula("ζ", Text("{iso}: specific sliding, negative below the working circle", iso=ISO), names={"T": "T_1T_2", "rho": "ρ_y"})
 def specific_sliding(T: Metre, rho: Metre, z: Number, z_m: Number) -> Number:
     """>>> specific_sliding(T=0.02417, rho=0.005132, z=25, z_m=36)
     -1.576156...

@@ -21,7 +21,7 @@ TIP_CLEARANCE, USUAL_TIP_CLEARANCE = 0.15, 0.2  # the second: what the search fo
 
 
 @formula("c_F", "ISO 21771:2007: how far above the fillet contact begins", unit="mm",
-    shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives")  # fmt: skip
+    shows="(d_N − d_Ff)/2, d_N where the tip of the mate arrives", names={"T": "T_1T_2"})  # fmt: skip
 def above_fillet(d_b: Metre, T: Metre, rho_a: Metre, d_Ff: Metre) -> Metre:
     """Numbers or arrays; ρ_a: curvature at the mate's tip.
 

@@ -139,7 +139,7 @@ class MeshResult:
     backlash_min: Metre = value("Smallest backlash, normal", "µm", "j_bn,min")
     backlash_nominal: Metre = value("Backlash at mid-tolerance, normal", "µm", "j_bn")
     backlash_max: Metre = value("Largest backlash, normal", "µm", "j_bn,max")
-    penetration: Metre | None = value("Depth of the outlines inside each other, without backlash", "µm", "δ", default=None)
+    penetration: Metre | None = value("Depth of the outlines inside each other, without backlash", "µm", "δ_p", default=None)
     rating: MeshRating | None = group(spread=True, default=None)
     driver: str
     driven: str

@@ -54,7 +54,7 @@ BACKLASH = TrainPart("backlash", Text("backlash over parts and temperature"))
 LAYOUT = TrainPart("layout", Text("layout of the train"))
 RATING = TrainPart("rating", Text("rating of the teeth"))
 NOT_RATED = Text(
-    "Not rated: no torque is known. Give gears.power_kW, or [bearings] and [friction], whose closed power balance gives it; stresses, "
+    "Not rated yet: no torque is known. Bearings and friction give it by their power balance, or the power given here; stresses, "
     "safeties and forces on the axes have no values."
 )
 

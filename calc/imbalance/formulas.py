@@ -89,12 +89,12 @@ def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> Ph
     return joined(C_1, C_rot)
 
 
-@formula("F_1⁺", "mathematics: sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order")
+@formula("F_1⁺,κ", "mathematics: sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order", names={"F_1": "F_1⁺"})
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_kappa)
 
 
-@formula("C_1⁺", "mathematics: sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order")
+@formula("C_1⁺,κ", "mathematics: sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order", names={"C_1": "C_1⁺"})
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_kappa)
 
@@ -196,7 +196,7 @@ def couple_per_degree(C_S: NewtonMetre) -> NewtonMetre:
     return 2 * C_S * sin(pi / 360)
 
 
-@formula("ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart")
+@formula("ΔC/tooth", "mathematics, exact difference of two vectors one tooth of the shaft's wheel apart", names={"z": "z_w"})
 def couple_per_tooth(C_S: NewtonMetre, z: Number) -> NewtonMetre:
     return 2 * C_S * sin(pi / z)
 

@@ -65,8 +65,8 @@ class Throws:
     couple_together: NewtonMetre = value("Centrifugal couple of all throws", "N·m", "ΣM_c")
     rotating_not_balanced: Kilogram = value("Mass that a throw's counterweight has beyond the rotating one", "g", "M_rot,ne")
     reciprocating_not_balanced: Kilogram = value("Reciprocating mass that the crank leaves, per cylinder", "g", "M_alt,ne")
-    force_not_balanced: Newton = value("Centrifugal force of that mass, one throw", "N", "F_C")
-    couple_not_balanced: NewtonMetre = value("Centrifugal couple of that mass, all throws", "N·m", "ΣM_C")
+    force_not_balanced: Newton = value("Centrifugal force of that mass, one throw", "N", "F_c")
+    couple_not_balanced: NewtonMetre = value("Centrifugal couple of that mass, all throws", "N·m", "ΣM_c")
 
 
 def throws(kappa: Number, engine: EngineInputs, e: EngineResult) -> Throws:

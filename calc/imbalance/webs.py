@@ -55,7 +55,7 @@ def unbalance(m: Kilogram, p: PhasorMetre) -> PhasorKilogramMetre:
     return resultant(m * p)
 
 
-@formula("C", TABLE, unit="kg·mm²")
+@formula("P_U", TABLE, unit="kg·mm²")
 def product(m: Kilogram, p: PhasorMetre, z: Metre) -> PhasorKilogramMetre2:
     return resultant(m * p * z)
 
@@ -65,14 +65,22 @@ def crank_mass(m: Kilogram, m_b: Kilogram) -> Kilogram:
     return total(m) + total(m_b)
 
 
-@formula("m_b", "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up", unit="g")
+@formula(
+    "m_b",
+    "Finotti 2013, 2.6: one bob on every pin, without couple across the throw that stands up",
+    unit="g",
+    names={"C": "P_U", "G": "G_U"},
+)
 def equal_bob(C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     """`C` of the bare crank; `G` of the same mass on every pin, per kilogram: sum of p·z.  Imaginary: across the throw that stands up."""
     return -imag(C) / imag(G)
 
 
 @formula(
-    "m_j", "mathematics: smallest change of the common bob that takes the whole couple", shows="least norm of m − m_b with C = 0", unit="g"
+    "m_j",
+    "mathematics: smallest change of the common bob that takes the whole couple",
+    shows="least norm of m − m_b with P_U = 0",
+    unit="g",
 )
 def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -> Kilogram:
     """One bob per pin.  For three throws the middle pin, which has no arm, keeps the common one.  `G`: p·z of each pin."""
@@ -82,7 +90,7 @@ def bobs_per_pin(m_b: Kilogram, C: PhasorKilogramMetre2, G: PhasorSquareMetre) -
     return each(m_b + change)
 
 
-@formula("m_j", "mathematics: least squares of static unbalance and of couple over pitch", shows="least |S|² + |C|²/a² over m", unit="g")
+@formula("m_j", "mathematics: least squares of static unbalance and of couple over pitch", shows="least |S|² + |P_U|²/a² over m", unit="g")
 def bobs_by_least_squares(S: PhasorKilogramMetre, C: PhasorKilogramMetre2, p: PhasorMetre, G: PhasorSquareMetre, a: Metre) -> Kilogram:
     """One bob per pin; `p` and `G` = p·z of each pin."""
     rows = np.array([np.real(p), np.imag(p), np.real(G) / a, np.imag(G) / a])
@@ -104,9 +112,9 @@ def unbalance_length(S: PhasorKilogramMetre) -> KilogramMetre:
 
 
 @formula(
-    "∠C",
+    "∠P_U",
     "mathematics: direction with cylinder 1 at TDC; χ the crank's angle from the list of bodies to there",
-    names={"P": "C", "turned": "χ"},
+    names={"P": "P_U", "turned": "χ"},
 )
 def state_direction(P: PhasorKilogramMetre2, turned: Radian) -> Radian:
     return argument(P * cis(turned))
@@ -117,7 +125,7 @@ def force_at(S: PhasorKilogramMetre, omega: RadPerSecond) -> Newton:
     return modulus(S) * omega**2
 
 
-@formula("C_ω", "dynamics: couple of the crank's own unbalance at rated speed", names={"P": "C"})
+@formula("C_ω", "dynamics: couple of the crank's own unbalance at rated speed", names={"P": "P_U"})
 def couple_at(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 

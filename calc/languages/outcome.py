@@ -11,20 +11,21 @@ from typing import TypeVar, cast
 from ..sheet.check import Check
 from ..sheet.later import Later
 from ..sheet.quantity import Quantity
-from ..sheet.step import Curve, Erratum, Outcome, Series, Table, Turning
+from ..sheet.step import Curve, Erratum, Load, Outcome, Series, Table, Turning
 from ..sheet.text import Name, Text
 from .language import Language
 
 T = TypeVar("T")
-SPOKEN = frozenset({Quantity, Curve, Erratum, Series, Table, Turning})  # records that hold texts
+SPOKEN = frozenset({Quantity, Curve, Erratum, Load, Series, Table, Turning})  # records that hold texts
 
 
 def said(outcome: Outcome[object], say: Language) -> Outcome[object]:
     """The outcome in a language.  What is made only when it is asked for (`further`) is left out: pass `outcome.whole`."""
     if say.code == "en":
         return outcome
-    spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in ("result", "lines")}
-    return replace(outcome, **spoken | {"further": None})
+    left = ("result", "lines", "key_curves")
+    spoken = {f.name: in_language(getattr(outcome, f.name), say) for f in fields(Outcome) if f.name not in left}
+    return replace(outcome, **spoken | {"further": None}, key_curves=Later(lambda: in_language(tuple(outcome.key_curves), say)))
 
 
 def in_language(thing: T, say: Language) -> T:

@@ -29,7 +29,9 @@ BLIND = (0.05, 0.15, 0.4, 1.0, 2.0)  # relative changes tried where a small one 
 CLOSE = 5  # halvings of the change
 BEST = 5  # numbers that are moved all the way
 
-ASKED = re.compile(r".*(temperature_C|rpm|power_kW|load_N|life_h|application_factor|_stress_MPa|density_kgm3)")  # what a design asks for
+ASKED = re.compile(
+    r".*(temperature_C|rpm|power_kW|load_N|life_h|application_factor|_stress_MPa|density_kgm3|deflection_limit_mm)"
+)  # what a design asks for
 # What the maker of a design is free to move, by step; the keys that move a check are added.
 FREE = {
     "engine": r"throw\..*|flywheel_inertia_kgm2",
@@ -49,6 +51,7 @@ FREE = {
         r"meshes\..*\.(centre_distance_mm|tolerance_um)|tool_addendum|tool_tip_radius|ball_diameter_mm|helix_angle_deg"
     ),
     "friction": r"flank_roughness_um",
+    "mounting": r"mounts\..*\.(stiffness_N_mm|position_mm|turned_deg)",
 }
 ADDRESS = re.compile(r"[a-z][a-z_]*(?:\.[A-Za-z0-9_-]+)*")
 

@@ -111,5 +111,5 @@ def _effect(group: tuple[Check, ...], left: tuple[Check, ...], quality: int) -> 
             return Text("still open: {checks}", checks=worst.name)
         return Text("comes to {value}, needs {limit}", value=Amount(worst.value, worst.unit, digits=3), limit=worst.limit_text())
     if left:
-        return plural("passes as given; {n} is still open", "passes as given; {n} are still open", n=len(left))
+        return plural("passes as given; {n} finding is still open", "passes as given; {n} findings are still open", n=len(left))
     return Text("passes, also at every corner") if any("corner" in c.id or "worst" in c.id for c in group) else Text("passes")

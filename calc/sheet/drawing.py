@@ -7,7 +7,8 @@ part that it shows, "fail", "warn" or nothing.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
+from dataclasses import replace
 from functools import cached_property
 from typing import Literal
 
@@ -71,6 +72,16 @@ class Words:
     key: str = ""
     state: State = ""
     side: Side = "left"
+    turned: bool = False  # a quarter to the left, to be read from the right
+
+
+@record
+class Hatch:
+    """What is cut, in parallel lines `spacing` apart, within closed outlines; what lies in two of them is not cut."""
+
+    layer: str
+    outlines: tuple[tuple[Point, ...], ...]
+    spacing: Metre
 
 
 @record
@@ -95,6 +106,7 @@ class Dimension:
 
 Primitive = Polyline | Arc | Words | Dimension  # of drawings to scale
 Mark = Primitive | Area  # of sketches
+Ink = Mark | Hatch  # of drawing sheets
 
 
 @record
@@ -102,6 +114,7 @@ class Sketch:
     """A picture of a few strokes.  `notes`: what is not to scale, in words ("gap × 400").  `turning`: it depends on the crank's angle.
 
     `beside`: further pictures next to it, each with its own scale, the ones that are missed least last; `title` stands above each.
+    `views`: how many of them may come first, one after the other.
     """
 
     primitives: tuple[Mark, ...] = ()
@@ -109,6 +122,7 @@ class Sketch:
     turning: bool = False
     title: Text = EMPTY
     beside: tuple["Sketch", ...] = ()
+    views: int = 1
 
     @cached_property
     def box(self) -> Box:
@@ -135,6 +149,33 @@ def reach(mark: Mark) -> Iterable[Point]:
             return (at,)
         case Dimension(start=start, end=end, line=(x, y), upright=upright):
             return [(x, start[1]), (x, end[1])] if upright else [(start[0], y), (end[0], y)]
+
+
+def moved(mark: Ink, dx: Metre, dy: Metre) -> Ink:
+    """A mark at another place."""
+    return _changed(mark, lambda point: (point[0] + dx, point[1] + dy), 1.0)
+
+
+def enlarged(mark: Ink, by: float) -> Ink:
+    """A mark so many times as large, letters and all."""
+    return _changed(mark, lambda point: (by * point[0], by * point[1]), by)
+
+
+def _changed(mark: Ink, to: Callable[[Point], Point], by: float) -> Ink:
+    match mark:
+        case Polyline():
+            return replace(mark, points=tuple(map(to, mark.points)))
+        case Arc():
+            return replace(mark, centre=to(mark.centre), radius=by * mark.radius)
+        case Area():
+            return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines))
+        case Hatch():
+            return replace(mark, outlines=tuple(tuple(map(to, outline)) for outline in mark.outlines), spacing=by * mark.spacing)
+        case Words():
+            return replace(mark, at=to(mark.at), height=by * mark.height)
+        case Dimension():
+            start, end, line = to(mark.start), to(mark.end), to(mark.line)
+            return replace(mark, start=start, end=end, line=line, height=by * mark.height, shift=by * mark.shift)
 
 
 def round_outline(centre: Point, radius: Metre, corners: int = 48) -> tuple[Point, ...]:

@@ -7,6 +7,7 @@ terminal, the report typesets the same tree.  Loaded only when something is show
 
 import ast
 import math
+import re
 from collections.abc import Callable, Mapping
 from functools import cache
 
@@ -43,8 +44,10 @@ class Expr:
 
 @cache
 def symbol(identifier: str) -> str:
-    """`alpha_wt` → `α_wt`, `omega` → `ω`, `C_1` → `C_1`, `z1` → `z_1`: base, underscore, index."""
+    """`alpha_wt` → `α_wt`, `omega` → `ω`, `C_1` → `C_1`, `z1` → `z_1`, `Delta_T` → `ΔT`: base, underscore, index."""
     base, *index = identifier.strip("_").split("_")
+    if base == "Delta" and index:  # a difference of what follows
+        return f"Δ{symbol('_'.join(index))}"
     if base not in GREEK and (stem := base.rstrip("0123456789")) and stem != base and len(stem) <= 6:
         index.insert(0, base[len(stem) :])
         base = stem
@@ -198,6 +201,14 @@ def _result(formula: Equation, value: object) -> tuple[str, str]:
     return scalar(value / factor), unit
 
 
+def symbol_of(line: Line) -> str:
+    """The symbol of what a line gives: of one order the number of the order in place of its n, `C_n⁺` → `C_1⁺`."""
+    order, named = line.arguments.get("n"), line.formula.symbol
+    if not isinstance(order, (int, float)) or order < 1 or units(line.formula).get("n"):
+        return named
+    return re.sub(r"_n(?![^\W_])", f"_{order:g}", named)
+
+
 def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     """A line made readable; of arrays the element that governs, or the one at the place `at`."""
     formula = line.formula
@@ -220,7 +231,7 @@ def show(line: Line, at: tuple[int, ...] | None = None) -> Shown:
     if index is not None and (size := math.prod(shape)) > 1:
         template = NUMBERED if index == at else GOVERNS[formula.governs]
         where = Text(template.template, size=size, number=index[-1] + 1)
-    return Shown(formula.symbol, tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
+    return Shown(symbol_of(line), tree, numbers, shows, *_result(formula, value), formula.source, line.about, where)
 
 
 # --- for the terminal ------------------------------------------------------------------------------------------------------

@@ -83,7 +83,7 @@ def pattern_of(id: str) -> str:
 def _row(id: str) -> tuple[Rule, dict[str, str]]:
     """The row of a check, and the elements that its letters stand for."""
     parts = id.split(".")
-    ends = (parts[-1], parts[-1].partition("_")[0] + "_")
+    ends = (parts[-1], parts[-1].partition("_")[0] + "_", "N")  # the last: what the check is about stands at the end
     for rule in [rule for end in ends for rule in _by_end().get((parts[0], len(parts), end), ())]:
         names = _names(rule.id.split("."), parts)
         if names is not None:

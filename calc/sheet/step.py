@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any, Generic, Literal, Protocol, TypeVar
 
 from .arrays import Array
-from .check import Check, step_verdict
+from .check import Check, grouped, step_verdict
 from .errors import NoSolution, text_of
 from .later import Many
 from .printed import aligned, brief
@@ -23,13 +23,14 @@ R = TypeVar("R", covariant=True)  # a step's class of results
 
 @record
 class Step:
-    """One of the six: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
-    has stands for the step, the first two where there is a line for them."""
+    """One of the steps: its key in the file, its title, the class of its inputs.  Of `headlines`, ids of values, the first that a design
+    has stands for the step, the first two where there is a line for them.  `optional`: nothing is missing in a design without it."""
 
     key: str
     title: Text
     inputs: type
     headlines: tuple[str, ...] = ()
+    optional: bool = False
 
     def headline(self, values: Container[str]) -> str | None:
         """The value that stands for the step, of those that there are."""
@@ -72,6 +73,16 @@ class Turning:
 
 
 @record
+class Load:
+    """A force across what a curve draws, up where it is above nought; `held`: by a support, which pushes, where others pull."""
+
+    label: Text
+    x: float
+    size: float
+    held: bool = False
+
+
+@record
 class Curve:
     """Data with labels and limit lines; terminal and paper draw the same object.
 
@@ -79,6 +90,9 @@ class Curve:
     paper lays them on their side.  `variants`: the terminal shows one of them at
     a time, paper all.  `turning`: the vectors whose ends draw the loci.
     `point`: where the design stands on it, and `fails`: whether it is on the wrong side of a limit there.
+    `band`: its last two series are the edges of a band, which paper fills.
+    `stack`: curves of one stack stand on paper over each other as one figure, along one x.
+    `loads`: forces across it, which paper draws as arrows; `load_unit`: what they are in.
     `along`: what all series run along, where it is not x, as of loci: its label and its value at each of their points.
     """
 
@@ -96,6 +110,10 @@ class Curve:
     along: tuple[Text, Array] | None = None
     point: tuple[float, float] | None = None
     fails: bool = False
+    band: bool = False
+    stack: str = ""
+    loads: tuple[Load, ...] = ()
+    load_unit: str = ""
 
 
 @record
@@ -141,6 +159,7 @@ class Outcome(Generic[R]):
     `result` is there where the state is solved, and only there.
 
     `further` makes curves, tables and notes that take longer than a keystroke may; who shows them asks for `whole`.
+    `key_curves`: of those curves the ones that a short report has too, made when they are looked at.
     """
 
     key: str
@@ -155,6 +174,7 @@ class Outcome(Generic[R]):
     notes: Many[Text] = ()  # assumptions, and what the program chose
     reason: Text = EMPTY
     further: Callable[[], Further] | None = None
+    key_curves: Many[Curve] = ()
 
     def __str__(self) -> str:
         """The verdict, every value by its id, and the checks that are open."""
@@ -182,6 +202,11 @@ class Outcome(Generic[R]):
         assert self.result is not None, self.key
         return self.result
 
+    @cached_property
+    def causes(self) -> tuple[tuple[Check, ...], ...]:
+        """The checks under their causes, the worst first; asked for at every keystroke."""
+        return tuple(grouped(self.checks))
+
     @property
     def verdict(self) -> str:
         return step_verdict(self.checks) if self.state == "solved" else self.state
@@ -206,6 +231,8 @@ class Designed(Protocol):
     def gears(self) -> Any: ...
     @property
     def friction(self) -> Any: ...
+    @property
+    def mounting(self) -> Any: ...
 
 
 class Solved(Protocol):

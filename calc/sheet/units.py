@@ -43,6 +43,9 @@ PerKelvin = Annotated[float, "1/K"]
 KelvinPerWatt = Annotated[float, "K/W"]
 KilogramMetre = Annotated[float, "kg·m"]
 KilogramPerMetre = Annotated[float, "kg/m"]
+Hertz = Annotated[float, "1/s"]
+PhasorHertz = Annotated[complex, "1/s"]
+PerSecond2 = Annotated[float, "1/s²"]  # of a squared angular frequency
 PhasorNumber = Annotated[complex, ""]
 PhasorMetre = Annotated[complex, "m"]
 PhasorSquareMetre = Annotated[complex, "m²"]
@@ -107,7 +110,10 @@ UNITS = _units(
     ("mrad", "_mrad", 1e-3),
     ("rpm", "_rpm", 1 / 60),
     ("1/s", "_1_s", 1.0),
+    ("Hz", "_Hz", 1.0),
     ("rad/s", "_rad_s", 1.0),
+    ("mm/s", "_mm_s", 1e-3),
+    ("mm/s/N", "_mm_s_N", 1e-3),
     ("m/s", "_m_s", 1.0),
     ("m/s²", "_m_s2", 1.0),
     ("N", "_N", 1.0),
@@ -115,6 +121,7 @@ UNITS = _units(
     ("N/mm", "_N_mm", 1e3),
     ("N/m", "_N_m", 1.0),
     ("N·s/m", "_Ns_m", 1.0),
+    ("N·s/mm", "_Ns_mm", 1e3),
     ("MPa", "_MPa", 1e6),
     ("GPa", "_GPa", 1e9),
     ("1/GPa", "_1_GPa", 1e-9),

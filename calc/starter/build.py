@@ -18,7 +18,7 @@ from .writing import Section, table, written
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
 KEPT = {"none": 0.0, "half": 0.5, "shaft": 0.5, "pair": 0.0}  # the share of the reciprocating masses on the crank
-ROLLING = "rolling bearings carry the shaft: a plain journal of usual length passes the heat index at this load and speed"
+ROLLING = "rolling bearings carry the shaft: a plain journal of usual length would run too hot at this load and speed (heat index)"
 NO_PLAIN = "rolling bearings carry the shaft: no plain ones were found that keep every limit at every corner of their tolerances"
 APART = "not designed here for shafts that do not turn at -1 times crank speed"
 NONE = "no shaft: what shakes is left to the mounts"

@@ -11,7 +11,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from calc.addresses import address, changed, quantities, value_at
-from calc.compare import Comparison, ValueDifference, compare, inputs, relative, turn
+from calc.compare import Comparison, ValueDifference, compare, relative, turn
+from calc.compare_inputs import inputs
 from calc.compare_tables import change_text, check_table, input_table, pair, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document, design, read
@@ -138,6 +139,7 @@ def mirrored(found: Comparison) -> Comparison:
     return Comparison(
         tuple(replace(d, a=d.b, b=d.a) for d in found.inputs), tuple(replace(v, a=v.b, b=v.a) for v in found.verdicts),
         tuple(replace(d, a=d.b, b=d.a) for d in found.checks), tuple(replace(d, a=d.b, b=d.a) for d in found.values),
+        tuple(replace(r, a=r.b, b=r.a) for r in found.results),
     )  # fmt: skip
 
 
@@ -165,7 +167,7 @@ def test_a_step_of_one_design_only(gamma: Document, gamma_results: Results) -> N
     found = compare(fewer, gamma.data, solve(design(replace(gamma, data=fewer))), gamma_results)
     table = next(d for d in found.inputs if d.key == "friction")
     assert table.a is None and table.b == gamma.data["friction"]
-    last = found.verdicts[-1]
+    last = next(verdict for verdict in found.verdicts if verdict.step == "friction")
     assert (last.step, last.a.verdict, last.b.verdict, last.moved) == ("friction", "not_asked", "pass", True)
     assert "friction" not in found.steps_shared and "gears" in found.steps_shared
     assert input_table([table], ("A", "B")).rows == (("friction", "not used", f"{len(table.b)} keys"),)

@@ -5,7 +5,7 @@ import tomllib
 
 import pytest
 
-from calc.compare import inputs
+from calc.compare_inputs import inputs
 from calc.design_file import design, parse
 from calc.document import DocumentControl
 from calc.sheet.errors import BadInput

@@ -34,6 +34,7 @@ def test_each_step_says_how_far_it_is(gamma: tuple[Document, Results]) -> None:
         "bearings": ("fail", "3 limits fail"),
         "gears": ("fail", "2 limits fail"),
         "friction": ("ready", "ready"),
+        "mounting": ("not_asked", "not used"),
     }
     assert [str(text) for _, text in tally(readiness(document.data, results), results).words] == [
         "5 limits fail", "3 cautions", "ready 3 of 6",
@@ -115,6 +116,6 @@ def test_a_number_of_the_drive_is_told_where_there_is_one(name: str) -> None:
     told = dict(main_numbers(results))
     assert all(told.values()) and len(told) == len(main_numbers(results))
     assert (f"{results.values()['friction.total_loss'].shown:.3g} W" in told["loss"]) if "friction.total_loss" in results.values() else True
-    assert ("force" in told) == (name == "twin_force_shaft") and ("films at the edge" in told) == (
+    assert ("force" in told) == (name in ("twin_force_shaft", "twin_mounting")) and ("films at the edge" in told) == (
         "bearings.front.film" in results.values()
     )

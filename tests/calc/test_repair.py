@@ -14,8 +14,11 @@ from calc.design_file import Document, design, read
 from calc.gears.rating.classes import class_names, strength_class
 from calc.repair.remedy import nearest
 from calc.repair.shaft import _near, _shifted, _single, _wanted
+from calc.repair.trials import Trials
 from calc.repair.vary import Number, _Search
+from calc.sheet.check import THIN_MARGIN, Check
 from calc.sheet.search import Budget
+from calc.sheet.text import EMPTY, Text
 from calc.solve import solve
 
 from ..conftest import GAMMA
@@ -185,3 +188,21 @@ def test_a_trial_ends_early_only_where_all_that_is_asked_is_known_and_fails(verd
     unsolved = _Search(None, "gears", (), None, Budget(1))
     assert unsolved._fails(SimpleNamespace(key="gears", checks=[], state="no_solution"))
     assert not unsolved._fails(outcome)
+
+
+def test_what_holds_by_too_little_has_to_hold_by_the_thin_margin() -> None:
+    """A limit that is passed over only has to hold; one that holds narrowly is mended when it is no warning any more."""
+
+    def film(value: float) -> Check:
+        return Check("film", Text("Film"), value, 1.0, ">=", "µm", EMPTY)
+
+    def score(before: Check, after: Check) -> float:
+        outcome = SimpleNamespace(state="solved", checks=(after,))
+        trials = Trials(SimpleNamespace(), "bearings", (before,), None, EMPTY)  # type: ignore[arg-type]
+        return trials.score(SimpleNamespace(outcome=lambda step: outcome), (before,))  # type: ignore[arg-type]
+
+    fails, narrow = film(0.9), film(1.02)
+    assert not fails.holds and narrow.narrow
+    assert score(fails, film(1.03)) == pytest.approx(0.03)
+    assert score(narrow, film(1.03)) == pytest.approx(0.03 - THIN_MARGIN) and score(narrow, film(1.03)) < 0
+    assert score(narrow, film(1.06)) == pytest.approx(0.06 - THIN_MARGIN) and score(narrow, film(1.06)) > 0

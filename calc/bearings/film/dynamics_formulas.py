@@ -231,12 +231,12 @@ def motion_y(
     return -R_0 * (1j * Z_xx + Z_yx) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
-@formula("a", "geometry, ellipse of the two motions: half its length", unit="µm")
+@formula("a_o", "geometry, ellipse of the two motions: half its length", unit="µm")
 def major_axis(x: PhasorMetre, y: PhasorMetre) -> Metre:
     return modulus(x + 1j * y) / 2 + modulus(x - 1j * y) / 2
 
 
-@formula("b", "geometry, ellipse of the two motions: half its width", unit="µm")
+@formula("b_o", "geometry, ellipse of the two motions: half its width", unit="µm")
 def minor_axis(x: PhasorMetre, y: PhasorMetre) -> Metre:
     return modulus(modulus(x + 1j * y) - modulus(x - 1j * y)) / 2
 

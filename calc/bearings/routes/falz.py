@@ -63,7 +63,7 @@ def log_sommerfeld(So: Number) -> Number:
     return log10(So)
 
 
-@formula("Y", POLYNOMIAL)
+@formula("Y", POLYNOMIAL, names={"F": "F_Y"})
 def friction_exponent(C: Number, E: Number, F: Number, G: Number, H: Number, s: Number) -> Number:
     return C + E * s + F * s**2 + G * s**3 + H * s**4
 

@@ -66,22 +66,22 @@ def together(one: Number, more: Number) -> Number:
     return one + more
 
 
-@formula("x", "definition: width of hole or pocket over the length")
+@formula("x_l", "definition: width of hole or pocket over the length", names={"b": "b_s"})
 def share_of_length(b: Metre, l: Metre) -> Number:
     return b / l
 
 
-@formula("q", Text("{table}: q_H of a hole", table=TABLE))
+@formula("q", Text("{table}: q_H of a hole", table=TABLE), names={"x": "x_l"})
 def hole_factor(x: Number) -> Number:
     return 1.204 + 0.368 * x - 1.046 * x**2 + 1.942 * x**3
 
 
-@formula("q", Text("{table}: q_P of a pocket", table=TABLE))
+@formula("q", Text("{table}: q_P of a pocket", table=TABLE), names={"x": "x_l"})
 def pocket_factor(x: Number) -> Number:
     return 1.188 + 1.582 * x - 2.585 * x**2 + 5.563 * x**3
 
 
-@formula("q_2", TABLE)
+@formula("q_2", TABLE, names={"b": "b_s"})
 def supply_factor(E: Number, l: Metre, b: Metre, q: Number) -> Number:
     """Hole (b its diameter) or pocket (b its width along the shaft)."""
     return pi / 48 * E / (ln(l / b) * q)

@@ -54,7 +54,10 @@ class Beam:
 
 @record
 class Bent:
-    """The loaded beam.  w, θ at the nodes; `reactions` of the pins on the beam; `slopes` θ at the pins; M at the places `moment_z`."""
+    """The loaded beam.  w, θ at the nodes; `reactions` of the pins on the beam; `slopes` θ at the pins; M at the places `moment_z`.
+
+    Q = M' stands at both ends of each element, `shear_z`: two numbers where a force or a pin makes it jump.
+    """
 
     z: Array
     w: ComplexArray
@@ -63,6 +66,8 @@ class Bent:
     reactions: ComplexArray
     moment_z: Array
     moment: ComplexArray
+    shear_z: Array
+    shear: ComplexArray
     link: Link | None = None  # what the beam and its load were made of
 
     def moment_at(self, z: Array) -> ComplexArray:
@@ -172,8 +177,11 @@ def bend(beam: Beam, omega: RadPerSecond = 0.0) -> Bent:
     xi, L = np.arange(POINTS) / POINTS, np.diff(z)[:, None]
     M = (1 - xi) * pushed[:, 1:2] - xi * pushed[:, 3:4]
     M = M + L**2 * (q[:, :1] * (xi - xi**2) / 2 + (q[:, 1:] - q[:, :1]) * (xi - xi**3) / 6)
+    slope, rise = -(pushed[:, 1] + pushed[:, 3]) / L[:, 0], q[:, 1] - q[:, 0]  # of M between the ends, and what the load adds to it
+    Q = np.stack([slope + L[:, 0] * (q[:, 0] / 2 + rise / 6), slope - L[:, 0] * (q[:, 0] / 2 + rise / 3)], 1)
     return Bent(z=z, w=w, theta=u[1::2], slopes=u[1::2][beam.pinned // 2], reactions=reactions,
-        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]), moment=np.append(M.ravel(), -pushed[-1, 3]))  # fmt: skip
+        moment_z=np.append((z[:-1, None] + xi * L).ravel(), z[-1]), moment=np.append(M.ravel(), -pushed[-1, 3]),
+        shear_z=np.stack([z[:-1], z[1:]], 1).ravel(), shear=Q.ravel())  # fmt: skip
 
 
 def natural_frequency(beam: Beam) -> RadPerSecond:

@@ -98,7 +98,7 @@ def farthest_fibre(R: Metre, y: Metre, r_0: Metre, gamma: Radian) -> Metre:
 
 
 # --- mass and load --------------------------------------------------------------------------------------------------------------
-@formula("μ", "geometry: mass per length of the whole section")
+@formula("ρ_l", "geometry: mass per length of the whole section")
 def line_mass(rho: KilogramPerMetre3, A: SquareMetre) -> KilogramPerMetre:
     return rho * A
 
@@ -113,7 +113,7 @@ def line_load(omega: RadPerSecond, rho: KilogramPerMetre3, S: PhasorCubicMetre) 
     return omega**2 * rho * S
 
 
-@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad")
+@formula("θ", FINITE, shows=Text("|θ| at each journal from {turning}", turning=TURNING), unit="mrad", names={"mu": "ρ_l"})
 def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram, omega: RadPerSecond,
     z: Metre, z_B: Metre, u: Bent) -> Radian:  # fmt: skip
     """`u` is the solution for the other arguments, from which the moments are taken too."""
@@ -122,7 +122,7 @@ def slopes(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonP
 
 
 @formula("f_1", Text("{finite}; with rotary inertia, without gyroscopic effect", finite=FINITE),
-    shows="lowest root of |K − (2π·f)²·M| = 0, M of μ, j and m, subspace iteration")  # fmt: skip
+    shows="lowest root of |K − (2π·f)²·M| = 0, M of ρ_l, j and m, subspace iteration", names={"mu": "ρ_l"})  # fmt: skip
 def natural_frequency(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, j: KilogramMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
 ) -> RevPerSecond:
@@ -130,7 +130,7 @@ def natural_frequency(
     return b.natural_frequency(model) / (2 * pi)
 
 
-@formula("f_1", Text("{finite}; without rotary inertia", finite=FINITE), shows="the same root, M of μ and m alone")
+@formula("f_1", Text("{finite}; without rotary inertia", finite=FINITE), shows="the same root, M of ρ_l and m alone", names={"mu": "ρ_l"})
 def natural_frequency_without_rotary(
     EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, m: Kilogram, z: Metre, z_B: Metre, model: Beam
 ) -> RevPerSecond:
@@ -138,7 +138,7 @@ def natural_frequency_without_rotary(
     return b.natural_frequency(model) / (2 * pi)
 
 
-@formula("M_max", FINITE, shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING))
+@formula("M_max", FINITE, shows=Text("largest |M| along the shaft, M = −E·I·θ' from {turning}", turning=TURNING), names={"mu": "ρ_l"})
 def largest_moment(EI: NewtonMetre2, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre, F: PhasorNewton, m: Kilogram,
     omega: RadPerSecond, z: Metre, z_B: Metre, u: Bent) -> NewtonMetre:  # fmt: skip
     return float(np.abs(u.moment).max())
@@ -170,7 +170,10 @@ def bending_stress(M: NewtonMetre, c: Metre, I: Metre4) -> Pascal:
 
 
 @formula(
-    "η_lim", "mathematics: where the largest slope of a journal reaches its limit", shows="the root of max θ(η) = θ_lim, secant of 1/θ"
+    "η_lim",
+    "mathematics: where the largest slope of a journal reaches its limit",
+    shows="the root of max θ(η) = θ_lim, secant of 1/θ",
+    names={"mu": "ρ_l"},
 )
 def limiting_share(theta_lim: Radian, E: Pascal, I_0: Metre4, I: Metre4, S_s: Newton, mu: KilogramPerMetre, q: PhasorNewtonPerMetre,
     F: PhasorNewton, m: Kilogram, omega: RadPerSecond, z: Metre, z_B: Metre, eta: Number) -> Number:  # fmt: skip

@@ -47,6 +47,7 @@ from ..inputs import EccentricMass
 from ..outline import Outline
 from . import formulas as f
 from .beam import Beam, beam, bend, displaced
+from .loads import resultants
 from .stress import stresses
 
 RIGID = 1.5  # first critical speed over the shaft's, from which it counts as rigid
@@ -60,7 +61,8 @@ SAME = 1e-6  # m: so far a bearing may lie beyond the shaft's end
 class Bending:
     """The shaft's bending, with the sectors' stiffness at its share η where nothing else is said; `_stiff`: with all of it.
 
-    `deflection` and `moment` stand along the plane of the load, that at the angle `plane`; `vectors` are the deflections in both planes.
+    `deflection`, `moment`, `shear` and `loads` stand along the plane of the load, that at the angle `plane`;
+    `vectors` are the deflections in both planes.
     """
 
     largest_moment: NewtonMetre = value("Largest bending moment", "N·m", "M_max")
@@ -89,6 +91,9 @@ class Bending:
     vectors: ComplexArray
     moment_z: Array
     moment: Array
+    shear_z: Array
+    shear: Array
+    loads: tuple[tuple[Metre, Newton], ...]  # place and size of the resultants
     step_over_fillet: Number | None = None  # of the shoulder that governs
     fillet: Metre | None = None
     fillet_room: Metre | None = None  # length of the shortest piece that carries fillets, for each of them
@@ -157,7 +162,9 @@ def bending(outline: Outline, material: Material, omega: RadPerSecond, positions
         natural_frequency=frequencies[0], natural_frequency_stiff=frequencies[1],
         natural_frequency_without_rotary=frequencies[2], speed=based_on(abs(omega) / (2 * math.pi), omega),
         reactions=based_on(bent.reactions, bent), plane=plane, z=bent.z, deflection=(bent.w * back).real,
-        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real)  # fmt: skip
+        deflection_stiff=(bent_stiff.w * back).real, vectors=bent.w, moment_z=bent.moment_z, moment=(bent.moment * back).real,
+        shear_z=bent.shear_z, shear=(bent.shear * back).real,
+        loads=resultants(shaft.ends, given["q"], (shaft.places, given["F"]), back))  # fmt: skip
 
 
 def _fatigue(notch_stress: Pascal | None, material: Material) -> dict[str, float]:

@@ -31,11 +31,11 @@ NO_FORCE = 1e-6  # N: below it the shaft puts no force on its support
 VDI = Text("VDI 2230-1")
 SOURCE = Text("Finotti 2013, Table 6.1")
 TURNING = Text("statics of a joint whose load turns through all directions")
-LEAST = {"F_min": "F_V,min"}
+LEAST = {"F_min": "F_V,min", "n": "n_b"}
 
 
 # --- preload ----------------------------------------------------------------------------------------------------------------
-@formula("α_h", Text("{vdi}: helix angle at the pitch diameter", vdi=VDI))
+@formula("α_h", Text("{vdi}: helix angle at the pitch diameter", vdi=VDI), names={"p": "P_h"})
 def helix_angle(p: Metre, d_2: Metre) -> Radian:
     return atan(p / (pi * d_2))
 
@@ -67,17 +67,17 @@ def preload(T: NewtonMetre, d_2: Metre, alpha_h: Radian, rho: Radian, mu: Number
     return T / (d_2 / 2 * tan(alpha_h + rho) + mu * r_h)
 
 
-@formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI))
+@formula("F_V", Text("{vdi}: short form, for small angles", vdi=VDI), names={"p": "P_h"})
 def preload_short(T: NewtonMetre, p: Metre, mu: Number, d_2: Metre, D_Km: Metre) -> Newton:
     return T / (0.159 * p + 0.578 * mu * d_2 + mu * D_Km / 2)
 
 
-@formula("d_2", Text("{source}: pitch diameter", source=SOURCE), unit="mm")
+@formula("d_2", Text("{source}: pitch diameter", source=SOURCE), unit="mm", names={"p": "P_h"})
 def pitch_diameter_source(D: Metre, p: Metre) -> Metre:
     return D - 0.64953 * p
 
 
-@formula("α_h", Text("{source}: helix angle at the nominal diameter, where no flank is", source=SOURCE))
+@formula("α_h", Text("{source}: helix angle at the nominal diameter, where no flank is", source=SOURCE), names={"p": "P_h"})
 def helix_angle_source(p: Metre, D: Metre) -> Radian:
     return atan(p / (pi * D))
 
@@ -145,7 +145,7 @@ def end_force(Q_f: Newton, Q_r: Newton) -> Newton:
 
 
 @formula(
-    "n", "rule of this program: half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2"
+    "n_b", "rule of this program: half of the bolts at each end; of an odd number, the end that has one less", shows="whole part of N_b/2"
 )
 def bolts_at_an_end(N_b: Number) -> Number:
     return float(N_b // 2)

@@ -54,7 +54,7 @@ def hole_unbalance(m_c: Kilogram, e_c: Metre) -> KilogramMetre:
     return m_c * e_c
 
 
-@formula("z_m", "mathematics: mean distance of the eccentric masses from mid-shaft", unit="mm")
+@formula("z_m", "mathematics: mean distance of the eccentric masses from mid-shaft", unit="mm", names={"n": "n_h"})
 def mean_arm(z: Metre, n: Number) -> Metre:
     return total(modulus(z)) / n
 
@@ -64,7 +64,7 @@ def hole_couple(U: KilogramMetre, z_m: Metre, omega: RadPerSecond) -> NewtonMetr
     return U * z_m * omega**2
 
 
-@formula("ΔU_m", "rule of this program: the holes are shared evenly by the n eccentric masses", unit="g·mm", names={"U": "ΔU"})
+@formula("ΔU_m", "rule of this program: the holes are shared evenly by the n eccentric masses", unit="g·mm", names={"U": "ΔU", "n": "n_h"})
 def unbalance_of_mass(N_c: Number, U: KilogramMetre, n: Number) -> KilogramMetre:
     return N_c / n * U
 

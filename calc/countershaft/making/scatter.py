@@ -55,17 +55,17 @@ def couple_error_by_radius(omega: RadPerSecond, m: Kilogram, z: Metre, s: Metre)
     return omega**2 * rss(m * z) * s
 
 
-@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names={"s": "σ_γ"})
+@formula("σ_C,γ", Text("{propagation}: angle", propagation=PROPAGATION), names={"s": "s_γ"})
 def couple_error_by_angle(omega: RadPerSecond, m: Kilogram, e: Metre, z: Metre, s: Radian) -> NewtonMetre:
     return omega**2 * rss(m * e * z) * s
 
 
-@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names={"s": "σ_z"})
+@formula("σ_C,z", Text("{propagation}: position", propagation=PROPAGATION), names={"s": "s_z"})
 def couple_error_by_position(omega: RadPerSecond, m: Kilogram, e: Metre, s: Metre) -> NewtonMetre:
     return omega**2 * rss(m * e) * s
 
 
-@formula("σ_C,t", Text("{propagation}: timing", propagation=PROPAGATION), names={"s": "σ_t"})
+@formula("σ_C,t", Text("{propagation}: timing", propagation=PROPAGATION), names={"s": "s_t"})
 def couple_error_by_timing(C_S: PhasorNewtonMetre, s: Radian) -> NewtonMetre:
     return modulus(C_S) * s
 

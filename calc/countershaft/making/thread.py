@@ -57,18 +57,18 @@ def nominal_diameter(designation: str) -> Metre:
     return thread(designation)[0]
 
 
-@formula("p", "ISO 261: pitch, given in the thread's designation or else the coarse one", shows="number behind ×, or coarse pitch",
+@formula("P_h", "ISO 261: pitch, given in the thread's designation or else the coarse one", shows="number behind ×, or coarse pitch",
     unit="mm")  # fmt: skip
 def pitch(designation: str) -> Metre:
     return thread(designation)[1]
 
 
-@formula("d_2", "ISO 724: pitch diameter of the metric thread", unit="mm")
+@formula("d_2", "ISO 724: pitch diameter of the metric thread", unit="mm", names={"p": "P_h"})
 def pitch_diameter(D: Metre, p: Metre) -> Metre:
     return D - 0.649519 * p
 
 
-@formula("d_3", "ISO 898-1: diameter at the root, d_1 − H/6", unit="mm")
+@formula("d_3", "ISO 898-1: diameter at the root, d_1 − H/6", unit="mm", names={"p": "P_h"})
 def root_diameter(D: Metre, p: Metre) -> Metre:
     return D - 1.226869 * p
 

@@ -44,7 +44,7 @@ def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
 
 
 @formula("U_per,p", Text("{planes}: not below 0.3, nor above 0.7 of U_per (1.3 near an overhung mass)", planes=PLANES), unit="g·mm",
-    names={"U": "U_per"})  # fmt: skip
+    names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"})  # fmt: skip
 def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre:
     return U * smallest(largest(q, LEAST), q_max)
 

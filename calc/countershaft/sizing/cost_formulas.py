@@ -52,12 +52,14 @@ def wall_left(w: Metre, R_m: Metre, R: Metre) -> Metre:
     return w - (R_m - R)
 
 
-@formula("K_1", Text("{cost}: tooling, development and pieces", cost=COST))
+@formula("K_1", Text("{cost}: tooling, development and pieces", cost=COST), names={"c": "c_P"})
 def first_year(K_T: Euro, K_D: Euro, N: Number, c: Euro) -> Euro:
     return K_T + K_D + N * c
 
 
-@formula("N_e", "mathematics: pieces at which both cost the same", names={"K": "K_T + K_D", "K_a": "K_T' + K_D'", "c_a": "c'"})
+@formula(
+    "N_e", "mathematics: pieces at which both cost the same", names={"K": "K_T + K_D", "K_a": "K_T' + K_D'", "c_a": "c_P'", "c": "c_P"}
+)
 def break_even(K: Euro, K_a: Euro, c: Euro, c_a: Euro) -> Number:
     """Of tooling and development K and cost of a piece c, of the design's material and of the alternative."""
     return (K_a - K) / (c - c_a)

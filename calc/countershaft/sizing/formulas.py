@@ -33,12 +33,12 @@ FACES = Text("geometry, sector with its outer face at the end of the envelope")
 
 
 # --- what is asked of the sectors --------------------------------------------------------------------------------------------
-@formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm")
+@formula("ΣU_x", "mathematics: unbalance of the further elements", unit="kg·mm", names={"gamma": "φ"})
 def extra_unbalance(m: Kilogram, e: Metre, gamma: Radian) -> PhasorKilogramMetre:
     return resultant(m * e * cis(gamma))
 
 
-@formula("P_x", "mathematics: unbalance times position of the further elements", unit="kg·mm²")
+@formula("P_x", "mathematics: unbalance times position of the further elements", unit="kg·mm²", names={"gamma": "φ"})
 def extra_product(m: Kilogram, e: Metre, z: Metre, gamma: Radian) -> PhasorKilogramMetre2:
     return resultant(m * e * z * cis(gamma))
 
@@ -54,7 +54,7 @@ def product_left(P: PhasorKilogramMetre2, P_x: PhasorKilogramMetre2) -> PhasorKi
 
 
 # --- two equal sectors: a pure couple ------------------------------------------------------------------------------------------
-@formula("C", "dynamics: couple of an unbalance times distance")
+@formula("C", "dynamics: couple of an unbalance times distance", names={"P": "P_s"})
 def couple_asked(P: PhasorKilogramMetre2, omega: RadPerSecond) -> NewtonMetre:
     return modulus(P) * omega**2
 
@@ -94,12 +94,12 @@ def pair_half_angle(K: SquareMetre, z_max: Metre) -> Radian:
     return cast(Radian, half_angles)
 
 
-@formula("q", LEAST)
+@formula("κ_q", LEAST)
 def pair_ratio(gamma: Radian) -> Number:
     return 1 - gamma * cos(gamma) / sin(gamma)
 
 
-@formula("b", LEAST, unit="mm")
+@formula("b", LEAST, unit="mm", names={"q": "κ_q"})
 def pair_length(z_max: Metre, q: Number) -> Metre:
     return z_max * 2 * q / (1 + q)
 
@@ -114,7 +114,7 @@ def pair_couple(U: KilogramMetre, z_c: Metre, omega: RadPerSecond) -> NewtonMetr
     return 2 * U * z_c * omega**2
 
 
-@formula("∠", "geometry, direction of the vector while cylinder 1 stands at TDC: that of the rear sector")
+@formula("∠", "geometry, direction of the vector while cylinder 1 stands at TDC: that of the rear sector", names={"P": "P_s"})
 def couple_direction(P: PhasorKilogramMetre2) -> Radian:
     return argument(P)
 

@@ -90,12 +90,12 @@ def film_elastic_piezoviscous(G: Number, e: Number, U: Number, W: Number) -> Num
     return 3.06 * G**e * U**0.69 * W**-0.10
 
 
-@formula("L", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA))
+@formula("L_th", Text("{gupta}: thermal loading parameter, with the mean speed squared", gupta=GUPTA), names={"beta": "β_T"})
 def thermal_loading(eta_0: PascalSecond, beta: PerKelvin, u_e: MetrePerSecond, k_f: WattPerMetreKelvin) -> Number:
     return eta_0 * beta * u_e**2 / k_f
 
 
-@formula("Φ_T", Text("{gupta}: reduction by the heat of the sheared inlet", gupta=GUPTA), governs="min")
+@formula("Φ_T", Text("{gupta}: reduction by the heat of the sheared inlet", gupta=GUPTA), governs="min", names={"L": "L_th"})
 def thermal_reduction(p_H: Pascal, E_r: Pascal, L: Number, S: Number) -> Number:
     return (1 - 13.2 * p_H / E_r * L**0.42) / (1 + 0.213 * (1 + 2.23 * S**0.83) * L**0.64)
 

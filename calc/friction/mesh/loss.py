@@ -41,7 +41,9 @@ LOADED = 0.05  # of the full load, from which film and friction of a place are d
 
 
 @formula(
-    "P_s", Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS), names={"s": "Δs"}
+    "P_s",
+    Text("{thesis}, eq. 3: mean over a mesh cycle of the friction power of all lines in contact", thesis=THESIS),
+    names={"s": "Δs", "mu": "μ_z"},
 )
 def sliding_loss(s: Metre, mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> Watt:
     """s is the length of line for which a position stands; w is the load without its floor."""

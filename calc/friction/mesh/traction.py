@@ -117,7 +117,7 @@ def deborah(eta: PascalSecond, u_e: MetrePerSecond, a: Metre) -> Number:
 
 
 # --- temperatures ----------------------------------------------------------------------------------------------------------
-@formula("q", "definition: friction power per length of the contact line")
+@formula("q", "definition: friction power per length of the contact line", names={"mu": "μ_z"})
 def friction_power(mu: Number, w: NewtonPerMetre, V_s: MetrePerSecond) -> WattPerMetre:
     return mu * w * V_s
 

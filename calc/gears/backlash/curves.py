@@ -40,11 +40,16 @@ def curves(gears: GearsInputs, known: Known) -> tuple[Curve, ...]:
     with untraced():
         for m, alpha in sorted(known, key=lambda pair: pair[0].mesh.backlash_min):
             warmer = Text("smallest, wheels {wheels_warmer} K warmer", wheels_warmer=Amount(gears.wheels_warmer, form="g"))
-            lines = [*((label, T, limit) for limit, label in LIMITS.items()), (warmer, T + gears.wheels_warmer, "smallest")]
+            lines = [(LIMITS["nominal"], T, "nominal"), (warmer, T + gears.wheels_warmer, "smallest")]
+            lines += [(LIMITS[limit], T, limit) for limit in ("smallest", "largest")]  # the band
             series = tuple(Series(label, T, many(_at(m, alpha, each(T), each(wheels), limit)) * UM) for label, wheels, limit in lines)
+            _, warmest, smallest, _ = (line.y for line in series)
+            states = (low, float(smallest[0])), (high, float(smallest[-1])), (high, float(warmest[-1]))  # those that are judged
+            least = min(states, key=lambda state: state[1])
             drawn.append(Curve(
                 f"backlash_temperature_{m.key}", Text("Normal backlash over temperature, {name}", name=m.name),
                 axis_label("temperature of the housing", "°C"), axis_label("j_bn", "µm"), series, limits=((Text("jam"), 0.0),),
+                point=least, fails=least[1] < 0, band=True,
             ))  # fmt: skip
     return tuple(drawn)
 

@@ -19,7 +19,10 @@ REFERENCE: Celsius = 20.0  # of all measures, ISO 1
 
 # --- tolerances, thicknesses and the backlash of a pair ---------------------------------------------------------------------
 @formula(
-    "T_a", "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)", unit="mm"
+    "T_a",
+    "mathematics: root of the sum of squares of the parts' fields, half of it to each side (Finotti 2013, Table 4.7)",
+    unit="mm",
+    names={"T": "T_i"},
 )
 def tolerance_of_contributors(T: Metre) -> Metre:
     return rss(T) / 2
@@ -119,13 +122,16 @@ def residual_couple(C: NewtonMetre, Delta_phi: Radian) -> NewtonMetre:
 
 
 # --- the parts between two centres ------------------------------------------------------------------------------------------
-@formula("T_wc", "mathematics, worst case: every part at the end of its field, on the line of centres", unit="µm")
+@formula("T_wc", "mathematics, worst case: every part at the end of its field, on the line of centres", unit="µm", names={"T": "T_i"})
 def worst_case(T: Metre) -> Metre:
     return total(T) / 2
 
 
 @formula(
-    "3σ_a", "mathematics, root of squares of the standard deviations; k: that of each part over half its field, by its kind", unit="µm"
+    "3σ_a",
+    "mathematics, root of squares of the standard deviations; k: that of each part over half its field, by its kind",
+    unit="µm",
+    names={"T": "T_i", "k": "k_i"},
 )
 def three_deviations(k: Number, T: Metre) -> Metre:
     """k is 1/2 for a position, 1/√2 for a fit and a runout, 1/√3 for a radial shift: elementary, after their distributions."""
@@ -143,7 +149,7 @@ def expansion_between_centres(alpha_H: PerKelvin, alpha_S: PerKelvin, lambda_S: 
     return alpha_H * (1 - lambda_S) + alpha_S * lambda_S
 
 
-@formula("ε_T", "physics: linear expansion from 20 °C (ISO 1)")
+@formula("ε_T", "physics: linear expansion from 20 °C (ISO 1)", names={"alpha": "α_T", "T": "T_p"})
 def expansion(alpha: PerKelvin, T: Celsius) -> Number:
     return alpha * (T - REFERENCE)
 

@@ -30,7 +30,7 @@ ROOM = Text("geometry, room around a turning wheel, worst case")
 
 
 # --- positions -------------------------------------------------------------------------------------------------------------
-@formula("c", Text("{plane}: distance of two axes", plane=PLANE), unit="mm")
+@formula("a_13", Text("{plane}: distance of two axes", plane=PLANE), unit="mm")
 def axes_apart(p_1: PhasorMetre, p_3: PhasorMetre) -> Metre:
     return modulus(p_3 - p_1)
 
@@ -40,18 +40,21 @@ def line_of_centres(p_1: PhasorMetre, p_3: PhasorMetre) -> Radian:
     return argument(p_3 - p_1)
 
 
-@formula("u", Text("{plane}, two circles: foot of their common chord on the line of centres", plane=PLANE), unit="mm")
+@formula("l_u", Text("{plane}, two circles: foot of their common chord on the line of centres", plane=PLANE), unit="mm")
 def chord_foot(c: Metre, a_12: Metre, a_23: Metre) -> Metre:
     return (c**2 + a_12**2 - a_23**2) / (2 * c)
 
 
-@formula("v", Text("{plane}, two circles: half their common chord", plane=PLANE), unit="mm")
+@formula("l_v", Text("{plane}, two circles: half their common chord", plane=PLANE), unit="mm", names={"u": "l_u"})
 def half_chord(a_12: Metre, u: Metre) -> Metre:
     return sqrt(a_12**2 - u**2)
 
 
 @formula(
-    "p_2", Text("{plane}, two circles: s = +1 is the point further in the sense of crank rotation, −1 the other", plane=PLANE), unit="mm"
+    "p_2",
+    Text("{plane}, two circles: s = +1 is the point further in the sense of crank rotation, −1 the other", plane=PLANE),
+    unit="mm",
+    names={"u": "l_u", "v": "l_v"},
 )
 def on_two_circles(p_1: PhasorMetre, gamma: Radian, u: Metre, v: Metre, s: Number) -> PhasorMetre:
     return p_1 + u * cis(gamma) + s * v * cis(gamma + pi / 2)
@@ -59,7 +62,7 @@ def on_two_circles(p_1: PhasorMetre, gamma: Radian, u: Metre, v: Metre, s: Numbe
 
 @formula("p_2",
     Text("{plane}: the circles only touch, or miss each other within the tolerance: the foot on the line of centres", plane=PLANE),
-    unit="mm")  # fmt: skip
+    unit="mm", names={"u": "l_u"})  # fmt: skip
 def on_line(p_1: PhasorMetre, gamma: Radian, u: Metre) -> PhasorMetre:
     return p_1 + u * cis(gamma)
 
@@ -74,12 +77,17 @@ def up(p: PhasorMetre) -> Metre:
     return p.real
 
 
-@formula("p_side", Text("{plane}: its part 90° further in the sense of crank rotation", plane=PLANE), unit="mm")
+@formula("p_side", Text("{plane}: its part 90° further in the sense of crank rotation", plane=PLANE), unit="mm", names={"p": "p_i"})
 def side(p: PhasorMetre) -> Metre:
     return imag(p)
 
 
-@formula("δ_a", Text("{plane}: how far the distance of two axes is from the working centre distance", plane=PLANE), unit="µm")
+@formula(
+    "δ_a",
+    Text("{plane}: how far the distance of two axes is from the working centre distance", plane=PLANE),
+    unit="µm",
+    names={"c": "a_13"},
+)
 def distance_error(c: Metre, a_w: Metre) -> Metre:
     return modulus(c - a_w)
 
@@ -95,7 +103,7 @@ def swept_radius(d_a: Metre, E_da: Metre, F_r: Metre, T_a: Metre) -> Metre:
     return d_a / 2 + E_da / 2 + F_r / 2 + T_a
 
 
-@formula("h", Text("{plane}: distance of a point from a straight wall of finite length", plane=PLANE), unit="mm",
+@formula("l_w", Text("{plane}: distance of a point from a straight wall of finite length", plane=PLANE), unit="mm",
     shows="least distance of p from w_1 w_2")  # fmt: skip
 def wall_distance(p: PhasorMetre, w_1: PhasorMetre, w_2: PhasorMetre) -> Metre:
     along = (p - w_1) * (w_2 - w_1).conjugate()
@@ -103,12 +111,12 @@ def wall_distance(p: PhasorMetre, w_1: PhasorMetre, w_2: PhasorMetre) -> Metre:
     return abs(p - w_1 - share * (w_2 - w_1))
 
 
-@formula("g", Text("{room}: to a wall", room=ROOM), unit="mm")
+@formula("g", Text("{room}: to a wall", room=ROOM), unit="mm", names={"h": "l_w"})
 def wall_clearance(h: Metre, r_s: Metre) -> Metre:
     return h - r_s
 
 
-@formula("g", Text("{room}: to something round of radius r", room=ROOM), unit="mm")
+@formula("g", Text("{room}: to something round of radius r", room=ROOM), unit="mm", names={"c": "a_13"})
 def round_clearance(c: Metre, r_s: Metre, r: Metre) -> Metre:
     return c - r_s - r
 
@@ -152,7 +160,7 @@ def meshing_tooth(theta_1: Radian, gamma: Radian, z_1: Number, z_2: Number) -> R
     return gamma + pi + (pi - z_1 * (theta_1 - gamma)) / z_2
 
 
-@formula("δ", Text("{teeth}: from a direction to the middle of the nearest tooth, within half a pitch", teeth=TEETH),
+@formula("δ_E", Text("{teeth}: from a direction to the middle of the nearest tooth, within half a pitch", teeth=TEETH),
     shows="θ − ψ, less its whole pitches τ")  # fmt: skip
 def nearest_tooth(theta: Radian, psi: Radian, tau: Radian) -> Radian:
     """Midway between two teeth: the one further in the sense of crank rotation; 1e-9 of a pitch keeps dust from deciding that."""
@@ -160,17 +168,17 @@ def nearest_tooth(theta: Radian, psi: Radian, tau: Radian) -> Radian:
     return (pitches - math.ceil(pitches - 0.5 - 1e-9)) * tau
 
 
-@formula("θ", Text("{teeth}: middle of the tooth that is nearest to a direction", teeth=TEETH))
+@formula("θ_z", Text("{teeth}: middle of the tooth that is nearest to a direction", teeth=TEETH), names={"delta": "δ_E"})
 def tooth_one(psi: Radian, delta: Radian) -> Radian:
     return psi + delta
 
 
-@formula("ε_z", "geometry: error of phase, where a tooth is set on the axis of the eccentric instead")
+@formula("ε_z", "geometry: error of phase, where a tooth is set on the axis of the eccentric instead", names={"delta": "δ_E"})
 def error_of_tooth(delta: Radian) -> Radian:
     return modulus(delta)
 
 
-@formula("ε_s", "geometry: error of phase, where the middle of a space is set on the axis of the eccentric instead")
+@formula("ε_s", "geometry: error of phase, where the middle of a space is set on the axis of the eccentric instead", names={"delta": "δ_E"})
 def error_of_space(tau: Radian, delta: Radian) -> Radian:
     return tau / 2 - modulus(delta)
 
@@ -232,8 +240,9 @@ def bearing_force_least(F_bt1: Newton, F_bt2: Newton) -> Newton:
 
 
 @formula("F_x2",
-    Text("{statics}: on the driven wheel, + along the axis of the crank's rotation; h = +1: driver right-handed, −1: left-handed. A "
-        "right-handed driver is pushed along the axis of its own rotation, its mate the other way", statics=STATICS))  # fmt: skip
+    Text("{statics}: on the driven wheel, + along the axis of the crank's rotation; s_β = +1: driver right-handed, −1: left-handed. A "
+        "right-handed driver is pushed along the axis of its own rotation, its mate the other way", statics=STATICS),
+    names={"h": "s_β"})  # fmt: skip
 def thrust_on_driven(F_a: Newton, s: Number, h: Number) -> Newton:
     return -s * h * F_a
 
@@ -260,7 +269,7 @@ def tilting(F_x: Newton, d_w: Metre, psi: Radian) -> PhasorNewtonMetre:
     return F_x * d_w / 2 * cis(psi - pi / 2)
 
 
-@formula("C_K", Text("{statics}: vector sum of the couples of two meshes", statics=STATICS))
+@formula("C_K", Text("{statics}: vector sum of the couples of two meshes", statics=STATICS), names={"C_1": "C_K1", "C_2": "C_K2"})
 def tilting_sum(C_1: PhasorNewtonMetre, C_2: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_2)
 

@@ -40,7 +40,7 @@ class LayoutResult:
     marks_period: Number = value("Turns of the first driver until all marks meet again", "", "N_M")
     remesh_angle: Radian = value("Last wheel meshed one tooth further: its phase", "°", "τ")
     remesh_couple: NewtonMetre | None = value("Couple left, last wheel meshed one tooth further", "N·m", "C_ε", default=None)
-    eccentric_offset: Radian | None = value("From the eccentric to the nearest tooth of the last wheel", "°", "δ", default=None)
+    eccentric_offset: Radian | None = value("From the eccentric to the nearest tooth of the last wheel", "°", "δ_E", default=None)
     eccentric_tooth_error: Radian | None = value("Phase error with a tooth on the eccentric's axis", "°", "ε_z", default=None)
     eccentric_tooth_couple: NewtonMetre | None = value("Couple left, a tooth on the eccentric's axis", "N·m", "C_ε", default=None)
     eccentric_space_error: Radian | None = value("Phase error with a space on the eccentric's axis", "°", "ε_s", default=None)

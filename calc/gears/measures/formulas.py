@@ -174,12 +174,12 @@ def virtual_teeth(z: Number, beta: Radian) -> Number:
     return z / cos(beta) ** 3
 
 
-@formula("ψ", Text("{iso}: half angle of the tooth on the virtual wheel", iso=ISO))
+@formula("ψ_v", Text("{iso}: half angle of the tooth on the virtual wheel", iso=ISO))
 def half_tooth_angle(z_v: Number, x: Number, alpha_n: Radian) -> Radian:
     return pi / (2 * z_v) + 2 * x * tan(alpha_n) / z_v
 
 
-@formula("s_c", Text("{iso}: normal chordal thickness at the reference circle", iso=ISO), unit="mm")
+@formula("s_c", Text("{iso}: normal chordal thickness at the reference circle", iso=ISO), unit="mm", names={"psi": "ψ_v"})
 def chordal_thickness(z_v: Number, m_n: Metre, psi: Radian) -> Metre:
     """>>> chordal_thickness(z_v=31.31, m_n=0.002, psi=0.0505)
     0.003160966...
@@ -187,7 +187,7 @@ def chordal_thickness(z_v: Number, m_n: Metre, psi: Radian) -> Metre:
     return z_v * m_n * sin(psi)
 
 
-@formula("h_c", Text("{iso}: height of the tip above the chord", iso=ISO), unit="mm")
+@formula("h_c", Text("{iso}: height of the tip above the chord", iso=ISO), unit="mm", names={"psi": "ψ_v"})
 def chordal_height(z_v: Number, m_n: Metre, psi: Radian, d_a: Metre, d: Metre) -> Metre:
     return z_v * m_n * (1 - cos(psi)) / 2 + (d_a - d) / 2
 
@@ -263,7 +263,7 @@ def angle_of_chord(s_c: Metre, z_v: Number, m_n: Metre) -> Radian:
     return asin(s_c / (z_v * m_n))
 
 
-@formula("x_E", Text("{iso}: generating shift of a half angle on the virtual wheel", iso=ISO))
+@formula("x_E", Text("{iso}: generating shift of a half angle on the virtual wheel", iso=ISO), names={"psi": "ψ_v"})
 def shift_of_half_angle(psi: Radian, z_v: Number, alpha_n: Radian) -> Number:
     return (psi * z_v - pi / 2) / (2 * tan(alpha_n))
 

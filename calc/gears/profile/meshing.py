@@ -88,7 +88,7 @@ AROUND = np.linspace(-2.0, 2.0, 41) * 2 / (CORNER - 1)  # two positions to each 
 
 
 @formula(
-    "δ", "rule of this program: points of both flanks carried past the other wheel without backlash, through every position", unit="µm",
+    "δ_p", "rule of this program: points of both flanks carried past the other wheel without backlash, through every position", unit="µm",
     shows="largest depth of a point of one outline inside the other, over a whole engagement",
 )  # fmt: skip
 def penetration(a_w: Metre, driver: Flank, driven: Flank, j_wt: Metre = 0.0) -> Metre:

@@ -40,17 +40,17 @@ SOFT_IRON = ("GG", "GGG(ferr.)")
 
 
 # --- deviations of the flanks ---------------------------------------------------------------------------------------------------
-@formula("f_pT", Text("{iso_1328}: single pitch, before rounding", iso_1328=ISO_1328), unit="µm")
+@formula("f_pT", Text("{iso_1328}: single pitch, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
 def single_pitch_tolerance(d: Metre, m_n: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.001 * d / MILLIMETRE + 0.4 * m_n / MILLIMETRE + 5) * 2 ** ((A - 5) / 2)
 
 
-@formula("f_fαT", Text("{iso_1328}: form of the profile, before rounding", iso_1328=ISO_1328), unit="µm")
+@formula("f_fαT", Text("{iso_1328}: form of the profile, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
 def profile_form_tolerance(m_n: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.55 * m_n / MILLIMETRE + 5) * 2 ** ((A - 5) / 2)
 
 
-@formula("f_HβT", Text("{iso_1328}: slope of the helix, before rounding", iso_1328=ISO_1328), unit="µm")
+@formula("f_HβT", Text("{iso_1328}: slope of the helix, before rounding", iso_1328=ISO_1328), unit="µm", names={"A": "Q"})
 def helix_slope_tolerance(d: Metre, b: Metre, A: Number) -> Metre:
     return MICROMETRE * (0.05 * sqrt(d / MILLIMETRE) + 0.35 * sqrt(b / MILLIMETRE) + 4) * 2 ** ((A - 5) / 2)
 

@@ -86,7 +86,7 @@ def mean_diameter(d_a: Metre, d_f: Metre) -> Metre:
     return (d_a + d_f) / 2
 
 
-@formula("m*", Text("{clause_6}: mass of a ring per face width, reduced to the line of action", clause_6=CLAUSE_6))
+@formula("m*", Text("{clause_6}: mass of a ring per face width, reduced to the line of action", clause_6=CLAUSE_6), names={"rho": "ρ_W"})
 def wheel_mass(rho: KilogramPerMetre3, d_m: Metre, d_i: Metre, d_b: Metre) -> KilogramPerMetre:
     return pi / 8 * rho * (d_m**4 - d_i**4) / d_b**2
 
@@ -178,12 +178,12 @@ def _by_overlap(above_two: Formula[..., Number], up_to_two: Number, eps_gamma: N
 
 
 # --- the four ranges -------------------------------------------------------------------------------------------------------
-@formula("K", Text("{clause_6}: below the main resonance", clause_6=CLAUSE_6))
+@formula("K_N", Text("{clause_6}: below the main resonance", clause_6=CLAUSE_6))
 def growth(B_p: Number, C_v2: Number, B_f: Number, C_v3: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v3 * B_k
 
 
-@formula("K_V", Text("{clause_6}: below the main resonance, N ≤ N_S", clause_6=CLAUSE_6))
+@formula("K_V", Text("{clause_6}: below the main resonance, N ≤ N_S", clause_6=CLAUSE_6), names={"K": "K_N"})
 def factor_below(N: Number, K: Number) -> Number:
     return N * K + 1
 

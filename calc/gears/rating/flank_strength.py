@@ -27,15 +27,15 @@ CENTISTOKE: SquareMetrePerSecond = 1e-6
 
 
 # --- curvature at the inner point of single contact ----------------------------------------------------------------------------
-@formula("M", Text("{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate", iacs=IACS))
+@formula("M_BD", Text("{iacs}: curvature at the wheel's inner point of single contact against the pitch point; index m: mate", iacs=IACS))
 def curvature_ratio(
     alpha_wt: Radian, d_a: Metre, d_b: Metre, z: Number, d_am: Metre, d_bm: Metre, z_m: Number, eps_alpha: Number
 ) -> Number:
     return tan(alpha_wt) / sqrt((sqrt(d_a**2 / d_b**2 - 1) - 2 * pi / z) * (sqrt(d_am**2 / d_bm**2 - 1) - (eps_alpha - 1) * 2 * pi / z_m))
 
 
-@formula("Z_BD", Text("{iacs}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M at ε_β = 0 "
-    "to 1 at ε_β ≥ 1, not below 1", iacs=IACS))  # fmt: skip
+@formula("Z_BD", Text("{iacs}: single pair factor (Z_B of the smaller, Z_D of the larger wheel), straight from M_BD at ε_β = 0 "
+    "to 1 at ε_β ≥ 1, not below 1", iacs=IACS), names={"M": "M_BD"})  # fmt: skip
 def single_pair_factor(M: Number, eps_beta: Number) -> Number:
     return largest(M - smallest(eps_beta, 1.0) * (M - 1), 1.0)
 

@@ -33,22 +33,22 @@ ROOT_CURVES = {
 }  # fmt: skip
 
 
-@formula("N_L", "ISO 6336-6: load cycles of one flank; c: loaded contacts in a turn")
+@formula("N_L", "ISO 6336-6: load cycles of one flank; n_c: loaded contacts in a turn", names={"c": "n_c"})
 def load_cycles(n: RevPerSecond, L_h: Second, c: Number) -> Number:
     return abs(n) * L_h * c
 
 
-@formula("p", "mathematics: straight line between two knees of the life curve, log–log")
+@formula("p_N", "mathematics: straight line between two knees of the life curve, log–log")
 def life_exponent(Y_1: Number, Y_2: Number, N_1: Number, N_2: Number) -> Number:
     return ln(Y_1 / Y_2) / ln(N_2 / N_1)
 
 
-@formula("Z_NT", Text("{flank}: life factor, contact; from the knee Z_1 at N_1", flank=FLANK))
+@formula("Z_NT", Text("{flank}: life factor, contact; from the knee Z_1 at N_1", flank=FLANK), names={"p": "p_N"})
 def flank_life_factor(Z_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
     return Z_1 * power(N_1 / N_L, p)
 
 
-@formula("Y_NT", Text("{root}: life factor, root; from the knee Y_1 at N_1", root=ROOT))
+@formula("Y_NT", Text("{root}: life factor, root; from the knee Y_1 at N_1", root=ROOT), names={"p": "p_N"})
 def root_life_factor(Y_1: Number, N_1: Number, N_L: Number, p: Number) -> Number:
     return Y_1 * power(N_1 / N_L, p)
 

@@ -92,7 +92,9 @@ def surface_smooth(kind: str) -> Number:
     return (1.12 if kind in HARDENED else 1.07 if kind == "St" else 1.025) * 1.0
 
 
-@formula("Y_X", Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS, iso=ISO), names={"Y": "Y_min"})
+@formula(
+    "Y_X", Text("{iacs}: size factor, 1 up to m_n = 5 mm (iron: {iso})", iacs=IACS, iso=ISO), names={"Y": "Y_min", "a": "a_X", "b": "b_X"}
+)
 def size_factor(a: Number, b: Number, m_n: Metre, Y: Number) -> Number:
     return largest(smallest(a - b * m_n / MILLIMETRE, 1.0), Y)
 

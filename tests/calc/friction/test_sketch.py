@@ -5,7 +5,7 @@ import pytest
 
 from calc.design_file import load
 from calc.friction.sketch import sketch
-from calc.sheet.drawing import Area
+from calc.sheet.drawing import Area, Polyline
 from calc.solve import solve
 
 from ...conftest import DESIGNS
@@ -26,6 +26,8 @@ def test_the_bands_are_as_wide_as_the_losses(name):
     flow, found = sketch(asked, results), results.outcomes["friction"].result
     sketches.check(flow, document)
     before, behind = widths(flow)
+    (_, top), (_, bottom) = next(mark for mark in flow.primitives if isinstance(mark, Polyline)).points
+    assert sum(before) == pytest.approx(top - bottom)  # they fill the line that the flow begins at
     assert before == pytest.approx(behind)
     largest = max([mesh.judged.loss for mesh in found.meshes.values()] + [journal.friction_power for journal in found.journals.values()])
     assert max(before) / sum(before) == pytest.approx(largest / found.total_loss)

@@ -41,6 +41,14 @@ def test_a_mesh_without_room_is_marked_at_its_place(gamma, gamma_results):
     assert any(str(note) == "wheels in a row" for note in train.notes)
 
 
+def test_teeth_that_fail_are_drawn_with_the_least_backlash(gamma_results):
+    """Below zero: drawn as teeth that run into each other, exaggerated by as much as makes 15 µm nearly 0.3 modules of 2 mm."""
+    mesh = gamma_results.outcomes["gears"].result.meshes["central_idler"]
+    assert mesh.backlash_min == pytest.approx(-14.65e-6, abs=1e-7) and mesh.backlash_nominal == pytest.approx(36e-6, abs=1e-7)
+    notes = [str(note) for note in sketch(gamma_results.design, gamma_results).notes]
+    assert "gap × 30" in notes  # with the 36 µm in the middle of the tolerances it would be 15
+
+
 def test_wheels_with_places_stand_within_their_walls():
     _, asked = load(DESIGNS / "r753ie4_sized.toml")
     train = sketch(asked, solve(asked))

@@ -43,7 +43,7 @@ def test_a_part_without_solution_fails_and_the_rest_stays(changes, part, words):
 def test_a_train_whose_torque_is_not_known_says_so():
     outcome = solved(SHEET, power_kW=None)
     assert all(mesh.rating is None for mesh in outcome.result.meshes.values())
-    assert any("gears.power_kW" in note for note in outcome.notes)
+    assert any("no torque is known" in note for note in outcome.notes)
 
 
 def test_the_sheet_stands_beside_only_where_it_is_asked():

@@ -190,7 +190,7 @@ def test_a_trace_keeps_order_and_subject_and_leaves_iterations_out():
 
 
 @pytest.mark.parametrize("name, shown", [
-    ("alpha_wt", "α_wt"), ("omega", "ω"), ("d1", "d_1"), ("F_t", "F_t"), ("lambda_", "λ"), ("lam", "λ"), ("h_aP0", "h_aP0"), ("Delta_T", "Δ_T"),
+    ("alpha_wt", "α_wt"), ("omega", "ω"), ("d1", "d_1"), ("F_t", "F_t"), ("lambda_", "λ"), ("lam", "λ"), ("h_aP0", "h_aP0"), ("Delta_T", "ΔT"),
 ])  # fmt: skip
 def test_symbols(name, shown):
     assert symbol(name) == shown

@@ -36,9 +36,7 @@ CONDUCTIVITY: WattPerMetreKelvin = 45.0  # of steel, ISO/TR 15144-1:2014, Table 
 SPECIFIC_HEAT: JoulePerKilogramKelvin = 440.0  # the same
 
 
-@formula(
-    "w_Bt", "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors", unit="N/mm", names={"K": "K_A·K_V·K_Hβ·K_Hα"}
-)
+@formula("w_Bt", "ISO/TR 13989-1:2000 (11): transverse load per width, with all load factors", unit="N/mm", names={"K": "K_eff"})
 def line_load(K: Number, F_t: Newton, b: Metre) -> NewtonPerMetre:
     return K * F_t / b
 

@@ -213,3 +213,14 @@ def test_turning_raises_the_deflection_like_a_single_mass():
     assert abs(turning.w).max() / abs(still.w).max() == pytest.approx(1 / (1 - 0.6**2), rel=1e-6)
     assert turning.reactions == pytest.approx(still.reactions / (1 - 0.6**2), rel=1e-4)
     assert abs(turning.moment).max() == pytest.approx(abs(still.moment).max() / (1 - 0.6**2), rel=1e-4)
+
+
+def test_the_shear_force_is_the_slope_of_the_moment():
+    a = 0.3
+    bent = bend(uniform(load=[[0.0, Q]], forces=([a], [P])))
+    added = (bent.shear[::2] + bent.shear[1::2]) / 2 * np.diff(bent.shear_z)[::2]
+    ends = np.interp(bent.shear_z[1::2], bent.moment_z, bent.moment.real)
+    assert np.cumsum(added).real == pytest.approx(ends, abs=0.02 * ends.max())
+    assert bent.shear[0] == pytest.approx(-bent.reactions[0], rel=REL)
+    before, after = bent.shear[np.flatnonzero(np.abs(bent.shear_z - a) < 1e-9)]
+    assert before - after == pytest.approx(P, rel=REL)

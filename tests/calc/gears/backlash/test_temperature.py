@@ -178,11 +178,13 @@ def test_the_curve_meets_the_table():
     play, _ = alone(housing="aluminium")
     (curve,) = play.curves()
     at = states(play)
-    smallest, nominal, largest, warmer = curve.series
+    nominal, warmer, smallest, largest = curve.series
     assert (smallest.y[0], nominal.y[0], largest.y[0]) == pytest.approx(at["cold"][1:])
     assert (smallest.y[-1], nominal.y[-1], largest.y[-1]) == pytest.approx(at["running"][1:])
     assert warmer.y[-1] == pytest.approx(at["wheels warmer"][1])
     assert curve.limits == (("jam", 0.0),) and curve.id == "backlash_temperature_central_idler"
+    judged = at["cold"][1], at["running"][1], at["wheels warmer"][1]
+    assert curve.band and curve.point is not None and curve.point[1] == pytest.approx(min(judged))
 
 
 def test_a_cold_that_lets_the_base_circles_overlap_is_no_solution():

@@ -1,0 +1,240 @@
+"""The sheet of a shaft: what stands on it is the design's, inside the frame, and clear of what stands beside it."""
+
+import copy
+import math
+from itertools import combinations, pairwise
+
+import pytest
+
+from calc.design_file import Document, design, read
+from calc.drawing_sheet.frame import BLOCK_LEFT, BLOCK_TOP, LEFT, LOW, RIGHT, TOP
+from calc.drawing_sheet.leaf import corners
+from calc.drawing_sheet.shaft import shaft_sheet
+from calc.languages import language
+from calc.sheet.dimension import strokes, written
+from calc.sheet.drawing import Area, Dimension, Hatch, Polyline, Words
+from calc.sheet.hatching import hatch_lines
+from calc.sheet.layers import CENTRE, DIMENSION, FRAME, LAYERS, TABLE, TEXT, VISIBLE
+from calc.sheet.lettering import room
+from calc.solve import solve
+
+from ...conftest import DESIGNS, GAMMA
+
+MM = 1e-3
+SECTIONS = [
+    {"from_mm": -190.0, "to_mm": -150.0, "outer_radius_mm": 12.0},
+    {"from_mm": -150.0, "to_mm": -20.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 60.0, "angle_deg": 210.0},
+    {"from_mm": -20.0, "to_mm": 25.0, "outer_radius_mm": 14.0},
+    {"from_mm": 25.0, "to_mm": 60.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 180.0, "angle_deg": 120.0},
+    {"from_mm": 60.0, "to_mm": 150.0, "outer_radius_mm": 40.0, "core_radius_mm": 14.0, "half_angle_deg": 140.0, "angle_deg": 300.0},
+    {"from_mm": 150.0, "to_mm": 195.5, "outer_radius_mm": 12.0},
+]
+
+
+def variant(name, **bearings):
+    data = copy.deepcopy(read(DESIGNS / f"{name}.toml").data)
+    data["bearings"] |= bearings
+    return data
+
+
+def with_sections():
+    data = copy.deepcopy(read(GAMMA).data)
+    data["countershaft"]["sections"] = SECTIONS
+    return {key: data[key] for key in ("schema", "name", "material", "engine", "imbalance", "countershaft")}
+
+
+CASES = {
+    "gamma": lambda: variant("r753ie4_gamma", journal_fit="h6"), "sized": lambda: variant("r753ie4_sized"), "sections": with_sections,
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module", params=[(case, lang) for case in CASES for lang in ("en", "it")], ids=lambda p: f"{p[0]}-{p[1]}")
+def drawn(request):
+    case, lang = request.param
+    data = CASES[case]()
+    results = solve(design(Document(data)))
+    return results, shaft_sheet(results, language(lang), data)
+
+
+@pytest.fixture(scope="module")
+def sheet(gamma, gamma_results):
+    return shaft_sheet(gamma_results, data=gamma.data)
+
+
+def letters(sheet):
+    """All words, those of dimensions as well."""
+    marks = [stroke for mark in sheet.marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))]
+    return [mark for mark in marks if isinstance(mark, Words)]
+
+
+def cut(box, by):
+    return box[0] + by, box[1] + by, box[2] - by, box[3] - by
+
+
+def overlap(a, b):
+    return a[0] < b[2] and b[0] < a[2] and a[1] < b[3] and b[1] < a[3]
+
+
+# --- where it stands ------------------------------------------------------------------------------------------------------
+def test_nothing_leaves_the_frame_but_its_grid(drawn):
+    for mark in drawn[1].marks:
+        if mark.layer not in (FRAME, TABLE):
+            for x, y in corners(mark):
+                assert LEFT <= x / MM <= RIGHT and LOW <= y / MM <= TOP, mark
+
+
+def test_no_two_texts_overlap(drawn):
+    boxes = [(cut(room(words), 0.05 * MM), words.text) for words in letters(drawn[1])]
+    for (a, text), (b, other) in combinations(boxes, 2):
+        assert not overlap(a, b), (text, other)
+
+
+def test_no_line_of_a_dimension_goes_through_a_number(drawn):
+    """Nor does a contour or an axis; a line under a number is its own."""
+    numbers = [(cut(room(words), 0.25 * MM), words.text) for words in letters(drawn[1]) if words.layer == DIMENSION]
+    marks = [stroke for mark in drawn[1].marks for stroke in (strokes(mark) if isinstance(mark, Dimension) else (mark,))]
+    for mark in marks:
+        if isinstance(mark, Polyline) and mark.layer in (DIMENSION, VISIBLE, CENTRE):
+            points = (*mark.points, mark.points[0]) if mark.closed else mark.points
+            for (ax, ay), (bx, by) in pairwise(points):
+                for share in range(101):
+                    x, y = ax + (bx - ax) * share / 100, ay + (by - ay) * share / 100
+                    for box, text in numbers:
+                        assert not (box[0] < x < box[2] and box[1] < y < box[3]), (text, mark)
+
+
+def test_the_title_block_stays_free_of_the_rest(drawn):
+    block = (BLOCK_LEFT, LOW, RIGHT, BLOCK_TOP)
+    for mark in drawn[1].marks:
+        if isinstance(mark, Dimension | Hatch | Area) or mark.layer in (CENTRE, DIMENSION):
+            xs, ys = zip(*corners(mark))
+            assert not overlap((min(xs) / MM, min(ys) / MM, max(xs) / MM, max(ys) / MM), block)
+
+
+def test_a_hatch_stays_inside_its_outline(drawn):
+    for hatch in (mark for mark in drawn[1].marks if isinstance(mark, Hatch)):
+        (outline,) = hatch.outlines
+        lines = hatch_lines(hatch)
+        assert len(lines) > 5
+        for (ax, ay), (bx, by) in lines:
+            assert bx - ax == pytest.approx(by - ay, abs=1e-12), "45°"
+            for share in (0.001, 0.3, 0.7, 0.999):
+                assert winds(outline, (ax + share * (bx - ax), ay + share * (by - ay)))
+        apart = sorted({round((y - x) / math.sqrt(2), 9) for (x, y), _ in lines})
+        assert all(b - a >= hatch.spacing - 1e-8 for a, b in pairwise(apart))
+
+
+def winds(outline, point):
+    """Whether an outline goes round a point: the sum of the angles under which its sides are seen."""
+    turned = 0.0
+    for a, b in zip(outline, (*outline[1:], outline[0])):
+        first, last = (math.atan2(y - point[1], x - point[0]) for x, y in (a, b))
+        turned += math.remainder(last - first, 2 * math.pi)
+    return abs(turned) > math.pi
+
+
+def test_letters_are_large_enough_to_be_read(drawn):
+    """2.5 mm high capitals: 9.7 points of the report's letters."""
+    assert min(words.height for words in letters(drawn[1])) == pytest.approx(2.5 * MM)
+    assert {mark.layer for mark in drawn[1].marks} <= set(LAYERS)
+
+
+# --- what it says ---------------------------------------------------------------------------------------------------------
+def test_dimensions_are_those_of_the_design(drawn):
+    results, sheet = drawn
+    lengths = [mark for mark in sheet.marks if isinstance(mark, Dimension)]
+    for mark in lengths:
+        true = abs(mark.end[0] - mark.start[0]) / MM / sheet.scale
+        assert float(written(mark).strip("()").replace(",", ".")) == pytest.approx(true, abs=0.0501)
+    shaft = results.design.countershaft
+    whole = max(abs(mark.end[0] - mark.start[0]) for mark in lengths) / sheet.scale
+    span = shaft.bearing_positions[-1] - shaft.bearing_positions[0]
+    assert any(abs(mark.end[0] - mark.start[0]) / sheet.scale == pytest.approx(span) for mark in lengths) and whole > span
+
+
+def test_the_final_design_is_rounded_as_a_drawing_is(sheet):
+    assert sheet.scale == 0.5
+    labels = [written(mark) for mark in sheet.marks if isinstance(mark, Dimension)]
+    assert labels == ["15", "27.5", "152.1", "1.4", "152.4", "(2.1)", "26.5", "335", "(377)"]
+    said = [words.text for words in letters(sheet)]
+    for text in (
+        "⌀59.5",
+        "⌀81",
+        "⌀57.95 (0/−0.1)",
+        "R40.5",
+        "R15",
+        "182.2°",
+        "181.7°",
+        "A–A",
+        "B–B",
+        "Ra 0.6",
+        "1:2",
+        "20CrNi4",
+        "9.03 kg",
+    ):
+        assert text in said, text
+    assert said.count("A") >= 2 and said.count("B") >= 2 and "I" in said and "II" in said  # ends of cutting planes; planes of balancing
+
+
+def test_the_tables_give_teeth_balancing_and_masses(sheet, gamma_results):
+    said = [words.text for words in letters(sheet) if words.layer == TEXT]
+    values = gamma_results.values()
+    assert "21.551 (−0.02/−0.03)" in said and "68.698 ±0.055" in said and "idler, 39" in said and "21.916°, left" in said
+    assert f"{values['countershaft.residual_unbalance_permitted'].shown:.0f} g·mm" in said and "G6.3" in said and "2600 rpm" in said
+    assert "2.691" in said and "210°" in said and "−77.67" in said
+
+
+def test_a_fit_is_written_with_its_deviations(gamma_results):
+    """h6 from 50 to 80 mm: 0/−0.019, from 80 to 120 mm: 0/−0.022 (ISO 286-2)."""
+    sheet = shaft_sheet(solve(design(Document(CASES["gamma"]()))))
+    said = [words.text for words in letters(sheet)]
+    assert "⌀59.5 h6 (0/−0.019)" in said and "⌀81 h6 (0/−0.022)" in said
+    assert not any("fits of the journals" in text for text in said)
+
+
+def test_a_given_cylinder_in_a_bearing_has_its_fit_and_its_roughness_too():
+    data = variant("r753ie4_gamma", journal_fit="f7")
+    data["countershaft"]["sections"] = SECTIONS
+    said = [words.text for words in letters(shaft_sheet(solve(design(Document(data)))))]
+    assert said.count("⌀24 f7 (−0.02/−0.041)") == 2 and said.count("Ra 0.6") == 2 and "⌀28" in said  # ISO 286-2: f7 from 18 to 30 mm
+
+
+def test_the_clearance_of_the_journals_is_noted(sheet, gamma_results):
+    front, rear = (gamma_results.values()[f"bearings.{place}.clearance"].shown for place in ("front", "rear"))
+    said = " ".join(words.text for words in letters(sheet))
+    assert f"in their bearings at 20 °C: {front:.0f} µm front, {rear:.0f} µm rear." in " ".join(said.split())
+
+
+def test_what_the_design_does_not_give_is_said_and_not_put_in(sheet):
+    said = " ".join(words.text for words in letters(sheet))
+    for text in (
+        "Not given by the design: fits of the journals",
+        "heat treatment",
+        "chamfers and centre holes",
+        "places of the calibration",
+    ):
+        assert text in said
+    assert "Chosen by the program, not by the design: the grade of balancing, the accuracy grade of the teeth." in said
+    assert "IT7" not in said
+
+
+def test_the_title_block_says_what_the_document_says():
+    document = read(DESIGNS / "r753ie4_sized.toml")
+    sheet = shaft_sheet(solve(design(document)), data=document.data)
+    said = [words.text for words in letters(sheet)]
+    for text in ("R753IE4 counter-shaft, sized", "R753IE4-S", "Counter-shaft of the R753IE4", "The Contralbero founders", "G16"):
+        assert text in said
+    assert "grade of balancing" not in " ".join(said)
+
+
+def test_sections_are_lettered_once_for_each_kind_and_a_whole_ring_has_no_angle():
+    sheet = shaft_sheet(solve(design(Document(with_sections()))))
+    said = [words.text for words in letters(sheet)]
+    assert [text for text in said if "–" in text and len(text) == 3] == ["A–A", "B–B", "C–C"]
+    assert "120°" in said and "80°" in said and "360°" not in said
+    assert "45.5" in said and "385.5" not in said and "(385.5)" in said
+
+
+def test_a_shaft_without_outline_has_no_sheet():
+    data = copy.deepcopy(read(DESIGNS / "twin_force_shaft.toml").data)
+    assert shaft_sheet(solve(design(Document(data)))) is None

@@ -1,0 +1,65 @@
+"""The sheets of a design of gears alone: one for each wheel, its sizes those of the train."""
+
+import copy
+from itertools import combinations
+
+import pytest
+
+from calc.design_file import Document, design, read
+from calc.drawings import sheets
+from calc.sheet.dimension import written
+from calc.sheet.drawing import Arc, Dimension, Hatch
+from calc.sheet.layers import CENTRE, EDGE, VISIBLE
+from calc.sheet.lettering import room
+from calc.solve import solve
+
+from ...conftest import DESIGNS
+from .test_sheet import MM, cut, letters, overlap
+
+
+def drawn(bore=None):
+    data = copy.deepcopy(read(DESIGNS / "timing_pair.toml").data)
+    if bore is not None:
+        data["gears"]["wheels"][0] |= {"bore_diameter_mm": bore, "tip_diameter_tolerance_um": [0, -100]}
+    results = solve(design(Document(data)))
+    return results, sheets(results, data=data)
+
+
+@pytest.fixture(scope="module")
+def pair():
+    return drawn()
+
+
+def test_every_wheel_has_its_sheet(pair):
+    _, made = pair
+    assert [sheet.title.rpartition(": ")[2] for sheet in made] == ["crank", "pump"]
+    assert [next(text for text in map(str, (w.text for w in letters(sheet))) if text in ("1/2", "2/2")) for sheet in made] == ["1/2", "2/2"]
+
+
+def test_circles_and_dimensions_are_those_of_the_train(pair):
+    results, made = pair
+    values = results.values()
+    for sheet, name, b in zip(made, ("crank", "pump"), (30.0, 23.0)):
+        radii = {mark.layer: mark.radius / sheet.scale / MM for mark in sheet.marks if isinstance(mark, Arc) and mark.radius > 10 * MM}
+        for layer, size in ((VISIBLE, "tip"), (CENTRE, "reference"), (EDGE, "root")):
+            assert 2 * radii[layer] == pytest.approx(values[f"gears.{name}.{size}_diameter"].shown)
+        width, tip = (mark for mark in sheet.marks if isinstance(mark, Dimension))
+        assert written(width) == f"{b:g}" and (width.end[0] - width.start[0]) / sheet.scale / MM == pytest.approx(b)
+        assert tip.upright and written(tip) == f"⌀{round(values[f'gears.{name}.tip_diameter'].shown, 2):g}"
+
+
+def test_the_bore_is_drawn_and_measured_where_it_is_given_and_missed_where_it_is_not(pair):
+    _, (with_bore, _) = drawn(40.0)
+    labels = [written(mark) for mark in with_bore.marks if isinstance(mark, Dimension)]
+    assert labels == ["30", "⌀40", "⌀93.37 (0/−0.1)"] and sum(isinstance(mark, Hatch) for mark in with_bore.marks) == 2
+    said = " ".join(words.text for words in letters(pair[1][0]))
+    assert "Not given by the design: bore and hub" in said and "⌀40" not in said
+    assert "accuracy grade of the teeth, the measuring ball" in said and "grade of balancing" not in said
+
+
+@pytest.mark.parametrize("bore", [None, 20.0])
+def test_no_two_texts_overlap(bore):
+    for sheet in drawn(bore)[1]:
+        boxes = [(cut(room(words), 0.05 * MM), words.text) for words in letters(sheet)]
+        for (a, text), (b, other) in combinations(boxes, 2):
+            assert not overlap(a, b), (text, other)

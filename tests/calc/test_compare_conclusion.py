@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a comparison comes to: the way of each key result and verdict, and labels that say what they are of."""
+
+from dataclasses import replace
+
+import pytest
+
+from calc.compare import NOTABLE, Comparison, KeyResult, compare
+from calc.compare_conclusion import moved_table, result_table, sentences
+from calc.compare_inputs import inputs
+from calc.compare_tables import input_table
+from calc.design_file import Document, design, read
+from calc.id_words import in_context
+from calc.key_values import is_least, key_results
+from calc.sheet.quantity import Published
+from calc.sheet.text import Text
+from calc.solve import Results, solve
+
+from ..conftest import DESIGNS
+
+NAMES = ("beta", "gamma")
+
+
+@pytest.fixture(scope="module")
+def found(gamma: Document, gamma_results: Results) -> Comparison:
+    beta = read(DESIGNS / "r753ie4_beta.toml")
+    return compare(beta.data, gamma.data, solve(design(beta)), gamma_results)
+
+
+def result(a: float, b: float, *, least: bool) -> KeyResult:
+    one, other = (Published("gears.x.y", number, "µm", Text("Backlash"), "", number) for number in (a, b))
+    return KeyResult(one, other, least, abs(a - b) / max(abs(a), abs(b)))
+
+
+@pytest.mark.parametrize(
+    ("a", "b", "least", "better"), [(1, 2, True, True), (1, 2, False, False), (-3, -2, True, True), (2, 1, False, True)]
+)
+def test_better_is_the_way_of_the_quantity(a: float, b: float, least: bool, better: bool) -> None:
+    assert result(a, b, least=least).better is better and result(b, a, least=least).better is not better
+
+
+def test_a_difference_that_nobody_notices_is_none() -> None:
+    assert result(1.0, 1.0 + 0.9 * NOTABLE, least=True).better is None
+    assert replace(result(1.0, 2.0, least=True), a=None).better is None
+
+
+def test_each_key_result_is_of_its_worst_part(gamma_results: Results) -> None:
+    shown = {id: v.shown for id, v in gamma_results.values().items()}
+    worst = key_results(gamma_results.values())
+    assert worst["gears.*.safety_contact"].shown == min(
+        v for id, v in shown.items() if id.count(".") == 2 and id.endswith(".safety_contact")
+    )
+    assert worst["bearings.*.outlet_temperature"].shown == max(shown[f"bearings.{b}.outlet_temperature"] for b in ("front", "rear"))
+    assert is_least("gears.*.safety_contact") and not is_least("friction.total_loss")
+
+
+def test_sentences_count_what_the_tables_show(found: Comparison) -> None:
+    said = sentences(found, NAMES, str.upper)
+    assert said[0] == "beta → gamma: the whole stays FAIL." and said[1] == "Steps: Counter-shaft PASS → WARN."
+    hard = [d for d in found.checks_moved if d.a is not None and d.b is not None and {d.a.kind, d.b.kind} & {"limit", "caution"}]
+    counts = [
+        int(word.strip(".,")) for text in said if text.startswith("Limits and cautions to") for word in text.split() if word[0].isdigit()
+    ]
+    assert sum(counts) == len(hard) > 5
+    table = moved_table(found, NAMES, str)
+    ways = [str(row[-1]) for row in table.rows]
+    assert ways == sorted(ways, key=["worse", "new", "better", "gone"].index) and ways.count("better") == sum(not d.worse for d in hard)
+    short = moved_table(found, NAMES, str, 4)
+    assert short.rows == table.rows[:4] and str(len(table.rows) - 4) in short.note
+    ways = [str(row[-1]) for row in result_table(found, NAMES).rows]
+    same = sum(r.better is None for r in found.results)
+    assert said[-1] == f"Key results: {ways.count('better')} better, {ways.count('worse')} worse, {same} the same within 0.1 %."
+
+
+def test_a_whole_that_changes_says_which_way(found: Comparison) -> None:
+    verdicts = tuple(replace(v, a=replace(v.a, verdict="warn"), b=replace(v.b, verdict="pass")) for v in found.verdicts)
+    assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from warn to pass, to the better.")
+    verdicts = tuple(replace(v, a=v.b, b=v.a) for v in verdicts)
+    assert sentences(replace(found, verdicts=verdicts), NAMES, str)[0].endswith("goes from pass to warn, to the worse.")
+
+
+def test_labels_say_what_they_are_of(found: Comparison, gamma: Document) -> None:
+    labels = [str(row[0]) for row in (*moved_table(found, NAMES, str).rows, *result_table(found, NAMES).rows)]
+    assert len(set(labels)) == len(labels)
+    assert "Film at the edge, rear" in labels and "Film at the bearing's edge (rear)" in labels
+    assert in_context(Text("Specific load"), "bearings.front.specific_load") == "Specific load (front)"
+    assert in_context(Text("Film, front"), "bearings.front.film_edge") == "Film, front"
+    pitting = next(row for row in result_table(found, NAMES).rows if "pitting" in str(row[0]))
+    assert "(idler–shaft)" in str(pitting[1]) and "(crank–central)" in str(pitting[2])  # the worst part is another one
+    other = gamma.with_value("gears.meshes.2.support_share", 0.25)
+    (row,) = input_table(inputs(gamma.data, other.data), NAMES, ids=False).rows
+    assert str(row[0]).endswith("(gears, meshes, idler–shaft)")
