@@ -16,11 +16,12 @@ from pathlib import Path
 from statistics import median
 
 ROOT = Path(__file__).parent.parent
+DEPTHS = ("summary", "engineer", "audit")
 FIGURES = """
 import io, pickle, sys
 import numpy, matplotlib.figure, matplotlib.backend_bases, reportlab.pdfgen.canvas, reportlab.pdfbase.ttfonts
 import calc.design_file, calc.solve, calc.explain, reports.report
-from reports.letters import FACES, widths
+from reports.fonts import FACES, widths
 from reports.pen import Pen
 from reports.plots import Plots, plot
 for face in FACES:
@@ -44,7 +45,7 @@ document, design = load(sys.argv[1])
 results = solve(design)
 results = results.whole() if sys.argv[3] == "audit" else results
 context = Context(document, results, "", sys.argv[3], language("en"))
-curves = [curve for _, _, outcome in context.steps() for _, curve in context.number(outcome.curves) if sys.argv[3] != "summary"]
+curves = [curve for _, _, outcome in context.steps() for _, curve in context.number(outcome) if sys.argv[3] != "summary"]
 pickle.dump(curves, open(sys.argv[2], "wb"))
 print(len(curves))
 """
@@ -56,21 +57,16 @@ from calc.languages import language
 from calc.solve import solve
 from reports import derivation
 from reports.context import Context
-from reports.letters import FACES, widths
+from reports.fonts import FACES, widths
 document, design = load(sys.argv[1])
-context = Context(document, solve(design), "", "engineer", language("en"))
-count, set_one = 0, derivation._entry
-def counted(*given, **named):
-    global count
-    count += 1
-    return set_one(*given, **named)
-derivation._entry = counted
+context = Context(document, solve(design), "", "audit", language("en"))
 for face in FACES:
     widths(face)
-chosen = [(step, context.lines(step.key)) for _, step, _ in context.steps()]
+chosen = [(step, list(outcome.lines)) for _, step, outcome in context.steps()]
+count = sum(len(lines) for _, lines in chosen)
 start = time.perf_counter()
 for step, lines in chosen:
-    derivation.derivation(context, step, lines, len(lines))
+    derivation.derivation(context, step, lines)
 print(f"{count} formulas, {1000 * (time.perf_counter() - start) / count:.2f} ms each")
 """
 
@@ -93,7 +89,7 @@ def main() -> None:
     design = sys.argv[1] if len(sys.argv) > 1 else str(ROOT / "designs" / "r753ie4_gamma.toml")
     rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 5
     with tempfile.TemporaryDirectory() as folder:
-        for depth in ("summary", "engineer", "audit"):
+        for depth in DEPTHS:
             curves, target = str(Path(folder) / "curves"), Path(folder) / f"{depth}.pdf"
             drawn = run(DRAWN, design, curves, depth)
             turns = [(report(design, target, depth), seconds("-c", FIGURES, curves), seconds("-c", LEAN, curves)) for _ in range(rounds)]

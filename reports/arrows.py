@@ -21,8 +21,8 @@ THICK = 0.9
 ASIDE = 2.6  # an arrow that runs over another, as a shaft's against what it takes, is moved so far aside that both are seen
 HEAD, HALF = 5.0, 1.7  # length of a head and half its width, in points
 LEAST = 0.01  # of the largest vector: a shorter one is not drawn
-NUMBER = Style(5.8, 7.4)
-BESIDE = 5.0  # from an arrow to the middle of its number
+NUMBER = Style(7.5, 9.0)
+BESIDE = 5.8  # from an arrow to the middle of its number
 
 Point = tuple[float, float]
 

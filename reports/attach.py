@@ -11,31 +11,45 @@ from calc.solve import Results
 
 NAME = "design.toml"
 RESULTS = "results.json"
+PAIR = ("a.toml", "b.toml")  # the designs of a comparison
+RELATIONS = {"toml": "Source", "json": "Data"}  # what a file is to the document, by its ending; any other only belongs to it
 
 
 def results_bytes(results: Results) -> bytes:
     """The values and verdicts of a report as JSON, the same bytes for the same results; what is not finite is null."""
+    return _json(_solved(results))
+
+
+def pair_bytes(names: tuple[str, str], results: tuple[Results, Results]) -> bytes:
+    """The same of a comparison, with what it calls its two designs."""
+    return _json({"names": list(names), "a": _solved(results[0]), "b": _solved(results[1])})
+
+
+def _solved(results: Results) -> dict[str, object]:
     outcomes = results.outcomes.values()
-    found = {
+    return {
         "values": {v.id: float(v.shown) if abs(v.shown) < float("inf") else None for o in outcomes for v in o.values()},
         "checks": {check.id: check.verdict for check in results.checks()},
         "steps": {o.key: o.verdict for o in outcomes},
     }
+
+
+def _json(found: object) -> bytes:
     return json.dumps(found, separators=(",", ":"), allow_nan=False).encode()
 
 
 def attach(canvas: Canvas, files: dict[str, tuple[bytes, str]]) -> None:
-    """Embed files, each with its name, its bytes and what it is; the first is the one that the document was made from."""
+    """Embed files, each with its name, its bytes and what it is."""
     catalog, specifications = canvas._doc.Catalog, {}
-    for n, (name, (raw, description)) in enumerate(files.items()):
-        specifications[name] = _specification(canvas, name, raw, description, "Data" if n else "Source")
+    for name, (raw, description) in files.items():
+        specifications[name] = _specification(canvas, name, raw, description)
     catalog.__NoDefault__ = [*catalog.__NoDefault__, "AF"]
     catalog.AF = PDFArray(list(specifications.values()))
     names = [item for name in sorted(specifications) for item in (PDFString(name), specifications[name])]
     catalog.Names = PDFDictionary({"EmbeddedFiles": PDFDictionary({"Names": PDFArray(names)})})
 
 
-def _specification(canvas: Canvas, name: str, raw: bytes, description: str, relation: str) -> object:
+def _specification(canvas: Canvas, name: str, raw: bytes, description: str) -> object:
     document = canvas._doc
     sums = {"Size": len(raw), "CheckSum": PDFString(hashlib.md5(raw, usedforsecurity=False).digest(), enc="raw")}
     stream = PDFStream(PDFDictionary({"Type": PDFName("EmbeddedFile"), "Params": PDFDictionary(sums)}), raw, filters=[PDFZCompress])
@@ -46,7 +60,7 @@ def _specification(canvas: Canvas, name: str, raw: bytes, description: str, rela
         PDFDictionary(
             {
                 "Type": PDFName("Filespec"), "F": PDFString(name), "UF": PDFString(name), "Desc": PDFString(description),
-                "AFRelationship": PDFName(relation), "EF": PDFDictionary({"F": file, "UF": file}),
+                "AFRelationship": PDFName(RELATIONS.get(ending, "Supplement")), "EF": PDFDictionary({"F": file, "UF": file}),
             }
         )
     )  # fmt: skip

@@ -4,6 +4,7 @@
 import io
 import os
 import tempfile
+from functools import partial
 from pathlib import Path
 
 from reportlab import rl_config
@@ -12,8 +13,10 @@ from reportlab.pdfgen.canvas import Canvas
 from calc.sheet.progress import Progress
 
 from . import attach
+from .conformance import archive
 from .flow import Page
 from .fonts import UPRIGHT, clean
+from .pack import packed
 from .page import paint
 from .paper import PAGE
 from .title_block import PROGRAM, SHORT_HASH
@@ -37,7 +40,9 @@ def bind(
         canvas.showOutline()
         of = " · ".join(filter(None, (number, revision and f"{words['revision']} {revision}")))
         foot = (of, f"{PROGRAM} · sha256 {said['sha256'][:SHORT_HASH]}")
-        paint(canvas, pages, (title, words[kind]), foot, words["page"], progress)
+        tree = paint(canvas, pages, (title, words[kind]), foot, words["page"], progress)
+        archive(canvas._doc, tree, said["lang"])
+        canvas._doc.format = partial(packed, canvas._doc)
         canvas.save()
     finally:
         rl_config.useA85 = dense

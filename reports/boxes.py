@@ -13,14 +13,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from .fonts import ASCENT, DESCENT, UPRIGHT, all_in, clean, widths
+from .fonts import ASCENT, DESCENT, UPRIGHT, clean
 from .fonts import width as text_width
 
 Mark = tuple[Any, ...]
 Colour = tuple[float, float, float]
 
 BLACK: Colour = (0.0, 0.0, 0.0)
-GREY: Colour = (0.36, 0.36, 0.36)
+GREY: Colour = (0.27, 0.27, 0.27)
 FAINT: Colour = (0.80, 0.80, 0.80)
 
 
@@ -67,13 +67,10 @@ def scaled(box: Box, by: float) -> Box:
 
 @lru_cache(maxsize=20_000)
 def text(words: str, size: float, face: str = UPRIGHT, colour: Colour = BLACK) -> Box:
-    """One run of text.  What the face lacks is taken from the upright one."""
+    """One run of text."""
     words = clean(words)
-    if all_in(words, face):
-        mark = ("text", 0.0, 0.0, words, face, size, colour, 1.0, False)
-        return Box(text_width(words, size, face), ASCENT * size, DESCENT * size, (mark,))
-    known = widths(face)
-    return row([text(c, size, face if c in known else UPRIGHT, colour) for c in words])
+    mark = ("text", 0.0, 0.0, words, face, size, colour, 1.0, False)
+    return Box(text_width(words, size, face), ASCENT * size, DESCENT * size, (mark,))
 
 
 def space(width: float) -> Box:
@@ -103,8 +100,8 @@ def stretched(sign: str, size: float, up: float, down: float) -> Box:
     letter = text(sign, size)
     if up <= 0.82 * size and down <= 0.26 * size:
         return letter
-    # In this design brackets and the bar reach from −0.13 (bar: −0.24) to 0.76 of the size.
-    low, high = (0.24, 0.76) if sign == "|" else (0.13, 0.76)
+    # In this design brackets and the bar reach from −0.19 (bar: −0.22) to 0.73 (bar: 0.71) of the size.
+    low, high = (0.22, 0.71) if sign == "|" else (0.19, 0.73)
     by = (up + down + 0.06 * size) / ((low + high) * size)
     wide = letter.width
     mark = ("text", 0.0, -down - 0.03 * size + low * size * by, sign, UPRIGHT, size, BLACK, by, False)
@@ -129,7 +126,7 @@ def radical(inside: Box, size: float) -> Box:
 
 def fraction(over: Box, under: Box, size: float) -> Box:
     """One box over another with a bar between them, on the mathematical axis."""
-    thin, axis = 0.05 * size, 0.31 * size
+    thin, axis = 0.05 * size, 0.26 * size
     above, below, pad = 0.08 * size, 0.20 * size, 0.10 * size  # letters leave more room below than above
     wide = max(over.width, under.width) + 2 * pad
     rise = axis + above + max(over.down, 0.16 * size)

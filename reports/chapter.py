@@ -20,12 +20,12 @@ from .plots import Plots
 from .proof import proofs
 from .proof_blocks import proof_blocks
 from .prose import BODY, NOTE
-from .sketches import sketch_figure
-from .tables import Column, Row, table
+from .tables import Column, Row, noted_below, table
 from .values import table_blocks, value_blocks
 from .words import verdict
 
 VERDICT, LONG_VERDICT = 46.0, 66.0
+EARLY = ("verdicts_of", "notes", "tables")
 LONG = ("not_verified", "accepted", "outside")
 
 Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
@@ -36,22 +36,27 @@ def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[ob
     w = context.words
     proven = {check.id for proof in proofs(outcome.checks) for check in proof.checks}
     values = [value for value in outcome.values() if is_key_value(value.id)]
-    return (
-        ("verdicts_of", lambda: finding_blocks(context, outcome) + sketch_figure(context, step, outcome)),
+    parts: Parts = (
+        ("verdicts_of", lambda: finding_blocks(context, outcome)),
         ("proofs", lambda: proof_blocks(context, number, step, outcome)),
         ("kept_checks", lambda: kept_blocks(context, [check for check in outcome.checks if check.holds and check.id not in proven])),
         ("key_values", lambda: value_blocks(context, outcome, values)),
         ("tables", lambda: table_blocks(context, [t for t in outcome.tables if t.id in TABLES])),
         ("inputs", lambda: input_blocks(context, step)),
-        ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE)]),
-        ("figures", lambda: figure_blocks(context.number(tuple(outcome.curves)), w["figure"], plots, wide=True)),
+        ("notes", lambda: [block for note in outcome.notes for block in bullet(note, NOTE, gap=0.7)]),
+        ("figures", lambda: figure_blocks(context.number(outcome), w["figure"], plots, wide=True)),
     )
+    if not outcome.reason:
+        return parts
+    # what is said of the step as a whole is read with what it rests on and what it comes to, before anything is proven
+    return tuple(sorted(parts, key=lambda part: EARLY.index(part[0]) if part[0] in EARLY else len(EARLY)))
 
 
 def finding_blocks(context: Context, outcome: Outcome[object]) -> list[Block]:
     """How the step came out, and what is open or accepted, one line a cause, the worst first."""
     said = f"{verdict(context.words, outcome.verdict)}: {counted(context, outcome.checks)}."
-    made = paragraph(said, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
+    told = paragraph(context.say(outcome.reason), BODY, gap=2.0, keep=True) if outcome.reason else []
+    made = told + paragraph(said, BODY, gap=1.0, keep=True) if outcome.state == "solved" else []
     rows: list[Row] = []
     for group in grouped(outcome.checks):
         found = [check for check in group if check.verdict != "pass"]
@@ -77,7 +82,7 @@ def kept_blocks(context: Context, checks: list[Check]) -> list[Block]:
         rows.append(_row(context, least, name, _range(context, group)))
     made = table(_columns(context, hard), rows) if rows else []
     if made and len(hard) < len(checks):
-        made += paragraph(context.text("soft_hold", n=len(checks) - len(hard)), NOTE, gap=2.0)
+        made = noted_below(made, context.text("soft_hold", n=len(checks) - len(hard)))
     return made
 
 

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 
+from calc.id_words import knows
 from calc.sheet.check import URGENT, Check, grouped, with_it
 from calc.sheet.step import Erratum
 from calc.sheet.text import Amount, Text, plural
@@ -30,12 +30,6 @@ def sign_style(context: Context, state: str) -> Cell:
 
 def sign_cell(context: Context, state: str) -> Cell:
     return Cell(verdict(context.words, state), SIGN[state])
-
-
-def knows(name: str, whose: str) -> bool:
-    """Whether a name says already what it belongs to."""
-    letters = re.sub(r"\W", "", name.lower())
-    return all(word in letters for word in re.findall(r"\w+", whose.lower()))
 
 
 def shown_value(context: Context, check: Check) -> str:

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The report of a comparison: what changed between two designs, which verdicts moved, and how far the values went."""
+"""The report of a comparison: what it comes to, the inputs that differ; if asked for, every verdict, check and value that does."""
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import replace
 from pathlib import Path
 
 from calc.compare import Comparison
-from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
+from calc.compare_conclusion import moved_table, result_table, sentences
+from calc.compare_tables import Names, Sign, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document
 from calc.languages import language
@@ -18,6 +20,7 @@ from calc.sheet.step import Table
 from calc.sheet.text import EMPTY, Name
 from calc.solve import Results
 
+from . import attach
 from .binding import bind, put
 from .boxes import GREY
 from .boxes import text as text_box
@@ -26,38 +29,46 @@ from .flow import Block, bullet, heading, lines_block, paginate, paragraph
 from .fonts import FACES, widths
 from .paper import WIDTH
 from .prose import BODY, HEADING, NOTE, TITLE, lines
+from .tags import title_tag
 from .title_block import SHORT_HASH
 from .values import table_blocks
 from .words import WORDS
 
-MOST = 40  # values of a step that are shown, those that differ most first
+MOVED = 12  # verdicts that moved, in the conclusion
+DEPTHS = ("summary", "audit")  # of a comparison: the conclusion and the inputs, or everything
 Side = tuple[Document, Results]
 
 
-def write(a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en") -> Path:
+def write(a: Side, b: Side, found: Comparison, names: Names, path: Path, *, lang: str = "en", everything: bool = False) -> Path:
     """Write the report of a comparison to `path`; both design files are attached to it.  `names`: the two designs in the columns."""
-    return put(render(a, b, found, names, lang=lang), path)
+    return put(render(a, b, found, names, lang=lang, everything=everything), path)
 
 
-def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en") -> bytes:
-    """The report as the bytes of a PDF: the same designs give the same bytes."""
+def render(a: Side, b: Side, found: Comparison, names: Names, *, lang: str = "en", everything: bool = False) -> bytes:
+    """The report as the bytes of a PDF: the same designs give the same bytes.
+
+    `everything`: after the conclusion and the inputs also the verdicts of the steps, and every check and value that differs.
+    """
     for face in FACES:
         widths(face)
     (first, before), (second, after) = a, b
     context = Context(first, before, "", "engineer", language(lang))
     made = _title(context, (a, b), names)
-    made += _summary(context, found)
-    if not found.equal:
-        made += _tables(context, found, names)
+    if found.equal:
+        made += paragraph(context.words["equal"], BODY, gap=8.0)
+    else:
+        made += _conclusion(context, found, names)
         measured = compared_table((before.design, before.predicted), (after.design, after.predicted), names)
         made += table_blocks(context, [in_language(measured, context.say)]) if measured is not None else []
-    sums = [document.sha256 for document in (first, second)]
-    w = context.words
-    files = {f"{letter}.toml": (document.raw, w["file"]) for letter, document in zip("ab", (first, second))}
-    title, control = f"{names[0]} – {names[1]}", after.design.control
+        made += _section(context, "inputs", [replace(input_table(found.inputs, names, ids=False), title=EMPTY)])
+        made += _details(context, found, names) if everything else paragraph(_more(context, found), NOTE, gap=8.0)
+    w, title, control = context.words, f"{names[0]} – {names[1]}", after.design.control
+    solved = attach.pair_bytes(names, (before, after))
+    files = {name: (document.raw, w["file"]) for name, document in zip(attach.PAIR, (first, second))}
+    said = dict(depth=DEPTHS[everything], lang=lang, sha256=first.sha256, other=second.sha256, results=hashlib.sha256(solved).hexdigest())
     return bind(
-        paginate(made), files, title=title, author=control.signatures()[0][1].name, revision=control.revision, kind="comparison",
-        said=dict(lang=lang, sha256=sums[0], other=sums[1]), words=w,
+        paginate(made), files | {attach.RESULTS: (solved, w["solved"])}, title=title, author=control.signatures()[0][1].name,
+        revision=control.revision, kind="comparison", said=said, words=w,
     )  # fmt: skip
 
 
@@ -65,7 +76,7 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
     w = context.words
     made = [lines_block([text_box(w["comparison"], BODY.size, colour=GREY)], 11.0, keep=True)]
     made += [lines_block(lines(f"{names[0]} – {names[1]}", TITLE, WIDTH, 3), TITLE.leading, keep=True)]
-    made[-1] = replace(made[-1], anchor="summary", outline=(0, w["summary"]))
+    made[-1] = replace(made[-1], anchor="summary", outline=(0, w["summary"]), tag=title_tag(TITLE.size))
     rows = [
         (
             name,
@@ -77,48 +88,51 @@ def _title(context: Context, sides: tuple[Side, Side], names: Names) -> list[Blo
         for name, (d, r) in zip(names, sides)
     ]
     columns = ((EMPTY, ""), *((Name(w[key]), "") for key in ("design", "revision", "verdict", "file")))
-    return made + table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
+    made += table_blocks(context, [Table("designs", EMPTY, columns, tuple(rows))])
+    return made + paragraph(w["attached_pair"], NOTE, gap=2.0)
 
 
-def _summary(context: Context, found: Comparison) -> list[Block]:
-    """How much differs, in a few lines."""
-    w, moved = context.words, found.checks_moved
-    if found.equal:
-        return paragraph(w["equal"], BODY, gap=8.0)
-    worse = sum(d.worse for d in moved)
-    sentences = [
-        context.text("inputs_differ", count=len(found.inputs)), context.text("steps_move", count=len(found.steps_moved)),
-        context.text("checks_move", count=len(moved), worse=worse, better=len(moved) - worse),
-        context.text("values_differ", count=sum(d.both for d in found.values), lone=sum(not d.both for d in found.values)),
-    ]  # fmt: skip
-    return [block for n, text in enumerate(sentences) for block in bullet(text, gap=8.0 if n == 0 else 1.5)]
+def _conclusion(context: Context, found: Comparison, names: Names) -> list[Block]:
+    """What the comparison comes to: in sentences, then what moved and the key results."""
+    sign = _signs(context)
+    said = sentences(found, names, sign)
+    made = [block for n, text in enumerate(said) for block in bullet(context.say(text), gap=8.0 if n == 0 else 1.5)]
+    tables = (moved_table(found, names, sign, MOVED), result_table(found, names))
+    return made + table_blocks(context, [in_language(table, context.say) for table in tables if table.rows or table.note])
 
 
-def _tables(context: Context, found: Comparison, names: Names) -> list[Block]:
-    w, say = context.words, context.say
+def _signs(context: Context) -> Sign:
+    return lambda verdict: f"{SIGNS[verdict]} {context.words[verdict]}"
 
-    def sign(verdict: str) -> str:
-        return f"{SIGNS[verdict]} {w[verdict]}"
 
-    def section(key: str, tables: list[Table]) -> list[Block]:
-        tables = [in_language(table, say) for table in tables if table.rows]
-        if not tables:
-            return []
-        return heading(w[key], HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
+def _section(context: Context, key: str, tables: list[Table]) -> list[Block]:
+    """Tables under a heading; those without rows are left out."""
+    tables = [in_language(table, context.say) for table in tables if table.rows]
+    if not tables:
+        return []
+    title = context.words[key]
+    return heading(title, HEADING, gap=18.0, after=2.0, anchor=key, outline=0, need=90.0, ruled=True) + table_blocks(context, tables)
 
+
+def _more(context: Context, found: Comparison) -> str:
+    """What is not shown."""
+    return context.text("more_differ", checks=len(found.checks), values=len(found.values))
+
+
+def _details(context: Context, found: Comparison, names: Names) -> list[Block]:
+    """The verdicts of the steps, and every check and value that differs."""
+    sign = _signs(context)
     values = []
     for step in STEPS:
         of_step = [d for d in found.values if d.step == step.key and d.both]
-        table = value_table(step.key, step.title, of_step[:MOST], names, ids=False)
-        more = len(of_step) - MOST
-        values.append(replace(table, note=Name(context.text("more_values", n=more))) if more > 0 else table)
-    made = section("inputs", [replace(input_table(found.inputs, names, ids=False), title=EMPTY)])
-    made += section("verdicts", [replace(verdict_table(found, names, sign), title=EMPTY)])
-    made += section("checks", [
+        values.append(value_table(step.key, step.title, of_step, names, ids=False))
+    made = _section(context, "verdicts", [replace(verdict_table(found, names, sign), title=EMPTY)])
+    made += _section(context, "checks", [
         replace(check_table(found.checks_moved, names, sign, ids=False), title=WORDS["moved"]),
         replace(check_table(found.checks_lone, names, sign, ids=False), title=WORDS["lone"]),
         replace(check_table(found.checks_kept, names, sign, ids=False), title=WORDS["kept"]),
     ])  # fmt: skip
-    made += section("results", values)
-    lone_values, lone_checks = any(not d.both for d in found.values), any(not d.both for d in found.checks)
-    return made + (paragraph(w["lone_values"], NOTE, gap=6.0) if lone_values or lone_checks else [])
+    made += _section(context, "results", values)
+    if lone := sum(not d.both for d in found.values) + sum(not d.both for d in found.checks):
+        made += paragraph(context.text("lone_values", n=lone), NOTE, gap=6.0)
+    return made

@@ -7,7 +7,7 @@ from calc.design import STEPS, Design
 from calc.design_file import Document
 from calc.explain import Chains
 from calc.id_words import belongs
-from calc.key_values import CURVES, concerns, like
+from calc.key_values import CURVES, like, outside
 from calc.languages import Language
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.quantity import Published
@@ -16,6 +16,7 @@ from calc.sheet.text import Amount, Part, Text, plural
 from calc.solve import Results
 
 from .logo import Logo
+from .symbols import Symbol
 from .words import WORDS
 
 DEPTHS = ("summary", "engineer", "audit")
@@ -34,6 +35,9 @@ class Context:
     original: Results | None = None  # the same results with their texts as data, if `results` are said in a language already
     logo: Logo | None = None
     figures: int = 0
+    chapter: str = ""  # key of the step whose chapter is being made
+    symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set
+    labels: dict[tuple[str, str], str] = field(default_factory=dict)  # chapter and symbol → what the value or input is called
     sources: dict[str, list[str]] = field(default_factory=dict)  # source, as the formula or check has it → titles of the steps that use it
     cited: set[str] = field(default_factory=set)  # those of what stands in the report
     words: dict[str, str] = field(init=False)  # the report's own, in its language
@@ -90,19 +94,23 @@ class Context:
         """What a value or check belongs to: `bearings.front.film_edge` → ["front"], in the report's language."""
         return [self.say(word) for word in belongs(id)]
 
-    def number(self, curves: tuple[Curve, ...]) -> list[tuple[int, Curve]]:
-        """The curves of a step with their numbers: all of them for an audit, else the main ones."""
+    def number(self, outcome: Outcome[object]) -> list[tuple[int, Curve]]:
+        """The curves of a step with the numbers of their figures, one for a whole stack: all of them for an audit, else the main ones."""
+        curves = tuple(outcome.curves)
         if not self.audit:
+            curves += tuple(outcome.key_curves)
             firsts = [next((c for c in curves if like(c.id, (pattern,))), None) for pattern in CURVES]
             curves = tuple(curve for curve in firsts if curve is not None)
-        first = self.figures + 1
-        self.figures += len(curves)
-        return list(enumerate(curves, first))
+        numbered: list[tuple[int, Curve]] = []
+        for curve in curves:
+            if not (curve.stack and numbered and numbered[-1][1].stack == curve.stack):
+                self.figures += 1
+            numbered.append((self.figures, curve))
+        return numbered
 
     def outside(self, check: Check) -> list[Check]:
         """The checks of the method that put a check outside the validity of its formula."""
-        checks = self.results.outcomes[check.id.partition(".")[0]].checks
-        return [one for one in checks if one.kind == "method" and not one.holds and concerns(one.id, check.id)]
+        return outside(check, self.results.outcomes[check.id.partition(".")[0]].checks)
 
     def state(self, check: Check) -> str:
         """The verdict of a check; one that holds by a formula outside its validity is not called a pass."""

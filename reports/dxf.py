@@ -5,47 +5,45 @@ Nothing of the machine or the hour stands in it: the same drawing gives the same
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from io import StringIO
 from typing import TYPE_CHECKING, Any
 
-from calc.sheet.drawing import Arc, Dimension, Point, Polyline, Primitive, Words
+from calc.drawings import Sheet
+from calc.sheet.dimension import ARROW, BEYOND, OFF, strokes, written
+from calc.sheet.drawing import Arc, Area, Dimension, Hatch, Ink, Point, Polyline, Words, enlarged, reach
+from calc.sheet.layers import LAYERS
 from calc.sheet.units import UNITS
 
 if TYPE_CHECKING:
     from ezdxf.document import Drawing
-    from ezdxf.layouts import Modelspace
+    from ezdxf.layouts import BaseLayout
 
 VERSION = "R2010"  # the oldest with UTF-8 text that programs of today write; all CAD programs read it
 MILLIMETRES = 4  # code of DXF's $INSUNITS
 COLOURS = {
-    "OUTLINE": 7,
-    "SECTORS": 5,
-    "JOURNALS": 3,
-    "GEAR": 6,
-    "AXIS": 1,
-    "SUPPORTS": 30,
-    "DIMENSIONS": 8,
-    "TEXT": 7,
-    "PROFILE": 7,
-    "PROFILE_MAX": 8,
-    "PROFILE_MIN": 9,
-    "TIP": 4,
-    "REFERENCE": 2,
-    "BASE": 6,
-    "ROOT": 4,
-    "FORM": 3,
-    "WORKING": 30,
-}  # of the DXF palette
+    "PROFILE": 7, "PROFILE_MAX": 8, "PROFILE_MIN": 9, "TIP": 4, "REFERENCE": 2, "BASE": 6, "ROOT": 4, "FORM": 3, "WORKING": 30, "AXIS": 1,
+}  # fmt: skip  # of the DXF palette, for what is drawn of gears; a sheet's layers have their own
 DASH_DOTTED = ("AXIS", "REFERENCE", "WORKING")  # centre lines, and circles that nothing touches, as ISO 128 has them
 WIDE = 1.6  # width of a usual window over its height
 STYLE = "CONTRALBERO"  # of the dimensions
+LETTERS = "ISO 3098"  # style of a sheet's letters
+FONT = "isocpeur.ttf"  # what CAD programs have for ISO 3098; its letters are narrower than those that a sheet makes room for
+DIAGONAL = math.sqrt(0.5)
 mm = UNITS["mm"].shown
 
 
-def dxf(drawing: Sequence[Primitive], layers: tuple[str, ...] = ()) -> str:
-    """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they are named."""
+def sheet_dxf(sheet: Sheet) -> str:
+    """A drawing sheet as the text of a DXF file: its part in full size, and paper, letters and line types larger in the same measure."""
+    return dxf([enlarged(mark, 1 / sheet.scale) for mark in sheet.marks], tuple(LAYERS), 1 / sheet.scale)
+
+
+def dxf(drawing: Sequence[Ink], layers: tuple[str, ...] = (), by: float = 1.0) -> str:
+    """The text of a DXF file.  `layers` are there even where nothing stands on them; further ones are made where they are named.
+
+    `by`: how many times longer than on paper the dashes of its lines are.
+    """
     import ezdxf
 
     with _fixed():
@@ -53,14 +51,16 @@ def dxf(drawing: Sequence[Primitive], layers: tuple[str, ...] = ()) -> str:
         document.linetypes.add("CENTER", [20.0, 12.5, -2.5, 2.5, -2.5], description="Center ____ _ ____")
         style: Any = document.dimstyles.duplicate_entry("Standard", STYLE)
         style.dxf.update({"dimdec": 2, "dimzin": 8, "dimdsep": ord("."), "dimtad": 1, "dimtih": 0, "dimtoh": 0, "dimlunit": 2})
-        style.dxf.update({part: COLOURS["DIMENSIONS"] for part in ("dimclrd", "dimclre", "dimclrt")})
+        style.dxf.update({"dimtxt": 2.5 * by, "dimasz": ARROW * 2.5 * by, "dimexe": BEYOND * 2.5 * by, "dimexo": OFF * 2.5 * by})
+        document.styles.add(LETTERS, font=FONT)
         for layer in layers:
-            _layer(document, layer)
+            _layer(document, layer, by)
+        document.header["$LWDISPLAY"] = 1  # the widths of the lines are shown
         space = document.modelspace()
-        for primitive in drawing:
-            if primitive.layer not in document.layers:
-                _layer(document, primitive.layer)
-            _draw(space, primitive)
+        for mark in drawing:
+            if mark.layer not in document.layers:
+                _layer(document, mark.layer, by)
+            _draw(document, space, mark)
         _view(document, drawing)
         for kind in sorted(document.entitydb.dxf_types_in_use()):
             document.classes.add_class(kind)  # else they are written in the order of a set, another one in each run
@@ -82,13 +82,20 @@ def _fixed() -> Iterator[None]:
         options.write_fixed_meta_data_for_testing = before
 
 
-def _layer(document: "Drawing", name: str) -> None:
-    document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name in DASH_DOTTED else "CONTINUOUS")
+def _layer(document: "Drawing", name: str, by: float) -> None:
+    if (known := LAYERS.get(name)) is None:
+        document.layers.add(name, color=COLOURS.get(name, 7), linetype="CENTER" if name in DASH_DOTTED else "CONTINUOUS")
+        return
+    dashes = [dash * by for dash in known.dashes]
+    if dashes and f"{name}_LINE" not in document.linetypes:
+        document.linetypes.add(f"{name}_LINE", [sum(map(abs, dashes)), *dashes])
+    layer = document.layers.add(name, color=known.colour, linetype=f"{name}_LINE" if dashes else "CONTINUOUS")
+    layer.dxf.lineweight = round(100 * known.width)
 
 
-def _view(document: "Drawing", drawing: Sequence[Primitive]) -> None:
+def _view(document: "Drawing", drawing: Sequence[Ink]) -> None:
     """What a program shows when it opens the file: all of it."""
-    points = [_at(point) for primitive in drawing for point in _points(primitive)]
+    points = [_at(point) for mark in drawing for point in _points(mark)]
     if not points:
         return
     (left, right), (low, high) = ((min(places), max(places)) for places in zip(*points))
@@ -97,43 +104,69 @@ def _view(document: "Drawing", drawing: Sequence[Primitive]) -> None:
     document.set_modelspace_vport(1.1 * height, ((left + right) / 2, (low + high) / 2))
 
 
-def _points(primitive: Primitive) -> tuple[Point, ...]:
-    match primitive:
-        case Polyline():
-            return primitive.points
-        case Arc():
-            (x, y), r = primitive.centre, primitive.radius
-            return (x - r, y - r), (x + r, y + r)
-        case Words():
-            return (primitive.at,)
+def _points(mark: Ink) -> Iterable[Point]:
+    match mark:
+        case Hatch(outlines=outlines):
+            return [point for outline in outlines for point in outline]
         case Dimension():
-            return primitive.start, primitive.end, primitive.line
+            return mark.start, mark.end, mark.line
+        case _:
+            return reach(mark)
 
 
-def _draw(space: "Modelspace", primitive: Primitive) -> None:
-    on = {"layer": primitive.layer}
-    match primitive:
+def _draw(document: "Drawing", space: "BaseLayout", mark: Ink) -> None:
+    on = {"layer": mark.layer}
+    match mark:
         case Polyline():
-            space.add_lwpolyline([_at(point) for point in primitive.points], close=primitive.closed, dxfattribs=on)
-        case Arc() if primitive.end - primitive.start >= 2 * math.pi:
-            space.add_circle(_at(primitive.centre), mm(primitive.radius), dxfattribs=on)
+            space.add_lwpolyline([_at(point) for point in mark.points], close=mark.closed, dxfattribs=on)
+        case Arc() if mark.end - mark.start >= 2 * math.pi:
+            space.add_circle(_at(mark.centre), mm(mark.radius), dxfattribs=on)
         case Arc():
-            start, end = math.degrees(primitive.start) % 360, math.degrees(primitive.end) % 360
-            space.add_arc(_at(primitive.centre), mm(primitive.radius), start, end, dxfattribs=on)
+            start, end = math.degrees(mark.start) % 360, math.degrees(mark.end) % 360
+            space.add_arc(_at(mark.centre), mm(mark.radius), start, end, dxfattribs=on)
         case Words():
-            space.add_text(_clean(primitive.text), height=mm(primitive.height), dxfattribs=on).dxf.insert = _at(primitive.at)
+            _words(space, mark)
+        case Area(outlines=outlines):
+            for outline in outlines:
+                space.add_solid([_at(point) for point in (*outline, outline[-1])[:4]], dxfattribs=on)
+        case Hatch():
+            _hatch(space, mark)
         case Dimension():
-            h = mm(primitive.height)
-            sizes: dict[str, Any] = {"dimtxt": h, "dimasz": 0.8 * h, "dimexe": 0.5 * h, "dimexo": 0.3 * h, "dimgap": 0.25 * h}
-            if primitive.diameter:
-                sizes["dimpost"] = "⌀<>"
-            style = space.add_linear_dim(
-                base=_at(primitive.line), p1=_at(primitive.start), p2=_at(primitive.end), angle=90 if primitive.upright else 0,
-                dimstyle=STYLE, override=sizes, dxfattribs=on,
-            )  # fmt: skip
-            if primitive.shift:
-                style.shift_text(mm(primitive.shift), 0)
-            style.render()
+            _dimension(document, space, mark)
+
+
+def _words(space: "BaseLayout", words: Words) -> None:
+    on = {"layer": words.layer} | ({"style": LETTERS} if words.layer in LAYERS else {}) | ({"rotation": 90.0} if words.turned else {})
+    text = space.add_text(_clean(words.text), height=mm(words.height), dxfattribs=on)
+    if words.side == "left":
+        text.dxf.insert = _at(words.at)
+    else:
+        from ezdxf.enums import TextEntityAlignment as Side
+
+        text.set_placement(_at(words.at), align=Side.CENTER if words.side == "centre" else Side.RIGHT)
+
+
+def _hatch(space: "BaseLayout", hatch: Hatch) -> None:
+    """As a hatch of the program that opens the file, its lines where the report has them."""
+    made = space.add_hatch(dxfattribs={"layer": hatch.layer})
+    apart = mm(hatch.spacing) * DIAGONAL
+    made.set_pattern_fill("ANSI31", color=256, definition=[[45.0, (0.0, 0.0), (-apart, apart), []]])
+    for outline in hatch.outlines:
+        made.paths.add_polyline_path([_at(point) for point in outline], is_closed=True)
+
+
+def _dimension(document: "Drawing", space: "BaseLayout", dimension: Dimension) -> None:
+    """A dimension that knows what it measures, with the strokes of the report as its picture."""
+    block = document.blocks.new_anonymous_block(type_char="D")
+    drawn = strokes(dimension)
+    for stroke in drawn:
+        _draw(document, block, stroke)
+    number = next(stroke for stroke in drawn if isinstance(stroke, Words))
+    space.new_entity("DIMENSION", {
+        "layer": dimension.layer, "dimstyle": STYLE, "geometry": block.name, "dimtype": 32, "text": _clean(written(dimension)),
+        "angle": 90.0 if dimension.upright else 0.0, "defpoint": (*_at(dimension.line), 0.0), "defpoint2": (*_at(dimension.start), 0.0),
+        "defpoint3": (*_at(dimension.end), 0.0), "text_midpoint": (*_at(number.at), 0.0),
+    })  # fmt: skip
 
 
 def _at(point: Point) -> tuple[float, float]:

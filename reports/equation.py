@@ -11,32 +11,36 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from calc.languages import Language
-from calc.sheet.expression import Shown, plain, respelled, result, show, text
+from calc.sheet.expression import Shown, plain, respelled, result, show, symbol_of, text
 from calc.sheet.text import Name, with_unit
 from calc.sheet.trace import Equation, Line
 
 from .boxes import Box, row, space
 from .boxes import text as text_box
+from .content import Formula
 from .context import Context
 from .flow import Block
 from .fonts import clean
+from .nomenclature import noted_line
 from .paper import WIDTH
 from .prose import CELL, NOTE, SOURCE
 from .prose import lines as text_lines
+from .symbols import BETWEEN
 from .typeset import Piece, formula, lines, symbol
 
 if TYPE_CHECKING:
     from .pen import Pen
 
-SIZE = 8.2
-LEAD = 3.0  # between the lines of one formula
+SIZE = 9.4
+LEAD = 2.4  # between the lines of one formula
 GAP = 5.0  # between formulas
-SOURCE_WIDTH = 128.0
+SOURCE_WIDTH = 140.0
 COLUMN = WIDTH - SOURCE_WIDTH - 14.0  # of the formulas
 SIGN = 36.0  # where the equals sign stands, unless labels need more
 PARTS = 4  # shown with their numbers
 MOST = 4  # lines of one formula for one part
 LISTED = 24  # further values
+APART = 12.0  # of a number and the further values behind it
 TALL = 1.7 * SIZE  # a line of numbers that is no taller is short
 
 
@@ -86,50 +90,73 @@ def entry_blocks(entry: Entry, source: str, sign: float, *, labelled: bool, cont
     their values only.  Of more than two parts only the first is written out, unless the numbers fit on a line.
     """
     first = shown(entry.lines[0][1], context.say, entry.place)
-    head = symbol(first.symbol, SIZE)
+    alike = len({symbol_of(line) for _, line in entry.lines}) == 1
+    indexed = BETWEEN.join(dict.fromkeys(noted_line(context, line) for _, line in (entry.lines if alike else entry.lines[:1])))
+    head = symbol(first.symbol if alike else entry.formula.symbol, SIZE)
     sign = max(sign, head.width + 4.0)
     if len(entry.lines) == 1 and not labelled:
         copied = f"{spoken(first)} {spoken_numbers(first)}"
-        return [_block(head, [("", line) for line in _whole(first, sign)], sign, source, copied, gap=gap)]
+        whole = [("", line) for line in _whole(first, sign)]
+        alone = _block(head, whole, sign, source, copied, Formula(first, (("", first),), "", source), gap=gap)
+        return [replace(alone, indexed=indexed)]
     rows: list[tuple[str, Box]] = [("", line) for line in _formula_lines(first, sign)]
     words_of_all = [spoken(first)]
     parts = list(_parts(entry.lines).values())
-    groups: list[tuple[list[tuple[str, Box]], list[str]]] = []
+    groups: list[tuple[list[tuple[str, Box]], list[str], list[tuple[str, Shown]], str]] = []
     rest: list[Labelled] = []
     for n, calculations in enumerate(parts):
         if n >= entry.parts and not entry.full:
             rest += calculations
             continue
-        own, said, others = _calculated(calculations, sign, context.say, entry.place, labelled=labelled)
+        own, said, others, numbers = _calculated(calculations, sign, context.say, entry.place, labelled=labelled)
         if n and len(parts) > 2 and not entry.full and (len(own) > 1 or own[0][1].height > TALL):
             rest += calculations
             continue
         more = _others(others, own, said, context)
-        own += [("", line) for line in text_lines(more, NOTE, COLUMN - sign, 8)] if more else []
-        groups.append((own, [*said, more]))
+        groups.append((_with_others(own, more, sign), [*said, more], numbers, more))
     if more := _others(rest, [], [], context):
-        groups.append(([("", line) for line in text_lines(more, NOTE, COLUMN - sign, 12)], [more]))
-    (own, said), *later = groups
-    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), gap=gap)
-    return [first_block, *(_block(None, own, sign, "", " ".join(said), gap=LEAD) for own, said in later)]
+        own, said, numbers, before = groups.pop()
+        groups.append((_with_others(own, more, sign), [*said, more], numbers, " ".join(filter(None, (before, more)))))
+    (own, said, numbers, more), *later = groups
+    content = Formula(first, tuple(numbers), more, source)
+    first_block = _block(head, rows + own, sign, source, " ".join([*words_of_all, *said]), content, gap=gap)
+    return [
+        replace(first_block, indexed=indexed),
+        *(
+            _block(None, own, sign, "", " ".join(said), Formula(None, tuple(numbers), more, ""), gap=LEAD)
+            for own, said, numbers, more in later
+        ),
+    ]
 
 
 def _calculated(
     calculations: list[Labelled], sign: float, say: Language, place: Place | None, *, labelled: bool
-) -> tuple[list[tuple[str, Box]], list[str], list[Labelled]]:
-    """The first calculation of a part with its numbers: its rows, the same as words, and the part's other calculations."""
+) -> tuple[list[tuple[str, Box]], list[str], list[Labelled], list[tuple[str, Shown]]]:
+    """The first calculation of a part with its numbers: its rows, the same as words, the part's other calculations, and its lines."""
     full = calculations[0][0]
     own: list[tuple[str, Box]] = []
     said: list[str] = []
     others: list[Labelled] = []
+    lines: list[tuple[str, Shown]] = []
     for label, line in calculations:
         if label != full or len(said) >= MOST:
             others.append((label, line))
         elif (again := spoken_numbers(made := shown(line, say, place))) not in said:
             name = label.text() if labelled and not said else ""
             said.append(again)
+            lines.append((name, made))
             own += [(name if i == 0 else "", r) for i, r in enumerate(_number_lines(made, sign))]
-    return own, said, others
+    return own, said, others, lines
+
+
+def _with_others(own: list[tuple[str, Box]], more: str, sign: float) -> list[tuple[str, Box]]:
+    """The rows of a part with the values of its other calculations: behind its last number where there is room, else below."""
+    if not more:
+        return own
+    told, (label, last) = text_lines(more, NOTE, COLUMN - sign, 12), own[-1]
+    if len(told) == 1 and last.width + APART + told[0].width <= COLUMN - sign:
+        return [*own[:-1], (label, row([last, told[0]], APART))]
+    return [*own, *(("", line) for line in told)]
 
 
 def _parts(labelled: list[Labelled]) -> dict[str, list[Labelled]]:
@@ -234,7 +261,9 @@ def _hung(set_lines: list[Box]) -> list[Box]:
     return made
 
 
-def _block(head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, *, gap: float, keep: bool = False) -> Block:
+def _block(
+    head: Box | None, rows: list[tuple[str, Box]], sign: float, source: str, said: str, content: Formula, *, gap: float,
+) -> Block:  # fmt: skip
     """One formula as a block: its lines below each other, the source to the right."""
     beside = text_lines(source, SOURCE, SOURCE_WIDTH) if source else []
     labels = [text_lines(label, NOTE, sign - 6.0, 3) if label else [] for label, _ in rows]
@@ -261,4 +290,4 @@ def _block(head: Box | None, rows: list[tuple[str, Box]], sign: float, source: s
         for i, part in enumerate(beside):
             pen.put(part, WIDTH - SOURCE_WIDTH, top - lift - i * SOURCE.leading - 0.76 * SOURCE.size)
 
-    return Block(height, draw, gap, keep)
+    return Block(height, draw, gap, content=content)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """A curve of the sheet as a figure: one style, readable in grey print.
 
-Lines differ by their pattern as well as by their colour, bars by their grey; the legend stands above the axes where it can hide
-nothing, and a locus is drawn in true scale.  All variants of a curve stand in one figure; two of many lines stand beside each other.
+Lines differ by their pattern as well as by their colour, bars by their grey.  Over the page's whole width lines bear their names; else the
+legend stands above the axes where it can hide nothing.  A locus is drawn in true scale.  All variants of a curve stand in one figure; two
+of many lines stand beside each other.
 """
 
 from __future__ import annotations
@@ -14,30 +15,38 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from calc.sheet.number import short
-from calc.sheet.step import Curve, Series
+from calc.sheet.step import Curve
 from calc.sheet.text import COMMA, EMPTY
 
 from .arrows import arrows, sample_arrow
 from .boxes import BLACK, Box, Colour
+from .content import Picture
 from .flow import Block
+from .line_labels import at_the_ends, margin
 from .paper import LEFT, WIDTH
 from .plots import (
+    ALONE,
     EDGE,
     HIGH,
     LEFT_AXIS,
     LETTER,
     LOW,
     RIGHT_AXIS,
+    Look,
     Plots,
     bar_colour,
     hatching,
+    in_words,
     limit_style,
     limits,
     numbers,
     plot,
+    series_label,
     series_style,
 )
 from .prose import STRONG, lines
+from .stacked import Stack
+from .tags import FIGURE, Tag
 from .tornado import Lying, dashed, lies
 
 if TYPE_CHECKING:
@@ -47,6 +56,7 @@ GUTTER = 16.0
 PART = (WIDTH - GUTTER) / 2
 TALL, LOW_AXES, SQUARE = 128.0, 92.0, 160.0  # height of the axes: beside another, over the whole width, in true scale
 FLAT, ROOM = 2.0, 1.2  # width over height from which a drawing is flat, and the room it gets around it
+NAMED = 5  # lines: so many bear their names
 CROWDED = 4  # lines; two variants of more are drawn apart
 SAMPLE = 20.0  # width of a legend's sample
 
@@ -56,23 +66,30 @@ Sample = Callable[["Pen", float, float], None]  # draws it at a place: from the 
 def figure_blocks(numbered: list[tuple[int, Curve]], word: str, plots: Plots, *, wide: bool = False) -> list[Block]:
     """Figures two beside each other, each with its number and title below; `wide`: each over the whole width, if its scale allows it."""
     blocks = []
-    curves = [part for number, curve in numbered for part in _apart(number, curve)]
+    stacks = {number: [c for n, c in numbered if n == number] for number, curve in numbered if curve.stack}
+    curves = [part for number, curve in numbered if not curve.stack or curve is stacks[number][0] for part in _apart(number, curve)]
     n = 0
     while n < len(curves):
         row = curves[n : n + 1] if _alone(curves[n : n + 2], wide) else curves[n : n + 2]
         alone = len(row) == 1
-        pair = [_Figure(number, c, word, plots, WIDTH if _broad(c) or (alone and not c.equal) else PART) for number, c in row]
+        pair: list[_Figure | Stack] = [
+            Stack(number, stacks[int(number)], word, plots) if c.stack
+            else _Figure(number, c, word, plots, WIDTH if _broad(c) or (alone and not c.equal) else PART)
+            for number, c in row
+        ]  # fmt: skip
         n += len(row)
         above = max(len(f.legend) for f in pair)
         for figure in pair:
             figure.rows = above  # so that the axes of neighbours stand level
         height = max(f.height for f in pair)
 
-        def draw(pen: Pen, y: float, pair: list[_Figure] = pair) -> None:
+        def draw(pen: Pen, y: float, pair: list[_Figure | Stack] = pair) -> None:
             for i, figure in enumerate(pair):
-                figure.draw(pen, i * (PART + GUTTER), y)
+                with pen.tagged(figure.tag):
+                    figure.draw(pen, i * (PART + GUTTER), y)
 
-        blocks.append(Block(height, draw, gap=8.0))
+        below = min(height - figure.height + figure.under for figure in pair)
+        blocks.append(Block(height, draw, gap=8.0, content=Picture(tuple(figure.title for figure in pair), below)))
     return blocks
 
 
@@ -96,7 +113,7 @@ def _alone(two: list[tuple[str, Curve]], wide: bool) -> bool:
 
 def _broad(curve: Curve) -> bool:
     """Whether a figure takes the page's whole width whatever stands beside it."""
-    return lies(curve) or _flat(curve)
+    return bool(curve.stack) or lies(curve) or _flat(curve)
 
 
 def _flat(curve: Curve) -> bool:
@@ -115,8 +132,12 @@ class _Figure:
 
     def __init__(self, number: str, curve: Curve, word: str, plots: Plots, width: float) -> None:
         self.curve, self.plots, self.width = curve, plots, width
-        self.caption = lines(f"{word} {number}. {curve.title}", STRONG, width - LEFT_AXIS, 3)
-        self.legend = _legend(curve, width - LEFT_AXIS)
+        self.title = f"{word} {number}. {curve.title}"
+        self.tag = Tag(FIGURE, alt=f"{self.title}. {in_words(curve)}")
+        self.caption = lines(self.title, STRONG, width - LEFT_AXIS, 3)
+        named = width == WIDTH and not (curve.equal or curve.bars or curve.variants) and len(curve.series) <= NAMED
+        self.look = Look(at_the_ends, margin(curve)) if named else ALONE
+        self.legend = [] if self.look.named else _legend(curve, width - LEFT_AXIS)
         self.rows = len(self.legend)
         self.axes = SQUARE if curve.equal else TALL if width < WIDTH else LOW_AXES
         self.wide = LEFT_AXIS + SQUARE + RIGHT_AXIS if curve.equal else width
@@ -132,7 +153,12 @@ class _Figure:
 
     @property
     def height(self) -> float:
-        return self.legend_height + HIGH + self.axes + LOW + len(self.caption) * STRONG.leading
+        return self.legend_height + HIGH + self.axes + LOW + self.under
+
+    @property
+    def under(self) -> float:
+        """What the caption takes."""
+        return len(self.caption) * STRONG.leading
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         top = y - LETTER.leading * (self.rows - len(self.legend) + 0.78)
@@ -148,7 +174,7 @@ class _Figure:
             self.lying.draw(pen, x, low)
         else:
             height = self.axes + LOW + HIGH
-            pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height))
+            pen.figure(lambda: plot(self.plots, pen, self.curve, LEFT + x, low, self.wide, height, self.look))
         for i, line in enumerate(self.caption):
             pen.put(line, x + LEFT_AXIS, low - (i + 0.78) * STRONG.leading)
 
@@ -174,12 +200,6 @@ def _legend(curve: Curve, space: float) -> list[list[tuple[Sample, Box]]]:
         rows[-1].append((sample, box))
         filled += wide
     return rows if rows[0] else []
-
-
-def series_label(curve: Curve, series: Series) -> str:
-    """What the legend calls a series: with its variant where other variants have one of the same name."""
-    alone = sum(s.label == series.label for s in curve.series) == 1
-    return series.label if alone and series.label else ", ".join(x for x in (series.label, series.variant) if x)
 
 
 def _label(words: str, space: float) -> Box:

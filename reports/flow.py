@@ -8,9 +8,11 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from .boxes import BLACK, FAINT, Box, Colour
+from .content import Content, Heading, Words
 from .paper import HEIGHT, WIDTH
-from .prose import BODY, Style
+from .prose import BODY, HEADING, SECTION, Style
 from .prose import lines as text_lines
+from .tags import Tag, title_tag
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -22,6 +24,7 @@ class Block:
 
     `gap`: space above, left out at the top of a page.  `keep`: stays with the next block.  `repeat`: is drawn first where this
     block begins a page.  `need`: begins a page unless so much of the page is left.  `anchor`: links and the outline lead here.
+    `tag`: what it is; left out, a paragraph.
     """
 
     height: float
@@ -33,12 +36,20 @@ class Block:
     anchor: str = ""
     outline: tuple[int, str] | None = None  # level and title
     indexed: str = ""  # under which name the index leads here
+    content: Content | None = None
+    tag: Tag | None = None
+    page: tuple[float, float] | None = None  # the size of a page that it fills by itself, without running head and foot
 
 
 @dataclass(slots=True)
 class Page:
     blocks: list[tuple[float, Block]] = field(default_factory=list)  # distance from the upper margin
     filled: float = 0.0
+
+    @property
+    def size(self) -> tuple[float, float] | None:
+        """Of a page that a block fills by itself; None for one of running text."""
+        return self.blocks[0][1].page if self.blocks else None
 
 
 def paginate(blocks: Iterable[Block], height: float = HEIGHT) -> list[Page]:
@@ -48,7 +59,8 @@ def paginate(blocks: Iterable[Block], height: float = HEIGHT) -> list[Page]:
         page = pages[-1]
         whole = sum(b.height + b.gap for b in chain)
         left = height - page.filled
-        if page.blocks and (whole > left + 1e-6 or (chain[0].need and chain[0].need > left)):
+        alone = page.size is not None or chain[0].page is not None
+        if page.blocks and (alone or whole > left + 1e-6 or (chain[0].need and chain[0].need > left)):
             page = Page()
             pages.append(page)
             if (again := chain[0].repeat) is not None:
@@ -78,24 +90,25 @@ def _chains(blocks: list[Block], height: float) -> Iterable[list[Block]]:
 
 
 # --- simple blocks ------------------------------------------------------------------------------------------------------------
-def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False) -> Block:
+def lines_block(lines: list[Box], leading: float, *, x: float = 0.0, gap: float = 0.0, keep: bool = False, tag: Tag | None = None) -> Block:
     """Lines of text as one block."""
 
     def draw(pen: Pen, y: float) -> None:
         for i, line in enumerate(lines):
             pen.put(line, x, y - (i + 0.78) * leading)
 
-    return Block(leading * len(lines), draw, gap, keep)
+    return Block(leading * len(lines), draw, gap, keep, tag=tag)
 
 
 def paragraph(words: str, style: Style = BODY, *, x: float = 0.0, gap: float = 3.0, keep: bool = False, most: int = 0) -> list[Block]:
     """A paragraph, line by line, so that it may run over a page; its first and last two lines stay together."""
     set_lines = text_lines(words, style, WIDTH - x, most)
-    n = len(set_lines)
-    return [
-        lines_block([line], style.leading, x=x, gap=gap if i == 0 else 0.0, keep=keep if i == n - 1 else i == 0 or i == n - 2)
+    n, tag = len(set_lines), Tag("P")
+    made = [
+        lines_block([line], style.leading, x=x, gap=gap if i == 0 else 0.0, keep=keep if i == n - 1 else i == 0 or i == n - 2, tag=tag)
         for i, line in enumerate(set_lines)
     ]
+    return [replace(made[0], content=Words(words, style)), *made[1:]]
 
 
 def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float = 10.0, gap: float = 1.5) -> list[Block]:
@@ -103,12 +116,17 @@ def bullet(words: str, style: Style = BODY, *, sign: str = "–", indent: float 
     blocks = paragraph(words, style, x=indent, gap=gap)
     mark = text_lines(sign, style, indent)[0]
     first = blocks[0]
+    item = Tag("LI")
+    label, body = Tag("Lbl", item), Tag("LBody", item)
 
     def draw(pen: Pen, y: float) -> None:
-        pen.put(mark, 0.0, y - 0.78 * style.leading)
-        first.draw(pen, y)
+        with pen.tagged(label):
+            pen.put(mark, 0.0, y - 0.78 * style.leading)
+        with pen.tagged(body):
+            first.draw(pen, y)
 
-    return [replace(first, draw=draw), *blocks[1:]]
+    begun = replace(first, draw=draw, content=Words(words, style, bullet=True), tag=item)
+    return [begun, *(replace(block, tag=body) for block in blocks[1:])]
 
 
 def heading(
@@ -117,6 +135,7 @@ def heading(
 ) -> list[Block]:  # fmt: skip
     """A heading stays with what follows; it may carry an entry of the outline."""
     made = text_lines(words, style, WIDTH, 4)
+    level = 1 if style is HEADING else 2 if style is SECTION else 3
     entry = (outline, title or words) if outline is not None else None
 
     def draw(pen: Pen, y: float) -> None:
@@ -125,7 +144,14 @@ def heading(
         if ruled:
             pen.rule(0.0, y - style.leading * len(made) - 1.5, WIDTH, 0.7, BLACK)
 
-    return [Block(style.leading * len(made) + after + (2.0 if ruled else 0.0), draw, gap, True, None, need, anchor, entry)]
+    height = style.leading * len(made) + after + (2.0 if ruled else 0.0)
+    said = Heading(words, level)
+    return [Block(height, draw, gap, True, None, need, anchor, entry, content=said, tag=title_tag(style.size))]
+
+
+def on_paper_only(blocks: list[Block]) -> list[Block]:
+    """What holds for the pages of a PDF and for no other form of the report: page numbers, files inside it."""
+    return [replace(block, content=None) for block in blocks]
 
 
 def ruler(gap: float = 4.0, colour: Colour = FAINT) -> Block:

@@ -18,8 +18,9 @@ from calc.sheet.units import UNITS
 
 from .context import Context
 from .flow import Block, paragraph
+from .nomenclature import noted
 from .prose import CELL, HEADER, KEY, NOTE
-from .tables import Cell, Column, Row, longest, named_table, table
+from .tables import Cell, Column, Row, longest, named_table, noted_below, table
 from .typeset import symbol
 from .values import paired_table
 
@@ -63,8 +64,11 @@ def _given(key: Key, data: dict[str, Any]) -> _Given:
     return _Given(exact(default, rounded=True), not isinstance(default, str), default=True)
 
 
-def _symbol(about: Quantity) -> Cell:
-    return Cell(box=symbol(greek(about.symbol), CELL.size)) if about.symbol else Cell()
+def _symbol(context: Context, about: Quantity) -> Cell:
+    if not about.symbol:
+        return Cell()
+    name = greek(about.symbol)
+    return Cell(box=symbol(name, CELL.size), indexed=noted(context, name, context.say(about.label), about.unit))
 
 
 def _column(about: Quantity, say: Language) -> Column:
@@ -111,7 +115,8 @@ class _Tables:
                 self.left_out.append(_left_out(key, self.say))
                 continue
             rows.append((
-                self.say(key.about.label), _symbol(key.about), self.value(given), key.about.unit, Cell(f"{prefix}.{key.key}", KEY),
+                self.say(key.about.label), _symbol(self.context, key.about), self.value(given), key.about.unit,
+                Cell(f"{prefix}.{key.key}", KEY),
             ))  # fmt: skip
         if rows and not self.all:
             self.blocks += paired_table(self.context, title, [row[:4] for row in rows])
@@ -172,7 +177,7 @@ class _Tables:
         else:
             self.columns(title, [name for name, _ in parts], shown)
             if between:
-                self.blocks += paragraph(self.between(between, total), NOTE, gap=2.0)
+                self.blocks = noted_below(self.blocks, self.between(between, total))
 
     def rows(self, title: str, names: list[str], shown: list[tuple[Key, list[_Given]]], between: int = 0) -> None:
         """One part a row; `between`: how many are left out in the middle."""
@@ -193,7 +198,12 @@ class _Tables:
             columns = (Column(name, "r", width=wide) for name in some)
             head = (Column(w["quantity"]), Column(w["symbol"], width=42.0), *columns, Column(w["unit"], width=30.0))
             rows: list[Row] = [
-                (self.say(k.about.label), _symbol(k.about), *(self.value(g) for g in given[start : start + ACROSS]), k.about.unit)
+                (
+                    self.say(k.about.label),
+                    _symbol(self.context, k.about),
+                    *(self.value(g) for g in given[start : start + ACROSS]),
+                    k.about.unit,
+                )
                 for k, given in shown
             ]
             name = title if not start else self.text("two", name=title)
@@ -220,7 +230,7 @@ def input_blocks(context: Context, step: Step) -> list[Block]:
     made.plain("", step.inputs, data, step.key)
     w = context.words
     if made.default:
-        made.blocks += paragraph(w["defaults"], NOTE, gap=3.0)
+        made.blocks = noted_below(made.blocks, w["defaults"], gap=3.0)
     if made.left_out and context.audit:
         made.blocks += paragraph(context.text("left_out", names="; ".join(dict.fromkeys(made.left_out))), NOTE, gap=1.0)
     return made.blocks

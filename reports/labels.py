@@ -56,11 +56,11 @@ def placed(labels: list[Label], pieces: Any, frame: Extent) -> list[tuple[Box, P
         for cost, box in _places(label.box(), frame):
             if best is not None and cost >= best[0]:
                 break
-            if any(_meet(box, other) for other in taken):
+            if any(meet(box, other) for other in taken):
                 continue
-            crossed = _crossed(box, pieces)
-            if best is None or cost + CROSSED * bool(crossed) < best[0]:
-                best = cost + CROSSED * bool(crossed), box, not crossed
+            across = crossed(box, pieces)
+            if best is None or cost + CROSSED * bool(across) < best[0]:
+                best = cost + CROSSED * bool(across), box, not across
         _, box, clear = best or (0.0, label.box(), False)
         taken.append(box)
         made.append((label.words, (box[0], box[1] + DOWN * SIZE), clear))
@@ -79,11 +79,11 @@ def _places(box: Extent, frame: Extent) -> list[tuple[float, Extent]]:
     return made
 
 
-def _meet(one: Extent, other: Extent) -> bool:
+def meet(one: Extent, other: Extent) -> bool:
     return one[0] < other[2] + 1.5 and other[0] < one[2] + 1.5 and one[1] < other[3] and other[1] < one[3]
 
 
-def _crossed(box: Extent, pieces: Any) -> bool:
+def crossed(box: Extent, pieces: Any) -> bool:
     """Whether a piece of line runs through a box: its ends clipped to it leave something."""
     if not len(pieces):
         return False

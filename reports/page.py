@@ -12,33 +12,45 @@ from .flow import Page
 from .paper import PAGE, TOP, WIDTH
 from .pen import Codes, Pen
 from .prose import NOTE, one_line
+from .symbols import BETWEEN
+from .tags import Tag, Tree
 
 
 def paint(
     canvas: Canvas, pages: list[Page], head: tuple[str, str], foot: tuple[str, str], counted: str, progress: Progress | None = None
-) -> None:
-    """All pages with running head, foot and outline.  `counted` holds {page} and {pages}."""
+) -> Tree:
+    """All pages with running head, foot and outline; what their parts are.  `counted` holds {page} and {pages}."""
     numbers = {block.anchor: n for n, page in enumerate(pages, 1) for _, block in page.blocks if block.anchor}
     places: dict[str, list[int]] = {}
     for n, page in enumerate(pages, 1):
         for _, block in page.blocks:
-            if block.indexed and n not in places.setdefault(block.indexed, []):
-                places[block.indexed].append(n)
+            for name in block.indexed.split(BETWEEN) if block.indexed else ():
+                if n not in places.setdefault(name, []):
+                    places[name].append(n)
     upper = PAGE[1] - TOP
     codes: dict[str, Codes] = {}
+    tree = Tree(len(pages))
     for n, page in enumerate(pages, 1):
         tell(progress, (n - 1) / len(pages), counted.format(page=n, pages=len(pages)))
-        pen = Pen(canvas, numbers, codes, places)
-        canvas.bookmarkHorizontalAbsolute(f"page-{n}", PAGE[1], left=0)
-        _running(pen, n, len(pages), head, foot, counted)
+        pen = Pen(canvas, numbers, codes, places, tree)
+        canvas.setPageSize(page.size or PAGE)
+        canvas.bookmarkHorizontalAbsolute(f"page-{n}", (page.size or PAGE)[1], left=0)
+        if page.size is not None:
+            titles = [block.outline[1] for _, block in page.blocks if block.outline is not None]
+            pen.put(one_line(" · ".join([*titles, counted.format(page=n, pages=len(pages))]), NOTE, WIDTH), 0.0, 4.0)
+        else:
+            _running(pen, n, len(pages), head, foot, counted)
+        again = page.blocks[1][1].repeat if len(page.blocks) > 1 else None
         for at, block in page.blocks:
             if block.anchor:
                 canvas.bookmarkHorizontalAbsolute(block.anchor, round(upper - at + 8.0, 2), left=0)
             if block.outline is not None:
                 canvas.addOutlineEntry(block.outline[1], block.anchor, block.outline[0], closed=block.outline[0] > 0)
-            block.draw(pen, upper - at)
+            with pen.tagged(None if block is again else block.tag or Tag("P")):
+                block.draw(pen, upper - at)
         pen.write()
         canvas.showPage()
+    return tree
 
 
 def _running(pen: Pen, number: int, count: int, head: tuple[str, str], foot: tuple[str, str], counted: str) -> None:

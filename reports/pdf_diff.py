@@ -10,8 +10,12 @@ from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
 
 from calc.version import VERSION
 
-LINK = {"/Type", "/Subtype", "/Rect", "/Border", "/Contents", "/Dest", "/P"}  # what a link of a report has, and nothing that is seen
-SIGNED = {"/AcroForm", "/Perms", "/DSS", "/Extensions", "/Metadata"}  # what a program that signs adds to a document
+from .printed import covered
+
+# What a link of a report has, and nothing that is seen
+LINK = {"/Type", "/Subtype", "/Rect", "/Border", "/Contents", "/Dest", "/P", "/F", "/StructParent"}
+SIGNED = {"/AcroForm", "/Perms", "/DSS", "/Extensions"}  # what a program that signs adds to a document
+SPOKEN = ("/S", "/Alt", "/ActualText", "/E", "/Lang", "/MCID")  # of an element, what a machine reads out, and where
 PACKED = {"/Length", "/Filter", "/DecodeParms", "/Parent"}  # how a stream is packed, and the way back up
 ACTIONS = ("/AA", "/Group", "/Trans", "/VP")  # what a page of a report does not have
 PROGRAM = "Contralbero"
@@ -46,16 +50,52 @@ def _leaves(node: Any) -> Iterator[Any]:
         yield from _leaves(_resolved(kid))
 
 
-def about(old: PdfReader, new: PdfReader) -> list[Difference]:
+def about(old: PdfReader, new: PdfReader, version: str) -> list[Difference]:
     """What the document says and does as a whole, where that is another thing; what a program has left out of a copy does no harm."""
     said = {name: [str(getattr(reader.metadata, name, None) or "") for reader in (old, new)] for name in ("title", "author", "subject")}
     found = [Difference(f"the document's {name}", was, now) for name, (was, now) in said.items() if was and was != now]
+    found += [Difference(*one) for one in _described(old, new)]
+    if version == VERSION and _spoken(old) not in ([], _spoken(new)):
+        found.append(Difference("the document's structure", "otherwise", "as this program has it"))
     more = [key for key in old.root_object if key not in new.root_object and key not in SIGNED]
     found += [Difference("the document as a whole", key.removeprefix("/"), "nothing of that kind") for key in more]
     fields = _resolved(_resolved(old.root_object.get("/AcroForm", {})).get("/Fields", []))
     found += [Difference("the document as a whole", "a form", "no form") for field in fields if not signs(_resolved(field))]
     scripts = [key for key in _resolved(old.root_object.get("/Names", {})) if key not in _resolved(new.root_object.get("/Names", {}))]
     return found + [Difference("the document as a whole", key.removeprefix("/"), "nothing of that kind") for key in scripts]
+
+
+def _described(old: PdfReader, new: PdfReader) -> list[tuple[str, str, str]]:
+    """What the XMP of a document says that its information dictionary should not say; readers show either."""
+    meta, now = old.xmp_metadata, new.metadata
+    if meta is None or now is None:
+        return []
+    said = {
+        "title": ([*(meta.dc_title or {}).values()], now.title), "author": (meta.dc_creator or [], now.author),
+        "subject": ([*(meta.dc_description or {}).values()], now.subject),
+    }  # fmt: skip
+    return [(f"the document's {name}", one, is_now or "") for name, (all, is_now) in said.items() for one in all if one != is_now]
+
+
+def _spoken(reader: PdfReader) -> list[Any]:
+    """The tree of what the parts of the pages are, as a machine reads it out; empty where a copy has left it out."""
+    found: list[Any] = []
+    waiting = [reader.root_object.get("/StructTreeRoot")]
+    met: set[int] = set()
+    while waiting:
+        one = waiting.pop()
+        if isinstance(one, IndirectObject):
+            if one.idnum in met:
+                continue
+            met.add(one.idnum)
+        one = _resolved(one)
+        if isinstance(one, DictionaryObject):
+            found += [str(one.get(key, "")) for key in SPOKEN]
+            kids = _resolved(one.get("/K", []))
+            waiting += reversed(kids if isinstance(kids, list) else [kids])
+        elif one is not None:
+            found.append(one)
+    return found
 
 
 def pages(before: PdfReader, now: PdfReader, version: str) -> list[Difference]:
@@ -74,10 +114,11 @@ def pages(before: PdfReader, now: PdfReader, version: str) -> list[Difference]:
         elif version == VERSION and not _drawn_alike(old, new, same):
             found.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
         links = {_place(one) for one in annotations(new)}
-        over = [
-            one for one in annotations(old) if not signs(one) and not (set(one) <= LINK and (_place(one) in links or version != VERSION))
-        ]
+        laid = [one for one in annotations(old) if not (set(one) <= LINK and (_place(one) in links or version != VERSION))]
+        over = [one for one in laid if not signs(one)]
+        hidden = [words for one in laid if signs(one) and (words := covered(old, one))]
         found += [Difference(f"{name}, laid over it", str(one.get("/Subtype", "")).removeprefix("/"), "nothing") for one in over]
+        found += [Difference(f"{name}, under the field of a signature", "covered", f"“{words}”") for words in hidden]
     return found
 
 
@@ -125,6 +166,6 @@ def _place(annotation: Any) -> tuple[float, ...]:
 
 
 def signs(annotation: Any) -> bool:
-    """Whether it is the field of a signature."""
+    """Whether it is the field of a signature, and does nothing when it is touched."""
     kind = annotation.get("/FT") or _resolved(annotation.get("/Parent", {})).get("/FT")
-    return bool(kind == "/Sig")
+    return bool(kind == "/Sig" and annotation.get("/Subtype", "/Widget") == "/Widget" and not {"/A", "/AA"} & set(annotation))

@@ -3,18 +3,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from itertools import groupby
 from operator import itemgetter
 
 from reportlab.pdfbase import pdfmetrics
+from reportlab.pdfbase.pdfdoc import PDFArray, PDFDictionary, PDFName, PDFString
 from reportlab.pdfgen.canvas import Canvas
 
 from .boxes import BLACK, Box, Colour, Mark
+from .fonts import face_of
 from .paper import LEFT
+from .tags import FIGURE, Element, Tag, Tree, hexed
 
 Encoded = tuple[str, str]  # a part of an embedded font by its name on the page, and codes in it
 Codes = tuple[dict[str, list[Encoded]], dict[str, Encoded]]  # texts and single letters, as a font encodes them
+PRINTED = 4  # the flag of what lies over a page: it is printed
 
 
 class Pen:
@@ -22,16 +27,39 @@ class Pen:
 
     def __init__(
         self, canvas: Canvas, numbers: Mapping[str, int], codes: dict[str, Codes],
-        places: Mapping[str, list[int]] | None = None,
+        places: Mapping[str, list[int]] | None = None, tree: Tree | None = None,
     ) -> None:  # fmt: skip
         self.canvas = canvas
+        self.tree = tree or Tree(1)
+        self.tree.pages.append([])
+        self.element: Element | None = None  # whose content is drawn; None: what repeats or adorns
         self.places = places or {}  # name in the index → its pages
         self.codes = codes  # by typeface
         self.numbers = numbers  # anchor → page number
-        self.text: list[tuple[float, float, Mark]] = []
-        self.figures: list[Callable[[], None]] = []
-        self.code: list[str] = []
+        self.text: list[tuple[float, float, Mark, Element | None]] = []
+        self.figures: list[tuple[Callable[[], None], Element | None]] = []
+        self.code: list[tuple[str, Element | None]] = []
         self.colour: Colour | None = None
+
+    @contextmanager
+    def tagged(self, tag: Tag | None) -> Iterator[None]:
+        """What is drawn meanwhile is the content of this tag's element; None: of none."""
+        before, self.element = self.element, self.tree.element(tag) if tag is not None else None
+        try:
+            yield
+        finally:
+            self.element = before
+
+    @contextmanager
+    def cell(self, attributes: str = "") -> Iterator[None]:
+        """What is drawn meanwhile is a further cell of the row that is drawn, a head where it has attributes."""
+        before = self.element
+        if before is not None and before.role == "TR":
+            self.element = Element("TH" if attributes else "TD", before, attributes=attributes)
+        try:
+            yield
+        finally:
+            self.element = before
 
     def put(self, box: Box, x: float, y: float) -> None:
         """Place a box with its base line at this height."""
@@ -39,7 +67,7 @@ class Pen:
         for mark in box.marks:
             match mark[0]:
                 case "text":
-                    self.text.append((x + mark[1], y + mark[2], mark))
+                    self.text.append((x + mark[1], y + mark[2], mark, self.element))
                 case "rule":
                     self._fill(x + mark[1], y + mark[2], mark[3], mark[4], mark[5])
                 case "path":
@@ -47,13 +75,13 @@ class Pen:
                 case "link":
                     self.link(x - LEFT + mark[1], y + mark[2], mark[3], mark[4], mark[5], mark[6])
                 case _:
-                    self.text.append((x + mark[1], y + mark[2], mark))
+                    self.text.append((x + mark[1], y + mark[2], mark, self.element))
 
     def turn(self, box: Box, x: float, y: float) -> None:
         """Place the text of a box turned a quarter to the left, reading upwards from here."""
         for mark in box.marks:
             if mark[0] == "text":
-                self.text.append((LEFT + x - mark[2], y + mark[1], ("turned", *mark[1:])))
+                self.text.append((LEFT + x - mark[2], y + mark[1], ("turned", *mark[1:]), self.element))
 
     def rule(self, x: float, y: float, width: float, thick: float, colour: Colour = BLACK) -> None:
         """A horizontal rule whose upper edge lies at y."""
@@ -64,35 +92,65 @@ class Pen:
         self._fill(LEFT + x, y, width, height, colour)
 
     def link(self, x: float, y: float, width: float, height: float, anchor: str, words: str) -> None:
-        left = LEFT + x
-        self.canvas.linkRect(words, anchor, (round(left, 2), round(y, 2), round(left + width, 2), round(y + height, 2)), relative=0)
+        """Over the text that was put there last: it becomes the content of the link."""
+        left, canvas, owner = LEFT + x, self.canvas, self.element
+        over: dict[str, object] = {
+            "Type": PDFName("Annot"), "Subtype": PDFName("Link"), "Border": PDFArray([0, 0, 0]), "F": PRINTED, "Contents": PDFString(words),
+            "Rect": PDFArray([round(left, 2), round(y, 2), round(left + width, 2), round(y + height, 2)]),
+            "Dest": canvas._bookmarkReference(anchor),
+        }  # fmt: skip
+        if owner is not None:
+            link = Element("Link", owner)
+            for n in range(len(self.text) - 1, -1, -1):  # back to where its owner begins
+                at, base, mark, whose = self.text[n]
+                if whose is None or owner not in (whose, whose.parent):
+                    break
+                if left - 0.5 <= at < left + width and y <= base < y + height:
+                    self.text[n] = at, base, mark, link
+            over["StructParent"] = self.tree.link(link, f"NUMBER{canvas._annotationCount + 1}")
+        canvas._addAnnotation(PDFDictionary(over))
 
     def figure(self, draw: Callable[[], None]) -> None:
-        self.figures.append(draw)
+        self.figures.append((draw, self.element))
 
     def _fill(self, x: float, y: float, width: float, height: float, colour: Colour) -> None:
-        self.code.append(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
+        self._draw(f"{_rgb(colour)} rg {x:.2f} {y:.2f} {width:.2f} {height:.2f} re f")
+
+    def _draw(self, code: str) -> None:
+        """Lines and areas are content in a figure; elsewhere they adorn."""
+        self.code.append((code, self.element if self.element is not None and self.element.role == FIGURE else None))
 
     def line(self, points: list[tuple[float, float]], thick: float, colour: Colour, dashes: tuple[float, ...] = ()) -> None:
         """An open line through points of the page."""
         drawn = f"{_rgb(colour)} RG {thick:.2f} w {_path(points)} S"
-        self.code.append(f"[{' '.join(f'{d:g}' for d in dashes)}] 0 d {drawn} [] 0 d" if dashes else drawn)
+        self._draw(f"[{' '.join(f'{d:g}' for d in dashes)}] 0 d {drawn} [] 0 d" if dashes else drawn)
 
     def area(self, points: list[tuple[float, float]], colour: Colour) -> None:
         """A filled polygon with its corners at points of the page."""
-        self.code.append(f"{_rgb(colour)} rg {_path(points)} f")
+        self._draw(f"{_rgb(colour)} rg {_path(points)} f")
 
     def shape(self, outlines: list[list[tuple[float, float]]], colour: Colour) -> None:
         """What is filled within closed outlines; what lies in two of them stays empty."""
-        self.code.append(f"{_rgb(colour)} rg {' '.join(map(_path, outlines))} f*")
+        self._draw(f"{_rgb(colour)} rg {' '.join(map(_path, outlines))} f*")
 
     def write(self) -> None:
         """Put everything on the canvas."""
+        code = self.canvas._code
         if self.code:
-            self.canvas._code.append("q 1 j 1 J\n" + "\n".join(self.code) + "\nQ")
-        for draw in self.figures:
+            code.append("q 1 j 1 J")
+            for element, some in groupby(self.code, itemgetter(1)):
+                code += [self._begin(element), *(one for one, _ in some), "EMC"]
+            code.append("Q")
+        for draw, element in self.figures:
+            self.element = element
+            code.append(self._begin(element))
             draw()
-        self.canvas._code.append("\n".join(self._text()))
+            code.append("EMC")
+        code.append("\n".join(self._text()))
+
+    def _begin(self, element: Element | None) -> str:
+        """The operator that begins marked content."""
+        return "/Artifact BMC" if element is None else f"/{element.role} <</MCID {self.tree.mark(element)}>> BDC"
 
     def _text(self) -> list[str]:
         """The operators of all text; one text object, so that marked passages may span lines."""
@@ -100,9 +158,13 @@ class Pen:
         font: tuple[str, float] | None = None
         colour: Colour | None = None
         hidden = False
-        for x, y, mark in self.text:
+        marked: Element | bool | None = False  # False: before the first
+        for n, (x, y, mark, element) in enumerate(self.text):
+            if element is not marked:
+                made += ["EMC"] * (marked is not False) + [self._begin(element)]
+                marked = element
             if mark[0] in ("begin", "end"):
-                made.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{_utf16(mark[3])}>>> BDC")
+                made.append("EMC" if mark[0] == "end" else f"/Span <</ActualText <{hexed(mark[3])}>>> BDC")
                 continue
             _, _, _, words, face, size, paint, stretch, unseen = mark
             if paint != colour:
@@ -113,12 +175,18 @@ class Pen:
                 hidden = unseen
             turned = "0 1 -1 0" if mark[0] == "turned" else "1 0 0 1" if stretch == 1.0 else f"1 0 0 {stretch:.3f}"
             made.append(f"{turned} {x:.2f} {y:.2f} Tm")
-            for name, string in self._encoded(face, words):
+            blank = self._encoded(face, " ") if n + 1 < len(self.text) and self._breaks(x, y, element, *self.text[n + 1]) else []
+            for name, string in [*self._encoded(face, words), *blank]:
                 if (name, size) != font:
                     made.append(f"{name} {size:.3f} Tf")
                     font = (name, size)
                 made.append(f"<{string}> Tj")
-        return [*made, "ET"]
+        return [*made, *["EMC"] * (marked is not False), "ET"]
+
+    @staticmethod
+    def _breaks(x: float, y: float, element: Element | None, then_x: float, then_y: float, mark: Mark, then: Element | None) -> bool:
+        """Whether the next piece begins another line of the same element: two words, which a blank parts for whoever reads the codes."""
+        return element is not None and then is element and mark[0] == "text" and then_x <= x and then_y < y - 1.0
 
     def _encoded(self, face: str, words: str) -> list[Encoded]:
         """A text in the embedded parts of its font."""
@@ -126,7 +194,7 @@ class Pen:
         if (known := strings.get(words)) is None:
             for c in words:
                 if c not in letters:
-                    font, document = pdfmetrics.getFont(face), self.canvas._doc
+                    font, document = pdfmetrics.getFont(face_of(c, face)), self.canvas._doc
                     ((part, code),) = font.splitString(c, document)
                     letters[c] = font.getSubsetInternalName(part, document), code.hex()
             runs = groupby([letters[c] for c in words], itemgetter(0))
@@ -141,7 +209,3 @@ def _path(points: list[tuple[float, float]]) -> str:
 
 def _rgb(colour: Colour) -> str:
     return " ".join(f"{c:.3f}" for c in colour)
-
-
-def _utf16(words: str) -> str:
-    return ("\ufeff" + words).encode("utf-16-be").hex().upper()

@@ -3,19 +3,21 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from calc.sheet.number import short
-from calc.sheet.step import Curve
+from calc.sheet.step import Curve, Series
 
 from .arrows import Arrow, arrows, draw_arrows
-from .boxes import BLACK, Box, Colour, scaled
+from .boxes import BLACK, Box, Colour
 from .fonts import clean
 from .paper import LEFT
-from .prose import Style, broken, run
+from .prose import Style, broken, lines, run
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -37,15 +39,17 @@ LIMITS: tuple[tuple[Colour, tuple[float, ...], float], ...] = (
     ((0.55, 0.0, 0.0), (8.0, 2.0, 2.0, 2.0), 0.8),
     ((0.3, 0.0, 0.45), (2.0, 2.0), 0.9),
 )
+POINTS = {False: ("o", 5.0, 0.5), True: ("x", 7.0, 2.0)}  # where the design stands, within its limits and beyond one: mark, size, thickness
+BAND: Colour = (0.89, 0.89, 0.89)
 FILLED = 0.8  # share of a group's place that its bars take
 EDGE = 0.4
 HATCH = 3.2  # from one line of a hatching to the next, in points
 INK: Colour = (0.25, 0.25, 0.25)
-LETTER = Style(6.6, 8.6)
-NUMBER = Style(6.2, 8.0, colour=INK)
+LETTER = Style(7.5, 9.2)
+NUMBER = Style(7.5, 9.0, colour=INK)
 TICK = 2.5
-SMALLER = 0.8  # the name of an axis may become so much smaller
-LEFT_AXIS, RIGHT_AXIS, LOW, HIGH = 46.0, 8.0, 25.0, 4.0  # around the axes
+AROUND = 10.0  # over and under lines that bear their names
+LEFT_AXIS, RIGHT_AXIS, LOW, HIGH = 46.0, 8.0, 24.0, 4.0  # around the axes
 
 
 def line_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
@@ -57,6 +61,9 @@ def line_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
 def limit_style(i: int) -> tuple[Colour, tuple[float, ...], float]:
     """Colour, dashes and thickness of the i-th limit."""
     return LIMITS[i % len(LIMITS)]
+
+
+EDGE_STYLE: tuple[Colour, tuple[float, ...], float] = ((0.45, 0.45, 0.45), (), 0.5)  # of a band
 
 
 def series_style(curve: Curve, i: int) -> tuple[Colour, tuple[float, ...], float]:
@@ -77,6 +84,24 @@ def numbers(values: Any) -> Any:
     return np.atleast_1d(np.asarray(values, float))
 
 
+def series_label(curve: Curve, series: Series) -> str:
+    """What the legend calls a series: with its variant where other variants have one of the same name."""
+    alone = sum(s.label == series.label for s in curve.series) == 1
+    return series.label if alone and series.label else ", ".join(x for x in (series.label, series.variant) if x)
+
+
+def in_words(curve: Curve) -> str:
+    """What a figure shows, for whoever can not see it: its axes, every line with the least and the greatest of its values, the limits."""
+    said = [f"{curve.x_label}; {curve.y_label}"]
+    said += [f"{load.label} {short(load.size)} {curve.load_unit}" for load in curve.loads]
+    for series in curve.series:
+        seen = numbers(series.y)
+        seen = seen[np.isfinite(seen)]
+        reach = f"{short(float(seen.min()))} … {short(float(seen.max()))}" if seen.size else "–"
+        said.append(": ".join(filter(None, (series_label(curve, series), reach))))
+    return "; ".join([*said, *(f"{label} {short(value)}" for label, value in limits(curve))])
+
+
 def tick_words(values: list[float]) -> list[str]:
     """The numbers of an axis, all written one way and none of them rounded: 0.005 beside 0.01, and not 5·10⁻³; 40.025 beside 40.05."""
     largest = max((abs(v) for v in values), default=0.0)
@@ -87,40 +112,38 @@ def tick_words(values: list[float]) -> list[str]:
 
 
 def fitted(words: str, width: float) -> Box:
-    """The name of an axis on one line: made smaller where it is a little too long, cut where it is much too long."""
+    """The name of an axis on one line, cut where it is too long."""
     words = clean(words)
     box = run(words, LETTER)
-    if box.width * SMALLER > width:
-        box = run(broken(words, LETTER, width / SMALLER, 1)[0], LETTER)
-    return scaled(box, width / box.width) if box.width > width else box
+    return box if box.width <= width else run(broken(words, LETTER, width, 1)[0], LETTER)
 
 
 class Plots:
     """The axes that the figures of one report are drawn with: making them costs more than drawing, so like ones are used again."""
 
     def __init__(self) -> None:
-        self.made: dict[tuple[float, float, bool, bool], Any] = {}
+        self.made: dict[tuple[float, float, float, bool, bool], Any] = {}
 
-    def axes(self, width: float, height: float, curve: Curve) -> Any:
+    def axes(self, width: float, height: float, curve: Curve, right: float = RIGHT_AXIS) -> Any:
         """Empty axes for a figure of this size and kind."""
-        kind = (width, height, curve.equal, curve.bars)
+        kind = (width, height, right, curve.equal, curve.bars)
         if (found := self.made.get(kind)) is None:
             found = self.made[kind] = _new_axes(*kind)
-        for old in [*found.lines, *found.patches]:
+        for old in [*found.lines, *found.patches, *found.collections]:
             old.remove()
         found.dataLim.set_points(np.array([[np.inf, np.inf], [-np.inf, -np.inf]]))
         found.autoscale(True)
         return found
 
 
-def _new_axes(width: float, height: float, equal: bool, bars: bool) -> Any:
+def _new_axes(width: float, height: float, right: float, equal: bool, bars: bool) -> Any:
     from matplotlib.backend_bases import FigureCanvasBase
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width / 72, height / 72), dpi=72, facecolor="none")
     FigureCanvasBase(figure)
     left, low = LEFT_AXIS / width, LOW / height
-    axes: Any = figure.add_axes((left, low, 1 - left - RIGHT_AXIS / width, 1 - low - HIGH / height), facecolor="none")
+    axes: Any = figure.add_axes((left, low, 1 - left - right / width, 1 - low - HIGH / height), facecolor="none")
     axes.grid(True, axis="y" if bars else "both", color=(0.87, 0.87, 0.87), linewidth=0.4)
     axes.set_axisbelow(True)
     axes.tick_params(width=0.5, length=TICK, color=INK, labelleft=False, labelbottom=False)
@@ -148,18 +171,41 @@ def _is_point(curve: Curve, xs: Any, ys: Any) -> bool:
     return bool(np.nanmax(np.hypot(xs, ys)) < 0.01 * largest)
 
 
-def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float, height: float) -> None:
+@dataclass(frozen=True, slots=True)
+class Look:
+    """What of a figure is not the curve's own: what finds places for the names of its lines, inside or in a margin `right` of it, and, as
+    one of a stack, from where to where it goes along x and whether it is the lowest, which has the numbers."""
+
+    named: Callable[[Any, Curve], list[tuple[Box, float, float]]] | None = None
+    right: float = RIGHT_AXIS
+    ends: tuple[float, float] | None = None
+    lowest: bool = True
+
+
+ALONE = Look()
+
+
+def plot(plots: Plots, pen: Pen, curve: Curve, x: float, y: float, width: float, height: float, look: Look = ALONE) -> None:
     """Draw a curve into a rectangle of the page."""
     from .renderer import PageRenderer
 
-    axes = plots.axes(width, height, curve)
+    axes = plots.axes(width, height, curve, look.right)
     drawn = filled(axes, curve)
+    if look.ends is not None:
+        axes.set_xlim(look.ends)
+    if look.named and (look.ends is not None or curve.point is not None):
+        low, high = axes.get_ylim()
+        more = (high - low) * AROUND / axes.bbox.height
+        axes.set_ylim(low - more, high + more)
+    named = look.named(axes, curve) if look.named is not None else []
     if drawn:
         draw_arrows(pen, axes, drawn, _variant_colours(curve), x, y)
     renderer = PageRenderer(pen.canvas, x, y, width, height)
     axes.figure.draw(renderer)
     renderer.finish()
-    _letter(pen, axes, curve, x - LEFT, y)
+    _letter(pen, axes, curve, x - LEFT, y, look)
+    for box, a, b in named:
+        pen.put(box, x - LEFT + a, y + b)
 
 
 def filled(axes: Any, curve: Curve) -> list[Arrow]:
@@ -179,12 +225,12 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
         colour, dashes, thick = limit_style(i)
         axes.axhline(value, color=colour, lw=thick, ls=_pattern(dashes, thick))
     if curve.point is not None and all(map(isfinite, curve.point)):
-        sign, size, thick = ("x", 7.0, 2.0) if curve.fails else ("o", 4.5, 0.5)
+        sign, size, thick = POINTS[curve.fails]
         axes.plot(*curve.point, marker=sign, markersize=size, color=BLACK, markeredgewidth=thick, zorder=4, clip_on=False)
     low, high = axes.get_ylim()
     if low < 0 < high and not curve.equal:
         axes.axhline(0.0, color=(0.6, 0.6, 0.6), lw=0.5, zorder=2.5 if curve.bars else 0.9)
-    axes.yaxis.set_major_locator(MaxNLocator(6, steps=[1, 2, 2.5, 5, 10]))
+    axes.yaxis.set_major_locator(MaxNLocator(6 if axes.bbox.height > 60 else 3, steps=[1, 2, 2.5, 5, 10]))
     axes.apply_aspect()
     return drawn
 
@@ -192,9 +238,13 @@ def filled(axes: Any, curve: Curve) -> list[Arrow]:
 def _lines(axes: Any, curve: Curve) -> None:
     from matplotlib.ticker import MaxNLocator
 
+    edges = range(len(curve.series) - 2, len(curve.series)) if curve.band else range(0)
+    if edges:
+        lower, upper = (curve.series[i] for i in edges)
+        axes.fill_between(numbers(lower.x), numbers(lower.y), numbers(upper.y), facecolor=BAND, edgecolor="none", lw=0, zorder=0.5)
     for i, series in enumerate(curve.series):
         xs, ys = numbers(series.x), numbers(series.y)
-        colour, dashes, thick = series_style(curve, i)
+        colour, dashes, thick = EDGE_STYLE if i in edges else series_style(curve, i)
         dot = "o" if _is_point(curve, xs, ys) else None
         axes.plot(xs, ys, color=colour, lw=thick, ls=_pattern(dashes, thick), marker=dot, markersize=2.8, solid_joinstyle="round")
     degrees = curve.x_label.rstrip().endswith("°")
@@ -258,12 +308,25 @@ def hatching(i: int, x: float, y: float, width: float, height: float) -> list[li
     return made
 
 
-def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float) -> None:
-    """The numbers and names of the axes."""
+def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float, look: Look) -> None:
+    """The numbers and names of the axes; of one in a stack the name of y lies over it."""
     frame = axes.bbox
     (low_x, high_x), (low_y, high_y) = sorted(axes.get_xlim()), sorted(axes.get_ylim())
-    down = y + frame.y0 - TICK - 0.85 * NUMBER.size
-    end = -1.0
+    ticks = _seen(axes.yaxis.get_majorticklocs(), low_y, high_y)
+    for value, words in zip(ticks, tick_words(ticks)):
+        box = run(words, NUMBER)
+        at = axes.transData.transform((low_x, value))[1]
+        pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
+    if look.ends is not None:
+        pen.put(fitted(curve.y_label, frame.width), x + frame.x0, y + frame.y1 + 2.5)
+    else:
+        room = frame.height + frame.y0
+        for n, name in enumerate(lines(curve.y_label, LETTER, room, 2)):
+            at = frame.y0 + (frame.height - name.width) / 2
+            pen.turn(name, x + 7.0 + n * 0.95 * LETTER.size, y + min(max(at, 0.0), room - name.width))
+    if not look.lowest:
+        return
+    down, end = y + frame.y0 - TICK - 0.85 * NUMBER.size, -1.0
     ticks = _seen(axes.xaxis.get_majorticklocs(), low_x, high_x)
     for value, words in zip(ticks, tick_words(ticks)):
         box = run(words, NUMBER)
@@ -271,17 +334,10 @@ def _letter(pen: Pen, axes: Any, curve: Curve, x: float, y: float) -> None:
         if at > end:
             pen.put(box, x + min(at, axes.figure.bbox.width - box.width), down)
             end = at + box.width + 3.0
-    ticks = _seen(axes.yaxis.get_majorticklocs(), low_y, high_y)
-    for value, words in zip(ticks, tick_words(ticks)):
-        box = run(words, NUMBER)
-        at = axes.transData.transform((low_x, value))[1]
-        pen.put(box, x + frame.x0 - TICK - 2.0 - box.width, y + at - 0.36 * NUMBER.size)
     whole = axes.figure.bbox.width
     name = fitted(curve.x_label, whole)
     at = min(frame.x0 + (frame.width - name.width) / 2, whole - name.width)
-    pen.put(name, x + max(at, 0.0), down - 1.35 * LETTER.size)
-    name = fitted(curve.y_label, frame.height)
-    pen.turn(name, x + 7.0, y + frame.y0 + (frame.height - name.width) / 2)
+    pen.put(name, x + max(at, 0.0), down - 1.3 * LETTER.size)
 
 
 def _seen(ticks: Any, low: float, high: float) -> list[float]:

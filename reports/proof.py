@@ -14,7 +14,7 @@ from math import prod
 from calc.explain import needs
 from calc.key_values import PROVEN
 from calc.sheet.check import Check, severity
-from calc.sheet.expression import governing, result
+from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.rules import pattern_of
 from calc.sheet.text import Text, with_unit
 from calc.sheet.trace import Line
@@ -154,7 +154,7 @@ def _quoted(context: Context, shown: list[Line], place: Place | None, known: Kno
         for needed in needs(line)[0]:
             if needed not in given:
                 number, unit = result(needed, place.index if place else None)
-                key = needed.formula.symbol, known.get(_name(needed), "")
+                key = symbol_of(needed), known.get(_name(needed), "")
                 values.setdefault(key, {})[context.say.number(number)] = unit
     return [_told(symbol, where, numbers) for (symbol, where), numbers in values.items()]
 

@@ -21,8 +21,9 @@ from .flow import Block, paragraph
 from .inputs import exact
 from .paper import WIDTH
 from .proof import ALIKE, Known, Proof, Walk, demand, limit, proofs, value
-from .prose import NOTE, STRONG
+from .prose import GROUP, NOTE, STRONG
 from .tables import Cell, Column, Row, table
+from .tags import title_tag
 from .words import STATE_COLOURS
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ NAMED = 6  # twins
 QUOTED = 14  # values and inputs of a proof
 INDENT = 8.0
 BAR = 2.2
-CLOSE = 3.0  # between formulas
+CLOSE = 2.4  # between formulas
 STRIPE: Colour = (0.95, 0.95, 0.95)
 
 
@@ -101,7 +102,7 @@ def _after(context: Context, proof: Proof) -> list[Block]:
     if check.accepted:
         made += _line(context, "accepted_because", reason=check.accepted)
     for advice in dict.fromkeys(one.advice for one in proof.checks if one.advice and not one.holds):
-        made += paragraph(context.say(advice), NOTE, x=INDENT, gap=2.0)
+        made += paragraph(context.say(advice), NOTE, x=INDENT, gap=1.2)
     return made
 
 
@@ -121,7 +122,7 @@ def used(context: Context, check: Check) -> Cell:
 
 
 def _line(context: Context, key: str, **parts: str) -> list[Block]:
-    return [replace(block, keep=True) for block in paragraph(context.text(key, None, **parts), NOTE, x=INDENT, gap=2.0)]
+    return [replace(block, keep=True) for block in paragraph(context.text(key, None, **parts), NOTE, x=INDENT, gap=1.2)]
 
 
 def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
@@ -137,7 +138,7 @@ def _title(context: Context, rows: list[Row], colour: Colour) -> Block:
             part.draw(pen, y)
             y -= part.height
 
-    return Block(tall, draw, 10.0, keep=True)
+    return Block(tall, draw, 8.0, keep=True, content=parts[0].content, tag=title_tag(GROUP.size))
 
 
 def _walked(context: Context, step: Step, walk: Walk, *, quoting: bool = True) -> list[Block]:

@@ -11,8 +11,7 @@ from calc.sheet.expression import plain
 from calc.sheet.step import Curve
 
 from .arrows import ARROW
-from .figures import series_label
-from .plots import Plots, bar_colour, filled, limit_style, limits, series_style, tick_words
+from .plots import Plots, bar_colour, filled, limit_style, limits, series_label, series_style, tick_words
 
 if TYPE_CHECKING:
     from numpy import uint8

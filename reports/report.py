@@ -21,7 +21,8 @@ from . import attach
 from .binding import bind, put
 from .chapter import Parts, chapter_parts
 from .checks import check_blocks, errata_blocks
-from .contents import Entry, contents_blocks, source_blocks
+from .content import Heading
+from .contents import Entry, contents_blocks
 from .context import DEPTHS, Context, stands
 from .derivation import derivation
 from .drawing import drawing_blocks, wheel_blocks
@@ -31,10 +32,12 @@ from .fonts import FACES, widths
 from .index import index_blocks
 from .inputs import input_blocks, material_blocks
 from .logo import logo
+from .nomenclature import nomenclature_blocks
 from .paper import PAGE, WIDTH
 from .plots import Plots
 from .prose import BODY, HEADING, SECTION, lines
 from .sketches import sketch_figure
+from .sources import source_blocks
 from .summary import step_anchor, summary_blocks
 from .title_block import NOTE_LINES
 from .values import table_blocks, value_blocks
@@ -70,20 +73,10 @@ def render(
     progress: Progress | None = None,
 ) -> bytes:  # fmt: skip
     """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design."""
-    if depth not in DEPTHS:
-        raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
-    if lang not in LANGUAGES:
-        raise ValueError(f"lang {lang!r}: must be one of {', '.join(LANGUAGES)}")
     tell(progress, 0.0, results.design.name)
-    control = results.design.control
-    picture = logo(document, control.logo, logo_file)
-    for face in FACES:
-        widths(face)
-    say = language(lang)
-    whole = results.whole() if depth == "audit" else results
-    results = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
-    tell(progress, WHOLE, results.design.name)
-    context = Context(document, results, hashlib.sha256(raw).hexdigest(), depth, say, whole, picture)
+    context = context_of(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
+    control, picture = context.design.control, context.logo
+    tell(progress, WHOLE, context.design.name)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
@@ -92,9 +85,24 @@ def render(
         said_of["logo"] = hashlib.sha256(picture.raw).hexdigest()
         files[picture.name] = (picture.raw, context.words["logo"])
     return bind(
-        pages, files, title=results.design.name, author=control.signatures()[0][1].name, revision=control.revision,
+        pages, files, title=context.design.name, author=control.signatures()[0][1].name, revision=control.revision,
         number=control.number, said=said_of, words=context.words, progress=part(progress, MADE, WRITTEN),
     )  # fmt: skip
+
+
+def context_of(document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None = None) -> Context:
+    """What every part of a report is made from, in its language.  Raises ValueError for a depth or a language that there is not."""
+    if depth not in DEPTHS:
+        raise ValueError(f"depth {depth!r}: must be one of {', '.join(DEPTHS)}")
+    if lang not in LANGUAGES:
+        raise ValueError(f"lang {lang!r}: must be one of {', '.join(LANGUAGES)}")
+    picture = logo(document, results.design.control.logo, logo_file)
+    for face in FACES:
+        widths(face)
+    say = language(lang)
+    whole = results.whole() if depth == "audit" else results
+    spoken = replace(whole, outcomes={key: said(outcome, say) for key, outcome in whole.outcomes.items()})
+    return Context(document, spoken, hashlib.sha256(raw).hexdigest(), depth, say, whole, picture)
 
 
 def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
@@ -123,13 +131,20 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += _section(f"{number}  {w['design_note']}", "note", entries, need=120.0)
         body += paragraph(context.design.note, BODY)
         number += 1
-    sources = source_blocks(context)
-    body += _section(f"{number}  {w['sources']}", "sources", entries, need=80.0)
-    body += sources
-    number += 1
+    if sources := source_blocks(context):
+        body += _section(f"{number}  {w['sources']}", "sources", entries, need=80.0)
+        body += sources
+        number += 1
+    context.chapter = ""
+    if symbols := nomenclature_blocks(context):
+        body += _section(f"{number}  {w['nomenclature']}", "nomenclature", entries, need=120.0)
+        body += symbols
+        number += 1
     if drawn := drawing_blocks(context):
-        body += _section(f"{number}  {w['drawing']}", "drawing", entries, need=0.9 * PAGE[1])
-        body += drawn
+        title = f"{number}  {w['drawing']}"
+        entries.append(Entry(title, "drawing", {}))
+        body.append(Block(0.0, lambda pen, y: None, content=Heading(title, 1)))  # which the sheet has no room for
+        body += [replace(drawn[0], anchor="drawing", outline=(0, title)), *drawn[1:]]
         number += 1
     if context.audit and (index := index_blocks(body)):
         body += _section(f"{number}  {w['index']}", "index", entries, need=0.9 * PAGE[1])
@@ -139,7 +154,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
 
 def _section(title: str, anchor: str, entries: list[Entry], *, need: float) -> list[Block]:
     entries.append(Entry(title, anchor, {}))
-    return heading(title, HEADING, gap=22.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
+    return heading(title, HEADING, gap=18.0, after=3.0, anchor=anchor, outline=0, need=need, ruled=True)
 
 
 def _step(
@@ -148,7 +163,7 @@ def _step(
     """One step with its parts; or why there is nothing to show."""
     w = context.words
     asked = outcome.state != "not_asked"
-    title = context.say(step.title)
+    title, context.chapter = context.say(step.title), step.key
     made = _section(f"{number}  {title}", step_anchor(step.key), entries, need=NEED if asked else 0.0)
     reasons = {
         "not_asked": context.text("not_asked_text", key=step.key), "blocked": context.text("blocked_text", reason=outcome.reason),
@@ -163,12 +178,14 @@ def _step(
         context.cite(source, step)
     for erratum in original.errata:
         context.cite(erratum.source, step)
+    if not context.audit:
+        made += sketch_figure(context, step, outcome)
     parts = _everything(context, step, outcome, plots) if context.audit else chapter_parts(context, number, step, outcome, plots)
     for n, (key, make) in enumerate(parts):
         tell(progress, n / len(parts), f"{title}: {w[key]}")
         if section := make():
             anchor = f"{step.key}-{key}"
-            made += heading(w[key], SECTION, gap=11.0, after=1.0, anchor=anchor, outline=1)
+            made += heading(w[key], SECTION, gap=8.5, after=1.0, anchor=anchor, outline=1)
             made += section
             if key in (LISTED if context.audit else CHAPTERS):
                 entries[-1].parts[w[key]] = anchor
@@ -187,9 +204,7 @@ def _everything(context: Context, step: Step, outcome: Outcome[object], plots: P
         ("checks", lambda: check_blocks(context, outcome.checks)),
         (
             "figures",
-            lambda: (
-                sketch_figure(context, step, outcome) + figure_blocks(context.number(tuple(outcome.curves)), context.words["figure"], plots)
-            ),
+            lambda: sketch_figure(context, step, outcome) + figure_blocks(context.number(outcome), context.words["figure"], plots),
         ),
         ("errata", lambda: errata_blocks(context, outcome.errata)),
     )

@@ -10,10 +10,12 @@ from calc.drawings import shaft, train
 from calc.sheet.drawing import Arc, Point, Polyline, Primitive, Words
 
 from .boxes import BLACK, GREY, Colour
+from .content import Picture
 from .context import Context
 from .flow import Block
 from .paper import LEFT, WIDTH
 from .prose import NOTE, one_line
+from .tags import FIGURE, Tag
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -35,6 +37,8 @@ def sketch_blocks(context: Context) -> list[Block]:
     scale = min((WIDTH - BETWEEN * (len(parts) - 1)) / wide, HIGH / high)
     words = NOTE.leading if any(isinstance(one, Words) for part in parts for one in part) else 0.0
 
+    names = [context.design.name, *(one.text for part in parts for one in part if isinstance(one, Words))]
+
     def draw(pen: Pen, y: float) -> None:
         x = 0.0
         for part, (left, low, right, top) in zip(parts, boxes):
@@ -43,7 +47,7 @@ def sketch_blocks(context: Context) -> list[Block]:
                 _draw(pen, one, scale, x - scale * left, middle - scale * (low + top) / 2)
             x += scale * (right - left) + BETWEEN
 
-    return [Block(scale * high + words + 4.0, draw, gap=8.0)]
+    return [Block(scale * high + words + 4.0, draw, gap=8.0, content=Picture(), tag=Tag(FIGURE, alt="; ".join(names)))]
 
 
 def _side_view(drawn: tuple[Primitive, ...]) -> list[Primitive]:

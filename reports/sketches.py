@@ -21,12 +21,14 @@ from calc.sheet.step import Outcome, Step
 from calc.sheet.text import Amount, Text
 
 from .boxes import BLACK, GREY, Colour
+from .content import Picture
 from .context import Context
 from .flow import Block
 from .fonts import BOLD
 from .labels import FREE, Label, placed
 from .paper import LEFT, WIDTH
 from .prose import NOTE, STRONG, Style, lines, one_line
+from .tags import FIGURE, Tag
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -88,7 +90,9 @@ def _row(pictures: list[_Picture], caption: str) -> Block:
         for i, line in enumerate(under):
             pen.put(line, 0.0, y - titled - drawn - 5.0 - (i + 0.78) * STRONG.leading)
 
-    return Block(titled + drawn + 5.0 + len(under) * STRONG.leading, draw, gap=6.0)
+    below = len(under) * STRONG.leading
+    alt = "; ".join([caption, *(words for one in pictures for words in one.words)])
+    return Block(titled + drawn + 5.0 + below, draw, gap=6.0, content=Picture((caption,), below), tag=Tag(FIGURE, alt=alt))
 
 
 class _Picture:
@@ -99,6 +103,9 @@ class _Picture:
         self.marks = sketch.primitives
         self.left, self.low, self.right, self.top = sketch.box
         self.labels = list(_labels(sketch, say))
+        self.words = [
+            f"{SIGNS[mark.state] if mark.state else ''} {say(mark.text)}".strip() for mark in self.marks if isinstance(mark, Words)
+        ]
 
     def scale(self, high: float) -> float:
         """Points of the page for a unit of the picture, so that it and its words are no higher than this, and no wider than the page."""

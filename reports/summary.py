@@ -6,16 +6,18 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from calc.described import described
-from calc.key_values import RESULTS, like
+from calc.id_words import knows
+from calc.key_values import key_results
 from calc.sheet.check import SIGNS
 
-from .checks import attention_blocks, counted, knows, name_of, shown_value, sign_cell
+from .checks import attention_blocks, counted, name_of, shown_value, sign_cell
+from .content import Words
 from .context import Context, closeness
 from .flow import Block, bullet, heading, paginate, paragraph
 from .fonts import BOLD
 from .paper import WIDTH
 from .proof_blocks import used
-from .prose import BODY, CELL, NOTE, SECTION, Style, lines, one_line
+from .prose import BODY, CELL, NOTE, SECTION, STRONG, Style, lines, one_line
 from .sketch import sketch_blocks
 from .tables import Cell, Column, Row, table
 from .title_block import change_blocks, title_blocks
@@ -64,11 +66,7 @@ def _object(context: Context) -> list[Block]:
 def _key_results(context: Context) -> list[tuple[str | Cell, ...]]:
     """The results that a design is known by, each by its worst part."""
     rows: list[tuple[str | Cell, ...]] = []
-    for pattern, worst in RESULTS:
-        found = [value for id, value in context.values.items() if like(id, (pattern,)) and value.shown == value.shown]
-        if not found:
-            continue
-        value = (min if worst == "min" else max)(found, key=lambda one: one.shown)
+    for value in key_results(context.values).values():
         name = context.say(value.label)
         whose = " ".join(context.belongs(value.id))
         name = f"{name}, {whose}" if whose and not knows(name, whose) else name
@@ -136,7 +134,7 @@ def _verdict(context: Context) -> list[Block]:
         for i, line in enumerate(beside):
             pen.put(line, sign.width + 28.0, base - i * BODY.leading)
 
-    return [Block(height, draw, gap=7.0)]
+    return [Block(height, draw, gap=7.0, content=Words(f"{SIGNS[state]} {w[state].upper()}. {words}", STRONG))]
 
 
 def _steps(context: Context) -> list[Block]:
@@ -144,6 +142,8 @@ def _steps(context: Context) -> list[Block]:
     w = context.words
     rows: list[Row] = []
     for number, step, outcome in context.steps():
+        if step.optional and outcome.state == "not_asked":
+            continue
         title = f"{number}  {context.say(step.title)}"
         state = outcome.verdict
         worst = min(outcome.checks, key=closeness, default=None) if outcome.state == "solved" else None

@@ -8,15 +8,18 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from .boxes import FAINT, Box
-from .flow import Block, heading
+from .content import Content
+from .flow import Block, heading, paragraph
 from .paper import WIDTH
-from .prose import CELL, GROUP, HEADER, Style, lines, run
+from .prose import CELL, GROUP, HEADER, NOTE, Style, lines, run
+from .symbols import BETWEEN
+from .tags import COLUMN, ROW, Tag
 
 if TYPE_CHECKING:
     from .pen import Pen
 
 GAP = 7.0  # between columns
-PAD = 1.0  # above and below the text of a row
+PAD = 0.7  # above and below the text of a row
 MOST = 55  # lines of one row; a longer one goes on in the next
 DARK = (0.45, 0.45, 0.45)
 
@@ -40,7 +43,7 @@ class Cell:
     box: Box | None = None
     under: tuple[str, Style] | None = None
     align: str = ""  # empty: as its column
-    indexed: str = ""  # under which name the index leads to its row
+    indexed: str = ""  # under which names index and nomenclature lead to its row
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,18 +56,28 @@ class Group:
 Row = Sequence[str | Cell] | Group
 
 
+@dataclass(frozen=True, slots=True)
+class Rows(Content):
+    """What a table says; `widths` of its columns in points: none, where they are all alike."""
+
+    columns: Sequence[Column]
+    rows: Sequence[Row]
+    widths: Sequence[float] = ()
+
+
 def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 3.0, header: bool = True) -> list[Block]:
     """The blocks of a table.  The flexible columns share what the fixed ones leave, by their contents."""
     wide = _widths(columns, rows, width)
     left = [sum(wide[:i]) + GAP * i for i in range(len(wide))]
     top = _header(columns, wide, left, width) if header and any(c.header for c in columns) else None
-    made: list[Block] = [replace(top, gap=gap, keep=True)] if top is not None else []
+    whole = Tag("Table")
+    made: list[Block] = [replace(top, gap=gap, keep=True, tag=Tag("TR", whole))] if top is not None else []
     held: list[Block] = []
     for n, r in enumerate(rows):
         if isinstance(r, Group):
-            held.append(_group(r.words, width, top))
+            held.append(replace(_group(r.words, width, top, len(columns)), tag=Tag("TR", whole)))
             continue
-        parts = _row(columns, r, wide, left, width, top)
+        parts = [replace(part, tag=Tag("TR", whole)) for part in _row(columns, r, wide, left, width, top)]
         if held:
             made += held
             held = []
@@ -73,14 +86,19 @@ def table(columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDT
         made += parts
     if made and top is None:
         made[0] = replace(made[0], gap=gap)
-    return made
+    return [replace(made[0], content=Rows(columns if header else [], rows, wide)), *made[1:]] if made else made
 
 
-def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 5.0) -> list[Block]:
+def named_table(title: str, columns: Sequence[Column], rows: Sequence[Row], *, width: float = WIDTH, gap: float = 4.0) -> list[Block]:
     """A table under a small heading of its own."""
     if not title:
         return table(columns, rows, width=width, gap=gap)
     return [*heading(title, GROUP, gap=gap + 3.0, after=0.0), *table(columns, rows, width=width, gap=0.0)]
+
+
+def noted_below(blocks: list[Block], words: str, *, gap: float = 2.0) -> list[Block]:
+    """Blocks with a note in small type under the last of them, on its page."""
+    return [*blocks[:-1], *(replace(block, keep=True) for block in blocks[-1:]), *paragraph(words, NOTE, gap=gap)]
 
 
 def _cell(cell: str | Cell) -> Cell:
@@ -155,21 +173,23 @@ def _header(columns: Sequence[Column], wide: list[float], left: list[float], wid
     def draw(pen: Pen, y: float) -> None:
         for column, x, w, cell in zip(columns, left, wide, cells):
             base = y - tall + PAD + HEADER.leading * (len(cell) - 0.78)
-            for i, line in enumerate(cell):
-                shift = w - line.width if column.align == "r" else 0.0
-                pen.put(line, x + shift, base - i * HEADER.leading)
+            with pen.cell(COLUMN):
+                for i, line in enumerate(cell):
+                    shift = w - line.width if column.align == "r" else 0.0
+                    pen.put(line, x + shift, base - i * HEADER.leading)
         pen.rule(0.0, y - tall, width, 0.6, DARK)
 
     return Block(tall, draw)
 
 
-def _group(words: str, width: float, top: Block | None) -> Block:
+def _group(words: str, width: float, top: Block | None, across: int) -> Block:
     made = lines(words, GROUP, width, 4)
     tall = GROUP.leading * len(made) + 2 * PAD + 3.0
 
     def draw(pen: Pen, y: float) -> None:
-        for i, line in enumerate(made):
-            pen.put(line, 0.0, y - tall + PAD + GROUP.leading * (len(made) - 0.78 - i))
+        with pen.cell(f"{ROW} /ColSpan {across}"):
+            for i, line in enumerate(made):
+                pen.put(line, 0.0, y - tall + PAD + GROUP.leading * (len(made) - 0.78 - i))
         pen.rule(0.0, y - tall, width, 0.4, FAINT)
 
     return Block(tall, draw, keep=True, repeat=top)
@@ -194,8 +214,8 @@ def _row(
     for start in range(0, max(1, longest), MOST):
         part = [c[start : start + MOST] for c in content]
         blocks.append(_part(aligned, part, wide, left, width, top, last=start + MOST >= longest))
-    if name := next((cell.indexed for cell in given if cell.indexed), ""):
-        blocks[0] = replace(blocks[0], indexed=name)
+    if names := BETWEEN.join(cell.indexed for cell in given if cell.indexed):
+        blocks[0] = replace(blocks[0], indexed=names)
     return blocks
 
 
@@ -216,10 +236,11 @@ def _part(
     def draw(pen: Pen, y: float) -> None:
         for x, w, cell, align in zip(left, wide, content, aligned):
             at = y - PAD
-            for line, leading in cell:
-                shift = w - line.width if align == "r" else 0.0
-                pen.put(line, x + shift, at - 0.76 * leading)
-                at -= leading
+            with pen.cell("" if top is not None or x else ROW):
+                for line, leading in cell:
+                    shift = w - line.width if align == "r" else 0.0
+                    pen.put(line, x + shift, at - 0.76 * leading)
+                    at -= leading
         if last:
             pen.rule(0.0, y - tall, width, 0.4, FAINT)
 

@@ -9,12 +9,14 @@ from calc.version import VERSION
 
 from .boxes import GREY
 from .boxes import text as text_box
+from .content import Heading
 from .context import Context
-from .flow import Block, heading, paragraph
+from .flow import Block, heading, on_paper_only, paragraph
 from .fonts import MISSING, writable
 from .paper import LEFT, WIDTH
 from .prose import BODY, NOTE, SECTION, TITLE, lines, one_line
-from .tables import Column, table
+from .tables import Column, Rows, table
+from .tags import COLUMN, FIGURE, ROW, Tag, title_tag
 
 if TYPE_CHECKING:
     from .pen import Pen
@@ -40,10 +42,10 @@ def title_blocks(context: Context) -> list[Block]:
     facts = [(label, value) for label, value in facts if value]
     facts += [(w["file"], f"{context.sha256[:SHORT_HASH]}…"), (w["program"], PROGRAM)]
     made += [_facts(facts), _signatures(context)]
-    made += paragraph(w["attached"], NOTE, gap=2.0)
+    made += on_paper_only(paragraph(w["attached"], NOTE, gap=2.0))
     said = (design.name, design.note, *control.words())
     if not all(map(writable, said)) and not any(MISSING in s for s in said):
-        made += paragraph(w["missing_glyphs"], NOTE, gap=0.0)
+        made += on_paper_only(paragraph(w["missing_glyphs"], NOTE, gap=0.0))
     return made
 
 
@@ -73,9 +75,12 @@ def _heading(context: Context) -> list[Block]:
             pen.put(line, 0.0, y - 11.0 - (n + 0.78) * TITLE.leading)
         if logo is not None:
             canvas, place = pen.canvas, (LEFT + WIDTH - wide, y - high, wide, high)
-            pen.figure(lambda: canvas.drawImage(logo.image, *place, mask="auto"))
+            with pen.tagged(Tag(FIGURE, alt=logo.name)):
+                pen.figure(lambda: canvas.drawImage(logo.image, *place, mask="auto"))
 
-    return [Block(height, draw, keep=True, anchor="summary", outline=(0, w["summary"]))]
+    said = Heading(context.design.name, 0)
+    tag = title_tag(TITLE.size)
+    return [Block(height, draw, keep=True, anchor="summary", outline=(0, w["summary"]), content=said, tag=tag)]
 
 
 def _facts(facts: list[tuple[str, str]]) -> Block:
@@ -102,7 +107,7 @@ def _facts(facts: list[tuple[str, str]]) -> Block:
             pen.rule(0.0, top, WIDTH, 0.4, LINE)
         _frame(pen, y, sum(heights), top_line=True)
 
-    return Block(sum(heights), draw, gap=7.0, keep=True)
+    return Block(sum(heights), draw, gap=7.0, keep=True, content=Rows([], facts))
 
 
 def _signatures(context: Context) -> Block:
@@ -112,21 +117,27 @@ def _signatures(context: Context) -> Block:
     heads = ["", w["name"], w["date"], w["signature"]]
     rows = [(w[key], one.name, one.date, "") for key, one in context.design.control.signatures()]
     head = NOTE.leading + 1.0
+    whole = Tag("Table")
     height = head + SIGN * len(rows)
 
     def draw(pen: Pen, y: float) -> None:
-        for x, end, words in zip(SIGN_AT, ends, heads):
-            pen.put(one_line(words, NOTE, end - x - 2 * PAD), x + PAD, y - 0.85 * NOTE.leading)
+        with pen.tagged(Tag("TR", whole)):
+            for x, end, words in zip(SIGN_AT, ends, heads):
+                with pen.cell(COLUMN):
+                    pen.put(one_line(words, NOTE, end - x - 2 * PAD), x + PAD, y - 0.85 * NOTE.leading)
         for n, row in enumerate(rows):
             top = y - head - n * SIGN
             pen.rule(0.0, top, WIDTH, 0.4, LINE)
-            for i, (x, end, words) in enumerate(zip(SIGN_AT, ends, row)):
-                pen.put(one_line(words, BODY if i else NOTE, end - x - 2 * PAD), x + PAD, top - 0.64 * SIGN)
+            with pen.tagged(Tag("TR", whole)):
+                for i, (x, end, words) in enumerate(zip(SIGN_AT, ends, row)):
+                    with pen.cell("" if i else ROW):
+                        pen.put(one_line(words, BODY if i else NOTE, end - x - 2 * PAD), x + PAD, top - 0.64 * SIGN)
         for x in SIGN_AT[1:]:
             _upright(pen, x, y, height)
         _frame(pen, y, height, top_line=False)
 
-    return Block(height, draw, keep=True)
+    said = Rows([Column(words) for words in heads], rows, [b - a for a, b in zip(SIGN_AT, ends)])
+    return Block(height, draw, keep=True, content=said, tag=whole)
 
 
 def _upright(pen: Pen, x: float, top: float, height: float) -> None:

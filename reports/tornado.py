@@ -36,7 +36,7 @@ from .prose import lines, run
 if TYPE_CHECKING:
     from .pen import Pen
 
-THICK = 6.2  # of a bar, in points
+THICK = 3.9  # of a bar, in points
 ASIDE = 5.0  # between the names and the axes
 MOST = 0.36  # share of the width that the names take; what is longer wraps
 TALLEST = 520.0  # of all rows: more of them are drawn smaller
@@ -56,7 +56,7 @@ class Lying:
         self.curve, self.width = curve, width
         names = [lines(name, LETTER, MOST * width - ASIDE) for name in curve.names]
         bars = max(1, len(curve.series)) * THICK / FILLED
-        tall = [max(bars, len(name) * LETTER.leading + 2.0) for name in names]
+        tall = [max(bars, len(name) * LETTER.leading + 0.6) for name in names]
         self.by = min(1.0, TALLEST / sum(tall))
         self.names: list[list[Box]] = [[scaled(line, self.by) if self.by < 1 else line for line in name] for name in names]
         self.tall = [self.by * t for t in tall]

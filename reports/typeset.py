@@ -8,19 +8,20 @@ wider than the column and can not break (a fraction, a root, a power) is written
 import re
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import groupby
 
 from calc.sheet.expression import RANK, Expr
 from calc.sheet.number import SUPERSCRIPTS
 
 from .boxes import BLACK, Box, Colour, fraction, radical, raised, row, scaled, space, stretched, text
-from .fonts import OBLIQUE, UPRIGHT
+from .fonts import ITALIC, UPRIGHT
 
-SMALL = 0.72  # of the size: indices and exponents
-SMALLEST = 4.2  # points
+SMALL = 0.75  # of the size: indices and exponents
+SMALLEST = 6.0  # points
 TIGHT = 1.25  # what is so much wider than the column is made smaller rather than written out
 RAISE, LOWER = 0.36, 0.17  # of the size
 SUPER = dict(zip("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+−0123456789"))
-INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,])*)")  # in T_1T_2 the second T is a letter with an index of its own
+INDEX = re.compile(r"_((?:[^\W_]|[⁺⁻,∞])(?:(?![^\W\d_]_)[^\W_]|[⁺⁻,∞])*)")  # in T_1T_2 the second T is a letter with an index of its own
 LETTERS = re.compile(r"[^\W\d_]+")
 UPRIGHT_LETTERS = set("ΣΔΠ∠°")
 
@@ -39,24 +40,38 @@ def symbol(name: str, size: float, colour: Colour = BLACK) -> Box:
     """A symbol as the sheet writes it: `C_1⁻,res` → C with a raised minus and the index "1,res"; operators may stand between."""
     made: list[Box] = []
     small = max(SMALLEST, size * SMALL)
+    for letters, below, above in symbol_parts(name):
+        if letters:
+            for upright, some in groupby(letters, lambda c: not c.isalpha() or c in UPRIGHT_LETTERS):
+                made.append(text("".join(some), size, UPRIGHT if upright else ITALIC, colour))
+        if below or above:
+            made.append(_scripts(below, above, size, small, colour))
+    return row(made)
+
+
+def symbol_parts(name: str) -> list[tuple[str, str, str]]:
+    """The pieces of a symbol: letters of one kind, or another sign, each with what stands below and above it at the right."""
+    made: list[tuple[str, str, str]] = []
+
+    def script(below: str, above: str) -> None:
+        letters = made.pop()[0] if made and not (made[-1][1] or made[-1][2]) else ""
+        made.append((letters, below, above))
+
     at = 0
     while at < len(name):
         if (index := INDEX.match(name, at)) and at:
             at = index.end()
-            below = "".join(c for c in index[1] if c not in SUPER)
-            above = "".join(SUPER[c] for c in index[1] if c in SUPER)
-            made.append(_scripts(below, above, size, small, colour))
+            script("".join(c for c in index[1] if c not in SUPER), "".join(SUPER[c] for c in index[1] if c in SUPER))
         elif name[at] in "⁺⁻":
-            made.append(_scripts("", SUPER[name[at]], size, small, colour))
+            script("", SUPER[name[at]])
             at += 1
         elif word := LETTERS.match(name, at):
             at = word.end()
-            upright = all(c in UPRIGHT_LETTERS for c in word[0])
-            made.append(text(word[0], size, UPRIGHT if upright else OBLIQUE, colour))
+            made.append((word[0], "", ""))
         else:
-            made.append(text(name[at], size, UPRIGHT, colour))
+            made.append((name[at], "", ""))
             at += 1
-    return row(made)
+    return made
 
 
 def _scripts(below: str, above: str, size: float, small: float, colour: Colour) -> Box:
@@ -188,7 +203,7 @@ class Setter:
         return 4.5, [Piece(self.word("√")), *self.bracketed(self.pieces(of, 0, open), open)]
 
     def exponential(self, of: Expr, unit: str, open: float) -> tuple[float, list[Piece]]:
-        e = self.word("e", OBLIQUE if not unit else UPRIGHT)
+        e = self.word("e", ITALIC if not unit else UPRIGHT)
         small = self.smaller()
         inside = small.box(of, 2.2 if unit else 0.0)
         if unit:

@@ -13,10 +13,11 @@ from calc.sheet.quantity import Published
 from calc.sheet.step import Outcome, Table
 
 from .context import Context
-from .flow import Block, paragraph
+from .flow import Block
+from .nomenclature import noted
 from .paper import WIDTH
-from .prose import CELL, HEADER, KEY, NOTE, run
-from .tables import GAP, Cell, Column, Row, named_table, natural, table
+from .prose import CELL, HEADER, KEY, run
+from .tables import GAP, Cell, Column, Row, named_table, natural, noted_below, table
 from .typeset import symbol
 
 ACROSS = 7
@@ -54,7 +55,7 @@ def value_blocks(context: Context, outcome: Outcome[object], values: Iterable[Pu
             for start in range(0, len(cluster), ACROSS):
                 made += _beside(context, cluster[start : start + ACROSS], zero)
     if zero:
-        made += paragraph(context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), NOTE, gap=3.0)
+        made = noted_below(made, context.text("zero_values", names=" · ".join(dict.fromkeys(zero))), gap=3.0)
     return made
 
 
@@ -72,8 +73,10 @@ def _clusters(parts: Iterable[_Part]) -> list[list[_Part]]:
     return clusters
 
 
-def _symbol(value: Published) -> Cell:
-    return Cell(box=symbol(value.symbol, CELL.size)) if value.symbol else Cell()
+def _symbol(context: Context, value: Published) -> Cell:
+    if not value.symbol:
+        return Cell()
+    return Cell(box=symbol(value.symbol, CELL.size), indexed=noted(context, value.symbol, context.say(value.label), value.unit))
 
 
 def _named(context: Context, values: Iterable[Published]) -> Iterator[tuple[Published, Cell]]:
@@ -92,7 +95,9 @@ def _single(context: Context, part: _Part) -> list[Block]:
         Column(w["quantity"], width=186.0), Column(w["symbol"], width=48.0), Column(w["value"], "r", width=56.0),
         Column(w["unit"], width=44.0), Column(w["id"]),
     )  # fmt: skip
-    rows = [(name, _symbol(v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())]
+    rows = [
+        (name, _symbol(context, v), context.written(v.shown), v.unit, Cell(v.id, KEY)) for v, name in _named(context, part.values.values())
+    ]
     title = part.name[:1].upper() + part.name[1:]
     return named_table(title, columns, rows) if context.audit else paired_table(context, title, [row[:4] for row in rows])
 
@@ -130,7 +135,7 @@ def _beside(context: Context, parts: list[_Part], zero: list[str]) -> list[Block
         if not context.audit and all(c in ("0", "–") for c in cells):
             zero.append(f"{cell.indexed} ({'; '.join(p.name for p in parts)})")
             continue
-        rows.append((cell, _symbol(value), *cells, value.unit))
+        rows.append((cell, _symbol(context, value), *cells, value.unit))
     return table(columns, rows, gap=6.0) if rows else []
 
 
@@ -151,7 +156,7 @@ def table_blocks(context: Context, tables: Iterable[Table]) -> list[Block]:
             cells = [[row[i] for i in some] for row in rows] or [[Cell()] * len(some)]
             made += named_table(title, [columns[i] for i in some], cells, width=width)
         if shown.note:
-            made += paragraph(shown.note, NOTE, gap=2.0)
+            made = noted_below(made, shown.note)
     return made
 
 

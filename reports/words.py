@@ -53,28 +53,37 @@ WORDS: dict[str, Text] = {
     ),
     "zero_values": Text("Zero throughout, not shown: {names}."), "more": Text("and {count} more, in the audit report"),
     "others": Text("further: {values}"), "more_proposals": Text("and {count} more, in the engineer report"),
-    "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "materials": Text("Oils and materials"), "oil": Text("Oil"),
+    "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "nomenclature": Text("Nomenclature"),
+    "nomenclature_note": Text("Symbol, meaning, unit and first page, by chapter; the value stands there."),
+    "materials": Text("Oils and materials"), "oil": Text("Oil"),
     "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"),
     "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
     "sources_rest": Text(
         "The publications behind what stands in this report; the clause stands beside each formula. The audit report has all of them."
     ),
+    "standards": Text("Standards and rules"), "literature": Text("Books and papers"), "title": Text("Title and edition"),
+    "status": Text("Status"), "how_known": Text("How we know it"), "remembered": Text("* as far as we remember."),
     "own": Text("Definitions and rules without a publication"), "not_asked_text": Text("the design file has no table [{key}]."),
     "blocked_text": Text("this step {reason}."), "no_solution_text": Text("{reason}."), "no_checks": Text("no checks"),
     "count": Text("{fail} failed, {open} not verified, {warnings}, {notes}, {accepted} accepted, {passed} passed of "
     "{checks}"), "waiting": Text("; not solved: {steps}"),
     "missing_glyphs": Text("▯ stands for a character that this report's font does not have; the attached file has it."),
     "comparison": Text("Comparison of two designs"), "design": Text("Design"), "verdicts": Text("Verdicts of the steps"), "equal": EQUAL,
-    "inputs_differ": Text("Inputs that differ: {count}."), "steps_move": Text("Steps that change their verdict: {count}."),
-    "checks_move": Text("Checks that change their verdict: {count}, of them {worse} to the worse and {better} to the better."),
-    "values_differ": Text("Values that differ: {count}; in one design only: {lone}."), "moved": Text("Checks whose verdict moved"),
-    "lone": Text("Checks of one design only that do not pass"), "kept": Text("Checks that keep their verdict at another value or limit"),
-    "more_values": plural(
-        "{n} more value differs less; `contralbero compare --all` lists it.",
-        "{n} more values differ less; `contralbero compare --all` lists them.",
+    "moved": Text("Checks whose verdict moved"), "lone": Text("Checks of one design only that do not pass"),
+    "kept": Text("Checks that keep their verdict at another value or limit"),
+    "attached_pair": Text(
+        "Both design files are attached to this document, as a.toml and b.toml; `contralbero verify` solves them again and compares."
+    ),
+    "more_differ": Text("{checks} checks and {values} values differ in all; `contralbero compare --all` lists them."),
+    "lone_values": plural(
+        "{n} check or value stands in one design only and is not shown; `contralbero compare --all` lists it.",
+        "{n} checks and values stand in one design only and are not all shown; `contralbero compare --all` lists them.",
         n=0,
     ),
-    "lone_values": Text("What stands in one design only is counted above; `contralbero compare --all` lists it."),
+    "docx_note": Text(
+        "{program}, design file sha256 {sum}. A copy to go on writing with: anybody can change it. The record is the PDF report, which "
+        "`contralbero verify` checks."
+    ),
     "two": Text("{name} (continued)"), "between": Text("{count} more; {total} in all"),
 }  # fmt: skip
 

@@ -99,7 +99,8 @@ def spans(pdf: bytes) -> list[Span]:
             else:
                 codes = bytes.fromhex(token["codes"].decode())
                 wide = sum(widths[c] for c in codes) * size / 1000
-                found.append(Span(number, "".join(letters[c] for c in codes), x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
+                if (words := "".join(letters[c] for c in codes)).strip():  # a blank at a line's end parts words, and is not seen
+                    found.append(Span(number, words, x, matrix[5], x + wide, size, abs(matrix[1]) < 1e-6, hidden))
                 x += wide
     assert found
     return found

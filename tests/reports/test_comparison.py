@@ -5,15 +5,20 @@ import io
 from pathlib import Path
 
 import pytest
-from pypdf import PdfReader
+from pypdf import PdfReader, PdfWriter
 
 from assistant.cli import main
 from calc.compare import Comparison, compare
+from calc.id_words import in_context
+from calc.sheet.errors import BadInput
+from reports.attach import RESULTS
 from reports.comparison import render
+from reports.verify import verify
 
 from ..conftest import DESIGNS
-from .reading import EXAMPLE, Solved, solved, squeezed, text_of
+from .reading import EXAMPLE, Solved, pages_of, solved, squeezed, text_of
 from .test_hostile import inside
+from .test_verify import rewritten
 
 BETA = DESIGNS / "r753ie4_beta.toml"
 NAMES = ("beta", "gamma")
@@ -28,24 +33,72 @@ def found(a: Solved, b: Solved) -> Comparison:
     return compare(a.document.data, b.document.data, a.results, b.results)
 
 
-def report(a: Solved, b: Solved, lang: str = "en") -> bytes:
-    return render((a.document, a.results), (b.document, b.results), found(a, b), NAMES, lang=lang)
+def report(a: Solved, b: Solved, lang: str = "en", *, everything: bool = False) -> bytes:
+    return render((a.document, a.results), (b.document, b.results), found(a, b), NAMES, lang=lang, everything=everything)
 
 
 @pytest.mark.parametrize("lang", ["en", "it"])
-def test_what_changed_and_which_verdicts_moved(sides: tuple[Solved, Solved], lang: str) -> None:
-    pdf = report(*sides, lang)
+def test_everything_that_changed(sides: tuple[Solved, Solved], lang: str) -> None:
+    pdf = report(*sides, lang, everything=True)
     inside(pdf)
     read, compared = squeezed(text_of(pdf)), found(*sides)
     assert len(compared.checks_moved) > 5 and compared.inputs
     if lang == "en":
         for check in compared.checks_moved:
-            assert squeezed(check.name) in read
+            assert squeezed(in_context(check.name, check.id)) in read
         for one in compared.inputs:
             assert squeezed(one.label) in read
     else:
         assert "Confrontodidueprogetti" in read and "Verdictsofthesteps" not in read
-    assert report(*sides, lang) == pdf, "the same designs give the same bytes"
+    assert report(*sides, lang, everything=True) == pdf, "the same designs give the same bytes"
+
+
+def test_the_first_page_concludes(sides: tuple[Solved, Solved]) -> None:
+    pdf = report(*sides)
+    first, *others = pages_of(pdf)
+    heads = ["beta → gamma: the whole stays", "Limits and cautions that moved", "Key result ", "Inputs"]
+    assert [first.index(head) for head in heads] == sorted(first.index(head) for head in heads)
+    assert len(others) < 3 and "Verdicts of the steps" not in text_of(pdf)
+
+
+@pytest.mark.parametrize(("lang", "everything"), [("en", False), ("it", True)])
+def test_what_was_written_is_identical(sides: tuple[Solved, Solved], lang: str, everything: bool) -> None:
+    found = verify(report(*sides, lang, everything=everything), "c.pdf")
+    assert found.identical and found.same_bytes and found.design == " – ".join(side.results.design.name for side in sides)
+
+
+def test_another_design_inside_is_seen(sides: tuple[Solved, Solved]) -> None:
+    pdf = report(*sides)
+    other = sides[1].raw.replace(b"piston_mass_g = ", b"piston_mass_g = 1")
+    assert other != sides[1].raw
+    found = verify(rewritten(pdf, {"b.toml": other}), "c.pdf")
+    assert found.changed == ("b.toml",) and not found.identical
+    told = {one.what for one in found.differences}
+    assert any(what.startswith("b.toml: value imbalance.") for what in told) and not any(what.startswith("a.toml") for what in told)
+
+
+def test_an_altered_page_is_seen(sides: tuple[Solved, Solved], tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "c.pdf"
+    path.write_bytes(rewritten(report(*sides), page=(b" re f", b" re n")))
+    assert main(["verify", str(path)]) == 1
+    assert "page 1, what is drawn on it" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("raw", [b"{}", b"[]", b'{"names": [1]}', b'{"names": ["a", "b"], "a": {}, "b": 1}'])
+def test_results_of_any_shape_are_refused(sides: tuple[Solved, Solved], raw: bytes) -> None:
+    with pytest.raises(BadInput, match="damaged"):
+        verify(rewritten(report(*sides), {RESULTS: raw}), "c.pdf")
+
+
+def test_what_lacks_an_attachment_is_refused_by_name(sides: tuple[Solved, Solved]) -> None:
+    reader, writer = PdfReader(io.BytesIO(report(*sides))), PdfWriter()
+    writer.add_page(reader.pages[0])
+    writer.add_metadata({"/Keywords": str(reader.metadata.keywords)})  # type: ignore[union-attr]
+    writer.add_attachment("a.toml", sides[0].raw)
+    out = io.BytesIO()
+    writer.write(out)
+    with pytest.raises(BadInput, match=r"has no attachment b\.toml and none results\.json"):
+        verify(out.getvalue(), "c.pdf")
 
 
 def test_both_designs_are_attached(sides: tuple[Solved, Solved]) -> None:
@@ -69,5 +122,5 @@ def test_the_command_writes_it(tmp_path: Path, capsys: pytest.CaptureFixture[str
 def test_designs_with_names_that_are_words_keep_them(sides: tuple[Solved, Solved]) -> None:
     """`front` and `rear` are words of the program; as names of files they are the user's."""
     (a, b), names = sides, ("front", "rear")
-    read = squeezed(text_of(render((a.document, a.results), (b.document, b.results), found(a, b), names, lang="it")))
+    read = squeezed(text_of(render((a.document, a.results), (b.document, b.results), found(a, b), names, lang="it", everything=True)))
     assert squeezed("Margine, front Margine, rear") in read and squeezed("anteriore posteriore") not in read

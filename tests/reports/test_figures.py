@@ -12,8 +12,7 @@ from pypdf import PdfReader
 
 from calc.sheet.step import Curve, Series, Turning
 from reports.arrows import ARROW, LEAST, arrows
-from reports.figures import series_label
-from reports.plots import BARS, bar_colour, line_style, series_style
+from reports.plots import BARS, bar_colour, line_style, series_label, series_style
 
 from .reading import V12, Shape, rgb, shapes, solved, squeezed, text_of, with_outcome
 

@@ -14,8 +14,9 @@ from calc.sheet.formula import FORMULAS
 from calc.sheet.number import SUBSCRIPTS, SUPERSCRIPTS
 from calc.sheet.quantity import keys
 from calc.sheet.units import UNITS
-from reports.fonts import FACES, MISSING, clean, width, widths, writable
-from reports.prose import BODY, NOTE, broken, lines, run
+from reports import prose
+from reports.fonts import FACES, MISSING, UPRIGHT, clean, face_of, width, widths, writable
+from reports.prose import BODY, NOTE, Style, broken, lines, run
 from reports.words import WORDS
 
 from .reading import Solved, text_of
@@ -46,9 +47,7 @@ def test_every_character_has_a_glyph(example: Solved, engineer: bytes) -> None:
         texts += [x for e in outcome.errata for x in (e.label, e.source, e.why)]
         texts += [x for v in outcome.values() for x in (v.label, v.unit, v.symbol)]
     needed = {c for text in texts for c in text} - {MISSING}
-    for face in FACES:
-        missing = {c for c in needed if c not in widths(face)}
-        assert not missing, face
+    assert not {c for c in needed if not face_of(c, UPRIGHT)}
     assert MISSING not in text_of(engineer)
 
 
@@ -56,7 +55,35 @@ def test_the_fonts_are_inside_the_document(engineer: bytes) -> None:
     for page in PdfReader(io.BytesIO(engineer)).pages:
         for font in page["/Resources"]["/Font"].values():
             made = font.get_object()
-            assert "DejaVuSans" in made["/BaseFont"] and "/ToUnicode" in made and "/FontFile2" in made["/FontDescriptor"]
+            assert (
+                made["/BaseFont"].partition("+")[2].startswith(("STIXTwo", "DejaVuSans"))
+                and "/ToUnicode" in made
+                and "/FontFile2" in made["/FontDescriptor"]
+            )
+
+
+@pytest.mark.parametrize("face", FACES)
+def test_what_a_face_lacks_comes_from_another_one(face: str) -> None:
+    assert [face_of(c, face) for c in "aα²≤√→✓✗设"] == [face] * 3 + ["STIXTwoMath"] * 3 + ["DejaVuSans"] * 2 + [""]
+    other = widths("STIXTwoMath")["≤"] + widths("DejaVuSans")["✗"]
+    assert width("x≤✗", 10.0, face) == pytest.approx((widths(face)["x"] + other) / 100)
+
+
+def test_text_of_several_faces_is_written_letter_by_letter(engineer: bytes) -> None:
+    read = text_of(engineer)
+    assert "✗ fail" in read and "≥ 9 µm" in read and "To pass" in read
+
+
+@pytest.mark.parametrize("face", FACES)
+def test_figures_are_equally_wide(face: str) -> None:
+    wide = [widths(face)[c] for c in "0123456789"]
+    assert max(wide) - min(wide) <= 2  # thousandths of the size
+
+
+def test_no_style_is_smaller_than_a_note() -> None:
+    styles = [one for one in vars(prose).values() if isinstance(one, Style)]
+    assert min(style.size for style in styles) >= 7.5
+    assert BODY.size >= 9
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from calc.sheet.check import Check
 from calc.sheet.step import Curve, Erratum, Series
 from calc.solve import Results
 from reports.paper import BOTTOM, LEFT, PAGE, RIGHT, TOP
+from reports.prose import NOTE
 
 from .reading import EXAMPLE, V12, Solved, solved, spans, squeezed, text_of
 
@@ -19,10 +20,11 @@ SHORT = EXAMPLE.read_text(encoding="utf-8").partition("[gears]")[0]
 
 
 def inside(pdf: bytes) -> None:
-    for span in spans(pdf):
+    sheets = {n for n, page in enumerate(PdfReader(io.BytesIO(pdf)).pages) if page.mediabox.width > page.mediabox.height}
+    for span in (span for span in spans(pdf) if span.page not in sheets):
         assert LEFT - 1 <= span.x and (not span.upright or span.end <= PAGE[0] - RIGHT + 1), span
         assert 24 < span.y < PAGE[1] - 24, span
-        if span.size > 7.5:
+        if span.size > NOTE.size:
             assert BOTTOM - 14 < span.y < PAGE[1] - TOP + 2, span
 
 

@@ -183,7 +183,7 @@ def drawn(blocks: list[Block]) -> list[str]:
         y -= block.gap
         block.draw(pen, y)
         y -= block.height
-    return [mark[3] for _, _, mark in pen.text if mark[0] == "text"]
+    return [mark[3] for _, _, mark, *_ in pen.text if mark[0] == "text"]
 
 
 CYCLE = [{"angle_deg": float(n), "pressure_bar": 1000.0 + n} for n in range(720)]

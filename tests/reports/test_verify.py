@@ -8,29 +8,38 @@ import os
 import re
 import subprocess
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from random import Random
 
 import pytest
 from pypdf import PdfReader, PdfWriter
 from pypdf.annotations import FreeText
-from pypdf.generic import ArrayObject, DecodedStreamObject, DictionaryObject, NameObject, NumberObject, StreamObject, TextStringObject
+from pypdf.generic import (
+    ArrayObject,
+    DecodedStreamObject,
+    DictionaryObject,
+    FloatObject,
+    NameObject,
+    NumberObject,
+    StreamObject,
+    TextStringObject,
+)
 
 from assistant.cli import main
-from calc.compare import compare
 from calc.design_file import Document
 from calc.sheet.errors import BadInput
 from calc.solve import Results
 from reports import binding, title_block
 from reports import verify as verifying
 from reports.attach import NAME, RESULTS
-from reports.comparison import render as compared
+from reports.paper import LEFT, WIDTH
+from reports.printed import printed
 from reports.report import render
 from reports.verify import verify
 
 from ..conftest import DESIGNS, ROOT
-from .reading import V12, Solved, solved
+from .reading import V12, solved, spans
 
 
 @pytest.fixture(scope="module")
@@ -199,12 +208,12 @@ def painted(writer: PdfWriter) -> StreamObject:
     return writer._add_object(stream)
 
 
-def laid(writer: PdfWriter, **kind: str) -> DictionaryObject:
-    """An annotation on the first page that paints over it."""
-    one = DictionaryObject({NameObject("/Rect"): ArrayObject(map(NumberObject, (50, 600, 500, 700)))})
+def laid(writer: PdfWriter, number: int = 0, rect: Sequence[float] = (50, 600, 500, 700), **kind: str) -> DictionaryObject:
+    """An annotation that paints over a page."""
+    one = DictionaryObject({NameObject("/Rect"): ArrayObject(map(FloatObject, rect))})
     one.update({NameObject(f"/{key}"): NameObject(f"/{value}") for key, value in kind.items()})
     one[NameObject("/AP")] = DictionaryObject({NameObject("/N"): painted(writer)})
-    page = writer.pages[0]
+    page = writer.pages[number]
     page[NameObject("/Annots")] = ArrayObject([*page.get("/Annots", []), writer._add_object(one)])
     return one
 
@@ -229,6 +238,18 @@ def opened(writer: PdfWriter) -> None:
     writer._root_object[NameObject("/OpenAction")] = DictionaryObject(action)
 
 
+def spoken(writer: PdfWriter) -> None:
+    """A figure whose words are others: seen by nobody, but read out."""
+    top = writer._root_object["/StructTreeRoot"]["/K"]  # type: ignore[index]
+    figure = next(one.get_object() for one in top["/K"] if one.get_object()["/S"] == "/Figure")
+    figure[NameObject("/Alt")] = TextStringObject("all checks pass")
+
+
+def retitled(writer: PdfWriter) -> None:
+    stream = writer._root_object["/Metadata"].get_object()
+    stream.set_data(stream.get_data().replace(b"V12 at", b"approved: V12 at"))
+
+
 @pytest.mark.parametrize(
     ("how", "what"),
     [
@@ -237,12 +258,16 @@ def opened(writer: PdfWriter) -> None:
         (another_font, "page 1, what is drawn on it"),
         (lambda w: laid(w, Subtype="Link"), "page 1, laid over it"),
         (lambda w: laid(w, Subtype="Widget", FT="Btn"), "page 1, laid over it"),
+        (lambda w: laid(w, rect=(0, 0, 5, 5), Subtype="Stamp", FT="Sig"), "page 1, laid over it"),
+        (lambda w: laid(w, rect=(0, 0, 5, 5), Subtype="Widget", FT="Sig", AA="Bl"), "page 1, laid over it"),
+        (spoken, "the document's structure"),
+        (retitled, "the document's title"),
         (another_file, "attachment design.toml"),
         (opened, "the document as a whole"),
         (lambda w: w.add_metadata({"/Title": "all checks pass"}), "the document's title"),
         (lambda w: w._root_object["/Names"].update({NameObject("/JavaScript"): DictionaryObject()}), "the document as a whole"),
     ],
-    ids=["crop", "turn", "font", "link", "button", "file", "action", "title", "script"],
+    ids=["crop", "turn", "font", "link", "button", "stamp", "script of a field", "alt", "xmp", "file", "action", "title", "script"],
 )
 def test_what_a_reader_would_see_or_take_otherwise_is_found(made: bytes, how: Callable[[PdfWriter], None], what: str) -> None:
     assert what in forged(made, how)
@@ -252,13 +277,41 @@ def test_a_clone_alone_is_no_forgery(made: bytes) -> None:
     assert not forged(made, lambda writer: None)
 
 
-def test_a_signature_may_be_added_and_is_said(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_signature_over_what_is_printed_is_a_difference(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A green PASS set over the verdict as the look of a signature is no signature."""
+    verdict = next(span for span in spans(made) if span.size == 15.0)
     writer = PdfWriter(clone_from=io.BytesIO(made))
-    laid(writer, Subtype="Widget", FT="Sig")
-    path = tmp_path / "signed.pdf"
+    laid(writer, rect=(verdict.x, verdict.y, verdict.end, verdict.y + 12), Subtype="Widget", FT="Sig")
+    path = tmp_path / "stamped.pdf"
     path.write_bytes(written(writer))
+    assert main(["verify", str(path)]) == 1
+    out = capsys.readouterr().out
+    assert f"page 1, under the field of a signature: covered in the report, “{verdict.text}" in out and out.endswith("differs\n")
+
+
+def test_a_signature_over_a_figure_is_a_difference(made: bytes) -> None:
+    page = next(n for n, page in enumerate(PdfReader(io.BytesIO(made)).pages) if b"/Figure" in page.get_contents().get_data())  # type: ignore[union-attr]
+    box = next(box for box, words in printed(PdfReader(io.BytesIO(made)).pages[page]) if words == "figure")
+    writer = PdfWriter(clone_from=io.BytesIO(made))
+    laid(writer, page, rect=(box[0] + 1, box[1] + 1, box[0] + 9, box[1] + 9), Subtype="Widget", FT="Sig")
+    assert [one.what for one in verify(written(writer), "x.pdf").differences] == [f"page {page + 1}, under the field of a signature"]
+
+
+def test_a_signature_in_its_box_is_said_and_no_difference(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A field that fills the box to sign in, whichever row it is, covers nothing."""
+    for row in ("Prepared", "Checked", "Approved"):
+        label = next(span for span in spans(made) if span.text == row)
+        top = label.y + 0.64 * title_block.SIGN
+        left, right = LEFT + title_block.SIGN_AT[3], LEFT + WIDTH
+        writer = PdfWriter(clone_from=io.BytesIO(made))
+        laid(writer, rect=(left, top - title_block.SIGN, right, top), Subtype="Widget", FT="Sig")
+        path = tmp_path / f"{row}.pdf"
+        path.write_bytes(written(writer))
+        found = verify(path.read_bytes(), "x.pdf")
+        assert found.kept and not found.identical and found.signed == (1,)
     assert main(["verify", str(path)]) == 0
-    assert "page 1 carries the field of a signature" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "page 1 carries the field of a signature" in out and out.splitlines()[-1].startswith("signed, or prepared for it")
 
 
 def test_a_name_that_a_terminal_would_obey_is_written_out(made: bytes, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -297,11 +350,7 @@ def test_a_line_drawn_otherwise_is_found(made: bytes) -> None:
     assert [one.what for one in found.differences] == ["page 1, what is drawn on it"]
 
 
-def test_a_comparison_and_an_encrypted_file_are_refused_by_name(made: bytes, example: Solved) -> None:
-    side = (example.document, example.results)
-    same = compare(example.document.data, example.document.data, example.results, example.results)
-    with pytest.raises(BadInput, match="is a comparison of two designs"):
-        verify(compared(side, side, same, ("a", "b")), "x.pdf")
+def test_an_encrypted_file_is_refused_by_name(made: bytes) -> None:
     writer = PdfWriter(clone_from=io.BytesIO(made))
     writer.encrypt("secret", algorithm="RC4-128")
     with pytest.raises(BadInput, match="is encrypted"):

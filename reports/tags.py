@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the parts of a page are, for whoever reads the document by a machine: headings, paragraphs, lists, tables, figures.
+
+A block says what it is by its tag (`flow.Block.tag`); what says nothing is a paragraph.  Blocks with one and the same tag, the lines of
+a paragraph, the rows of a table, are one element of the tree (ISO 32000-1, 14.7), on however many pages.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import Any
+
+from reportlab.pdfbase.pdfdoc import PDFObject, PDFObjectReference
+
+GATHERED = {"LI": "L", "TOCI": "TOC"}  # neighbours of a kind stand in a common element
+HEADING, FIGURE = "H", "Figure"
+CELLS = ("TD", "TH")
+LEVELS = 6  # of headings, at most
+COLUMN, ROW = "/O /Table /Scope /Column", "/O /Table /Scope /Row"  # what a cell heads
+
+
+@dataclass(frozen=True, slots=True, eq=False)  # the same only as itself
+class Tag:
+    """`within`: the element that this one is part of; `size`: of a heading's letters, the larger above the smaller; `alt`: what a figure
+    shows, in words."""
+
+    role: str
+    within: Tag | None = None
+    alt: str = ""
+    size: float = 0.0
+    attributes: str = ""
+
+
+def title_tag(size: float) -> Tag:
+    """Of a heading in letters of this size."""
+    return Tag(HEADING, size=size)
+
+
+@dataclass(slots=True, eq=False)
+class Piece:
+    """Marked content: where it is on which page."""
+
+    page: int
+    number: int
+
+
+@dataclass(slots=True, eq=False)
+class Annotation:
+    """What lies over a page at its element: a link."""
+
+    page: int
+    name: str
+
+
+class Element(PDFObject):  # type: ignore[misc]
+    """An element of the tree."""
+
+    __RefOnly__ = 1
+
+    def __init__(self, role: str, parent: Element | None, alt: str = "", attributes: str = "") -> None:
+        self.role, self.parent, self.alt, self.attributes = role, parent, alt, attributes
+        self.kids: list[Element | Piece | Annotation] = []
+        self.reference = b""  # as soon as it is an object of the document
+        if parent is not None:
+            parent.kids.append(self)
+
+    @property
+    def empty(self) -> bool:
+        return not self.kids and self.role not in CELLS
+
+    def place(self) -> tuple[int, int]:
+        """Where its first content stands in the order of reading."""
+        kid = next((kid for kid in self.kids if not isinstance(kid, Annotation)), None)
+        return kid.place() if isinstance(kid, Element) else (kid.page, kid.number) if kid is not None else (-1, -1)
+
+    def format(self, document: Any) -> bytes:
+        made = [b"<< /S /%s /P %s" % (self.role.encode(), _up(document, self.parent))]
+        page = next((kid.page for kid in self.kids if isinstance(kid, Piece)), None)
+        if page is not None:
+            made.append(b"/Pg " + page_reference(document, page))
+        kids = [_kid(document, kid, page) for kid in self.kids]
+        if kids:
+            made.append(b"/K " + (kids[0] if len(kids) == 1 else b"[%s]" % b" ".join(kids)))
+        if self.alt:
+            made.append(f"/Alt <{hexed(self.alt)}>".encode())
+        if self.attributes:
+            made.append(f"/A << {self.attributes} >>".encode())
+        return b" ".join([*made, b">>"])
+
+
+class Root(PDFObject):  # type: ignore[misc]
+    """The root of the tree, with the way back from marked content to its elements."""
+
+    __RefOnly__ = 1
+
+    def __init__(self, tree: Tree) -> None:
+        self.tree = tree
+
+    def format(self, document: Any) -> bytes:
+        back: list[bytes] = []
+        for n, elements in enumerate(self.tree.pages):
+            back.append(b"%d [%s]" % (n, b" ".join(element.reference for element in elements)))
+        for n, element in enumerate(self.tree.links, len(self.tree.pages)):
+            back.append(b"%d %s" % (n, element.reference))
+        after = len(self.tree.pages) + len(self.tree.links)
+        top = self.tree.top.reference
+        return b"<< /Type /StructTreeRoot /K %s /ParentTree << /Nums [%s] >> /ParentTreeNextKey %d >>" % (top, b" ".join(back), after)
+
+
+@dataclass(slots=True)
+class Tree:
+    """The tree as it grows while the pages are drawn.  `count`: of the pages, all of them, of which the links are counted on."""
+
+    count: int
+    top: Element = field(default_factory=lambda: Element("Document", None))
+    made: dict[Tag, Element] = field(default_factory=dict)
+    pages: list[list[Element]] = field(default_factory=list)  # by page, its elements by the numbers of their marked content
+    links: list[Element] = field(default_factory=list)
+    sizes: list[float] = field(default_factory=list)  # of the headings above the present place
+
+    def element(self, tag: Tag) -> Element:
+        """The element of a tag, made where it is met first."""
+        known = self.made.get(tag)
+        if known is None:
+            parent = self.element(tag.within) if tag.within is not None else self.top
+            if (whole := GATHERED.get(tag.role)) and parent is self.top:
+                last = parent.kids[-1] if parent.kids else None
+                parent = last if isinstance(last, Element) and last.role == whole else Element(whole, parent)
+            role = f"H{self._level(tag.size)}" if tag.role == HEADING else tag.role
+            known = self.made[tag] = Element(role, parent, tag.alt, tag.attributes)
+        return known
+
+    def _level(self, size: float) -> int:
+        while self.sizes and self.sizes[-1] <= size:
+            self.sizes.pop()
+        self.sizes.append(size)
+        return min(len(self.sizes), LEVELS)
+
+    def mark(self, element: Element) -> int:
+        """The number of marked content of an element on the present page."""
+        page = self.pages[-1]
+        piece = Piece(len(self.pages) - 1, len(page))
+        element.kids.append(piece)
+        page.append(element)
+        return piece.number
+
+    def link(self, element: Element, name: str) -> int:
+        """The number by which a link finds its element."""
+        element.kids.append(Annotation(len(self.pages) - 1, name))
+        self.links.append(element)
+        return self.count + len(self.links) - 1
+
+    def finish(self, document: Any) -> Root:
+        """Leave out what has no content, and make the elements objects of a document, in the order of reading."""
+        _prune(self.top)
+        for element in _all(self.top):
+            element.reference = document.Reference(element).format(document)
+        return Root(self)
+
+
+def _prune(element: Element) -> None:
+    for kid in element.kids:
+        if isinstance(kid, Element):
+            _prune(kid)
+    element.kids = [kid for kid in element.kids if not (isinstance(kid, Element) and kid.empty)]
+    if len({type(kid) for kid in element.kids} - {Annotation}) > 1:  # text with links in it
+        element.kids.sort(key=lambda kid: kid.place() if isinstance(kid, Element) else (kid.page, getattr(kid, "number", -1)))
+
+
+def _all(element: Element) -> Iterator[Element]:
+    yield element
+    for kid in element.kids:
+        if isinstance(kid, Element):
+            yield from _all(kid)
+
+
+def _up(document: Any, parent: Element | None) -> bytes:
+    """What an element stands in: another, or the root."""
+    made: bytes = document.Reference(document.Catalog.StructTreeRoot).format(document) if parent is None else parent.reference
+    return made
+
+
+def page_reference(document: Any, page: int) -> bytes:
+    made: bytes = PDFObjectReference(f"Page{page + 1}").format(document)
+    return made
+
+
+def _kid(document: Any, kid: Element | Piece | Annotation, page: int | None) -> bytes:
+    match kid:
+        case Element():
+            return kid.reference
+        case Annotation():
+            at = page_reference(document, kid.page), document.refAnnotation(kid.name).format(document)
+            return b"<< /Type /OBJR /Pg %s /Obj %s >>" % at
+        case Piece(page=on, number=number) if on != page:
+            return b"<< /Type /MCR /Pg %s /MCID %d >>" % (page_reference(document, on), number)
+        case _:
+            return b"%d" % kid.number
+
+
+def hexed(words: str) -> str:
+    """A text as the hexadecimal string of a document."""
+    return ("\ufeff" + words).encode("utf-16-be").hex().upper()

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The report as a Word document, read back."""
+
+import io
+import re
+from typing import Any
+
+import pytest
+
+from reports.content import Formula, Heading, Picture, Words
+from reports.pen import Pen
+from reports.report import blocks, context_of
+from reports.tables import Rows
+
+from .reading import V12, Solved, solved, squeezed
+
+docx = pytest.importorskip("docx", reason="needs the extra docx")
+pytest.importorskip("pypdfium2", reason="needs the extra docx")
+
+MATH = "{http://schemas.openxmlformats.org/officeDocument/2006/math}"
+
+
+def render(made: Solved, depth: str = "engineer", lang: str = "en") -> bytes:
+    from reports.docx_file import render as written
+
+    return written(made.document, made.results, made.raw, depth=depth, lang=lang)
+
+
+def opened(raw: bytes) -> Any:
+    return docx.Document(io.BytesIO(raw))
+
+
+def text_of(file: Any) -> str:
+    """All text in its order, formulas with it."""
+    return "\n".join("".join(p.itertext()) for p in file.element.body.iter() if p.tag.endswith("}p"))
+
+
+@pytest.fixture(scope="module")
+def engineer_docx(example: Solved) -> Any:
+    return opened(render(example))
+
+
+def contents(made: Solved, depth: str = "engineer", lang: str = "en") -> list[Any]:
+    return blocks(context_of(made.document, made.results, made.raw, depth=depth, lang=lang))
+
+
+def test_it_has_what_the_blocks_of_the_pdf_say(example: Solved, engineer_docx: Any) -> None:
+    said = [block.content for block in contents(example)]
+    read = engineer_docx.paragraphs
+    assert [c.words for c in said if isinstance(c, Heading)] == [p.text for p in read if p.style.name.startswith(("Heading", "Title"))]
+    assert len([c for c in said if isinstance(c, Rows)]) == len(engineer_docx.tables) > 40
+    assert len([c for c in said if isinstance(c, Picture)]) == len(engineer_docx.inline_shapes) > 8
+    captions = [caption for c in said if isinstance(c, Picture) for caption in c.captions]
+    found = [p.text for p in read if p.style.name == "Caption"]
+    assert len(captions) > 8 and squeezed("".join(captions)) == squeezed("".join(found))
+    whole = squeezed(text_of(engineer_docx))
+    assert all(squeezed(c.words) in whole for c in said if isinstance(c, Words))
+    formulas = [c for c in said if isinstance(c, Formula)]
+    lines = sum(len(c.lines) for c in formulas)
+    assert lines <= len(list(engineer_docx.element.body.iter(f"{MATH}oMath"))) <= lines + len(formulas)
+
+
+def test_nothing_that_the_pages_say_is_left_out() -> None:
+    """Every word that a block draws stands in the document, but for those within pictures, and what holds for pages alone."""
+    made = solved(V12)
+    context = context_of(made.document, made.results, made.raw, depth="summary", lang="en")
+    whole = squeezed(text_of(opened(render(made, "summary"))))
+    drawn: list[str] = []
+    for block in blocks(context):
+        if not isinstance(block.content, Picture):
+            pen = Pen(None, {}, {})  # type: ignore[arg-type]
+            block.draw(pen, 0.0)
+            drawn += [mark[3] for _, _, mark, *_ in pen.text if mark[0] == "text"]
+    assert len(drawn) > 60
+    missing = [words for words in drawn if squeezed(words) not in whole]
+    assert {word for words in missing for word in words.split()} <= set(context.words["attached"].split())
+
+
+def test_formulas_can_be_edited(engineer_docx: Any) -> None:
+    body = engineer_docx.element.body
+    assert len(list(body.iter(f"{MATH}f"))) > 50 and list(body.iter(f"{MATH}rad")) and list(body.iter(f"{MATH}sSub"))
+    pressure = next(p for p in body.iter(f"{MATH}oMathPara") if "".join(p.itertext()).startswith("ph="))
+    fraction = next(pressure.iter(f"{MATH}f"))
+    assert "".join(fraction.find(f"{MATH}num").itertext()) == "FV"
+    assert any("".join(p.itertext()).endswith("= 333.8 MPa") for p in body.iter(f"{MATH}oMathPara"))
+
+
+def test_headers_are_repeated_and_indices_stand_low(engineer_docx: Any) -> None:
+    key_results = next(t for t in engineer_docx.tables if [c.text for c in t.rows[0].cells][:3] == ["Quantity", "Symbol", "Value"])
+    assert "tblHeader" in key_results.rows[0]._tr.xml and "tblHeader" not in key_results.rows[1]._tr.xml
+    symbol = key_results.rows[1].cells[1].paragraphs[0]
+    assert [(run.text, run.font.subscript) for run in symbol.runs] == [("C", None), ("S", True)]
+    widths = [cell.width for cell in key_results.rows[1].cells]
+    assert widths[0] > 2 * widths[1]
+
+
+def test_it_says_that_it_is_no_record(example: Solved, engineer_docx: Any) -> None:
+    foot = engineer_docx.sections[0].footer.paragraphs[0].text
+    assert example.document.sha256 in foot and "The record is the PDF report" in foot
+    about = engineer_docx.core_properties
+    assert about.title == example.results.design.name and about.subject == "Calculation report" and about.author == ""
+    assert "attached to this document" not in text_of(engineer_docx) and "Contents" not in text_of(engineer_docx)
+    described = [shape._inline.docPr.get("descr") for shape in engineer_docx.inline_shapes]
+    assert all(described) and any("Figure 2" in words for words in described)
+
+
+def test_in_italian() -> None:
+    file = opened(render(solved(V12), "summary", "it"))
+    read = text_of(file)
+    assert 'w:lang w:val="it"' in file.styles.element.xml
+    assert "Relazione di calcolo" in read and "Calculation report" not in read
+
+
+def test_names_that_a_file_of_xml_can_not_hold() -> None:
+    made = solved(V12.replace("V12 at 60°, zwölf Zylinder", "A\\u0007 <b> & 设计 \\uFFFF"))
+    file = opened(render(made, "summary"))
+    assert re.sub(r"\s+", " ", file.paragraphs[0].text).strip() == "A <b> & 设计"
+
+
+def test_depths_that_there_are_not(example: Solved) -> None:
+    with pytest.raises(ValueError, match="depth"):
+        render(example, "audit")

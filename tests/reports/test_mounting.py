@@ -1,0 +1,24 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The chapter of the mounts: what the shaft does for the driver, and what the standards do not say, before anything else."""
+
+import io
+from pathlib import Path
+
+from pypdf import PdfReader
+
+from assistant.cli import main
+from calc.design_file import load
+from calc.solve import solve
+
+DESIGN = Path(__file__).parents[2] / "designs" / "generating_set_mounting.toml"
+
+
+def test_the_chapter_begins_with_what_is_felt_and_what_the_standards_cover(tmp_path: Path) -> None:
+    out = tmp_path / "set.pdf"
+    assert main(["report", str(DESIGN), "-o", str(out)]) == 0
+    text = " ".join(" ".join(page.extract_text() for page in PdfReader(io.BytesIO(out.read_bytes())).pages).split())
+    chapter = text[text.rindex("Mounting Figure") if "Mounting Figure" in text else text.index("Seen along the crank") :].replace(" ", "")
+    outcome = solve(load(DESIGN)[1]).outcomes["mounting"]
+    places = [chapter.index(str(said).replace(" ", "")) for said in (outcome.reason, *outcome.notes[:3])]
+    places += [chapter.index(word) for word in ("Whatisfelt", "Modesoftheengine", "Proofs", "Forcesofthemounts")]
+    assert places == sorted(places)

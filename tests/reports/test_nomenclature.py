@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The nomenclature: each symbol of a chapter's formulas once, with its meaning, its unit and the first page on which it stands."""
+
+import re
+
+from calc.languages import language
+from reports.context import Context
+from reports.nomenclature import _short, noted
+from reports.prose import NOTE, run
+from reports.report import blocks
+from reports.symbols import SIGN
+
+from .reading import Solved, pages_of, text_of
+
+
+def part(pdf: bytes) -> str:
+    """The nomenclature as text."""
+    read = text_of(pdf)
+    return read[read.index("Symbol, meaning, unit and first page") : read.rindex("Drawing sheet")]
+
+
+def context_of(example: Solved, depth: str) -> Context:
+    return Context(example.document, example.results, "0" * 64, depth, language("en"))
+
+
+def test_symbols_stand_with_meaning_unit_and_page(engineer: bytes) -> None:
+    for meaning, unit in (("Specific load", "MPa"), ("Outlet temperature", "°C"), ("Safety against tooth breakage of crank", "")):
+        assert re.search(rf"{meaning}\s+{unit}\s*\d+", part(engineer)), meaning
+
+
+def test_the_first_page_holds_the_symbol(engineer: bytes) -> None:
+    """Every page named is one of the report before the nomenclature."""
+    rows, read = part(engineer), pages_of(engineer)
+    start = next(n for n, page in enumerate(read, 1) if "Symbol, meaning, unit and first page" in page)
+    named = [int(number) for number in re.findall(r"(?<!of) (\d+)$", rows, re.M)]
+    assert len(named) > 60 and max(named) <= start and min(named) >= 2
+
+
+def test_no_symbol_stands_twice_in_a_chapter(example: Solved) -> None:
+    context = context_of(example, "engineer")
+    made = blocks(context)
+    assert len(context.symbols) > 150
+    names = [one for block in made for one in block.indexed.split("\n") if one.startswith(SIGN)]
+    assert {one.indexed for one in context.symbols.values()} == set(names), "each symbol has its page"
+
+
+def test_tables_give_their_symbols_to_the_audit_only(example: Solved) -> None:
+    for depth, count in (("engineer", 0), ("audit", 1)):
+        context = context_of(example, depth)
+        context.chapter = "gears"
+        noted(context, "z", "Teeth", "")
+        assert len(context.symbols) == count
+
+
+def test_a_long_meaning_ends_at_a_mark() -> None:
+    long = "reciprocating force as two turning vectors, here for any order, throws and banks"
+    assert _short(long) == "reciprocating force as two turning vectors"
+    assert run(_short(long), NOTE).width < run(long, NOTE).width and _short("mean temperature") == "mean temperature"
