@@ -50,7 +50,7 @@ ACTIONS: tuple[Action, ...] = (
            Text("Findings, calculation and curve in turn; on a narrow screen the inputs and the picture as well.")),
     Action("enlarge", "shift+f4", "z", EMPTY, Text("Pane large and small"),
            Text("Makes the pane that you are in fill the screen, and small again.")),
-    Action("fix", "f5", "m", Text("Remedy"), Text("What would help"),
+    Action("fix", "f5", "m", Text("Remedy"), Text("Remedies: what would help"),
            Text("Lists remedies of different kinds for the finding that you are at, with what each does to every step, to power and mass. "
                 "Undo takes one back."), call=("remedies",)),
     Action("choose", "ctrl+t", "t", Text("Choose"), Text("Choose from a table"),

@@ -210,7 +210,7 @@ def run(path: Path | None, ascii: bool = False, lang: str | None = None) -> int:
     import gc
 
     gc.set_threshold(50_000, 20, 50)  # a screen is many small objects that stay; they need not be looked through so often
-    sys.setswitchinterval(0.001)  # a key waits no longer than that for the thread that solves
+    sys.setswitchinterval(0.0002)  # between two of the twenty turns that a key takes, the thread that solves has no more than that
     memory = Memory()
     missing = path.expanduser().absolute() if path is not None and not memory.there(path.expanduser()) else None
     try:

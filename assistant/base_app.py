@@ -87,4 +87,6 @@ class BaseApp(App[int]):
     def tell(self, text: Text, severity: SeverityLevel = "information") -> None:
         """Show a text for a moment; it is never read as markup."""
         self.forget(text)  # the same text is not shown twice at a time
-        self.notify(self.say(text), severity=severity, markup=False, timeout=10 if severity == "error" else 5)
+        for past in [one for one in self._notifications if one.severity == severity == "information"]:
+            self._unnotify(past)  # what was done before that is no news
+        self.notify(self.say(text), severity=severity, markup=False, timeout=10 if severity == "error" else 4)

@@ -87,10 +87,10 @@ def own_file(id: str, folder: Path) -> Path:
 
 
 def engine_only(id: str, path: Path) -> "Table":
-    """A design with nothing but an engine, named like its file: its steps are built one by one."""
+    """A design with nothing but an engine, both named like its file: its steps are built one by one, its numbers are replaced."""
     engine = engines()[id]
-    note = f"Begun with {engine.name}: {engine.what}. Data: {engine.source}."
-    return {"schema": 1, "name": path.stem, "note": note, "engine": engine_table(id)}
+    note = f"Begun with the data of {engine.name}: {engine.what}. They are from: {engine.source}."
+    return {"schema": 1, "name": path.stem, "note": note, "engine": {**engine_table(id), "name": path.stem}}
 
 
 @dataclass(frozen=True)

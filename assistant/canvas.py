@@ -18,6 +18,7 @@ from calc.sheet.drawing import AXIS, CONTEXT, HIDDEN, Arc, Area, Dimension, Mark
 from .arrangement import CENTRE, LEFT, RIGHT, Fit, Frame, Spread, arranged, words_of
 from .raster import LOWER, UPPER, Floats, Integers, Raster
 from .widgets.signs import Signs
+from .widgets.wrap import wrap
 
 FAINT, NORMAL, WARN, FAIL, LIT = range(1, 6)  # roles: a higher one is drawn over a lower one
 STYLES = {FAINT: "muted", WARN: "warn", FAIL: "fail", LIT: "lit"}
@@ -38,13 +39,24 @@ def draw(sketch: Sketch, columns: int, rows: int, signs: Signs, say: Language, l
     if columns < 4 or rows < 2:
         return Content("")
     canvas = Canvas(columns, rows, signs, say, lit)
-    notes = " · ".join(dict.fromkeys(say(note) for one in (sketch, *sketch.beside) for note in one.notes))
-    below = 1 if notes and rows > 4 else 0
-    for picture, frame in arranged([Spread(one, say) for one in (sketch, *sketch.beside)], columns, rows - below):
+    notes = noted(list(dict.fromkeys(say(note) for one in (sketch, *sketch.beside) for note in one.notes)), columns)
+    below = notes if rows > 4 + len(notes) else []
+    for picture, frame in arranged([Spread(one, say) for one in (sketch, *sketch.beside)], columns, rows - len(below)):
         canvas.picture(picture, frame)
-    if below:
-        canvas.put(rows - 1, max(0, (columns - cell_len(notes)) // 2), notes, FAINT)
+    for row, note in enumerate(below, rows - len(below)):
+        canvas.put(row, max(0, (columns - cell_len(note)) // 2), note, FAINT)
     return canvas.content()
+
+
+def noted(notes: list[str], columns: int) -> list[str]:
+    """The notes in rows, as many in one as there is room for."""
+    rows: list[str] = []
+    for note in notes:
+        if rows and cell_len(joined := f"{rows[-1]} · {note}") <= columns:
+            rows[-1] = joined
+        else:
+            rows += wrap(note, columns)
+    return rows
 
 
 class Canvas:

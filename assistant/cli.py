@@ -20,12 +20,12 @@ COMMANDS = {
     "new": "write a design from a shipped engine",
     "check": "solve a design and print its verdicts, main values and findings",
     "explain": "the chain of formulas that leads to one value",
-    "report": "write the PDF calculation report",
-    "verify": "solve the design inside a report again: identical, or what differs",
+    "report": "write the calculation report as a PDF, or as a Word document to go on writing",
+    "verify": "solve what is inside a report or a comparison again: identical, signed, or what differs",
     "replay": "run scripted designs and compare with what they expect",
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
-    "compare": "two designs side by side, differences first",
+    "compare": "two designs side by side: what got better and worse, the inputs that differ",
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "serve": "the guided session in a browser, on this machine only",
@@ -83,7 +83,12 @@ def parser() -> argparse.ArgumentParser:
     add["explain"].add_argument("--json", action="store_true", help="print the lines as JSON")
 
     add["report"].add_argument("file")
-    add["report"].add_argument("-o", "--output", metavar="OUT.pdf", help="default: the design's name with .pdf, in the current folder")
+    add["report"].add_argument("-o", "--output", metavar="OUT", help="default: the design's name with .pdf, in the current folder")
+    add["report"].add_argument(
+        "--format",
+        choices=("pdf", "docx"),
+        help="docx: a Word document, its formulas to be edited; the record is the PDF (default: by the ending of OUT)",
+    )
     add["report"].add_argument("--depth", choices=("summary", "engineer", "audit"), default="engineer", help="default: %(default)s")
     add["report"].add_argument("--lang", choices=LANGUAGES, default="en", help="English or Italian (default: %(default)s)")
 
@@ -109,8 +114,10 @@ def parser() -> argparse.ArgumentParser:
     add["compare"].add_argument("b", metavar="B", help="another one, or the same")
     kinds = add["compare"].add_mutually_exclusive_group()
     kinds.add_argument("--json", action="store_true", help="print one JSON object, with all that differs")
-    kinds.add_argument("--all", action="store_true", help="all checks and values that differ, tables of one design written out")
-    kinds.add_argument("-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report")
+    kinds.add_argument("-o", "--output", metavar="OUT.pdf", help="write the comparison as a PDF report, which verify checks")
+    add["compare"].add_argument(
+        "--all", action="store_true", help="then all checks and values that differ, tables of one design written out"
+    )
     add["compare"].add_argument("--lang", choices=LANGUAGES, default="en", help="of the PDF (default: %(default)s)")
 
     add["sweep"].add_argument("file")
@@ -135,6 +142,7 @@ def parser() -> argparse.ArgumentParser:
     add["export"].add_argument(
         "--chord-error", type=float, metavar="UM", help="how far a tooth's straight pieces may stand off (default: 1 µm)"
     )
+    add["export"].add_argument("--transfer", action="store_true", help="the transfer functions of the mounts instead of the values (--csv)")
     add["export"].add_argument("-o", "--output", required=True, metavar="PATH", help="the file; without a format its ending decides")
 
     add["serve"].add_argument("file", nargs="?")

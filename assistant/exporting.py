@@ -68,6 +68,23 @@ def values_text(document: Document, results: Results) -> str:
     return file.getvalue()
 
 
+def transfer_text(document: Document, results: Results) -> str:
+    """How every point of the engine's mounting moves under unit forces and moments, over frequency."""
+    from calc.mounting.result import MountingResult
+    from calc.mounting.transfer import rows as transfer_rows
+
+    found = results.result(MountingResult)
+    if found is None or not found.system.mounting.points:
+        reason = Text("needed with [[mounting.points]] for transfer functions")
+        raise BadInput(document.place, [InputError(0, "mounting", "", reason)])
+    file = StringIO()
+    writer = csv.writer(file, lineterminator="\n")
+    header, numbers = transfer_rows(found)
+    writer.writerow(header)
+    writer.writerows([f"{x:.9g}" if math.isfinite(x) else "" for x in row] for row in numbers)
+    return file.getvalue()
+
+
 def drawing_text(document: Document, results: Results) -> str:
     """The shaft as a DXF file.  Raises BadInput where its outline is not known, with what to add."""
     shaft, found = results.design.countershaft, results.outcomes["countershaft"]
@@ -100,10 +117,10 @@ def drawing_text(document: Document, results: Results) -> str:
                 )
             ],
         )
-    from calc.countershaft.drawing import LAYERS, shaft_drawing
-    from reports.dxf import dxf
+    from calc.drawings import sheets
+    from reports.dxf import sheet_dxf
 
-    return dxf(shaft_drawing(outline, shaft.bearing_positions, results.design.name), LAYERS)
+    return sheet_dxf(sheets(results, data=document.data)[0])
 
 
 def gears_text(document: Document, results: Results, wheel: str | None = None, chord_error: float | None = None) -> str:

@@ -65,4 +65,9 @@ GUIDES: dict[str, Guide] = {
         Text("Some hundred watts at rated speed. Under so light a load rolling and the bearings lose more than the teeth rub away."),
         Text("A thinner or warmer oil costs less in the meshes and thins the films of the bearings: watch step 4 while you change it."),
     ),
+    "mounting": Guide(
+        Text("Mass, inertia and mounts of the engine, the frame below them, and where it is felt at which speeds."),
+        Text("All modes between the road's frequency and idle, roll and bounce pure. The shaft takes order 1; the firing torque stays."),
+        Text("Softer mounts, other ratios, an inclination: the search for mounts finds those that decouple the modes."),
+    ),
 }

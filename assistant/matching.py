@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Finding a title by words that are typed: in any order, in parts, with or without accents."""
 
+import re
 import unicodedata
 from collections.abc import Sequence
 
@@ -26,17 +27,22 @@ def match(words: Sequence[str], title: str, *others: str) -> tuple[float, list[t
     plain = folded(title)
     total, spans = 0.0, []
     for word in words:
-        at = _place(word, plain)
+        at = _place(word, plain) if not (word.isdecimal() and len(word) == 1) or _stands(word, plain) else None
         if at is not None:
             total += START if at == 0 else BEGINNING if not plain[at - 1].isalnum() else INSIDE
             total += WHOLE if not _goes_on(plain, at + len(word)) else 0.0
             spans.append((at, at + len(word)))
-        elif any(word in other for other in others):
+        elif any(_stands(word, other) for other in others):
             total += ELSEWHERE
         else:
             return 0.0, []
     exact = EXACT if plain == " ".join(words) else 0.0
     return (total / len(words) if words else ELSEWHERE) + exact - min(len(title), 200) * 1e-4, spans
+
+
+def _stands(word: str, text: str) -> bool:
+    """Whether a word is in a text that is not shown; a number only by itself: the 4 of four cylinders is not that of a name."""
+    return re.search(rf"(?<![a-z0-9.]){word}(?![a-z0-9.])", text) is not None if word.isdecimal() else word in text
 
 
 def _goes_on(text: str, at: int) -> bool:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 from calc.addresses import Table
-from calc.compare import InputDifference, inputs
+from calc.compare_inputs import InputDifference, inputs
 from calc.compare_tables import input_texts, named
 from calc.design import Design
 from calc.design_file import design, load

@@ -5,7 +5,7 @@ import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from calc.design import STEPS
+from calc.design import OPTIONAL, STEPS
 from calc.design_file import Document
 from calc.sheet.check import URGENT, Check
 from calc.sheet.number import short
@@ -130,10 +130,13 @@ def print_summary(results: Results, step: str | None = None, everything: bool = 
     if any(check.open for outcome in shown.values() for check in outcome.checks):
         print()
     for key, outcome in shown.items():
+        if key in OPTIONAL and outcome.state == "not_asked":
+            continue
         values = {value.id: value for value in outcome.values()}
         heads = [values[id] for id in HEADLINES[key] if id in values][:2]
         said = str(outcome.reason) or " · ".join(f"{head.id} {short(head.shown)} {head.unit}".rstrip() for head in heads)
-        print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {said}".rstrip())
+        first, *rest = _wrapped(said, LINE - 30) or [""]
+        print(f"{TITLES[key]:<14} {sign(outcome.verdict):<14} {first}".rstrip(), *(" " * 30 + line for line in rest), sep="\n")
 
 
 def results_json(

@@ -28,9 +28,11 @@ MORE = Text("More")
 ROUTE: dict[str, Leg] = {
     "engine": Leg(
         Text("Which engine shakes?"),
-        ("bore_mm", "crank_radius_mm", "rod_length_mm", "piston_mass_g", "rod_mass_g", "rated_speed_rpm", "layout", "cylinders",
-         "cylinder_pitch_mm", "bank_angle_deg"),
-        ((MORE, ()), (Text("Gas, bench, torque"), ("bench", "gas", "torque", "torque_period_deg", "throw"))),
+        ("bore_mm", "crank_radius_mm", "rod_length_mm", "piston_mass_g", "rod_mass_g", "rated_speed_rpm", "cylinder_pitch_mm"),
+        ((MORE, ()),
+         (Text("Cylinders, banks, cranks"), ("layout", "cylinders", "strokes", "firing_order", "crank_angles_deg", "bank_angle_deg",
+                                             "bank_of_cylinder", "axial_positions_mm", "cylinder_offset_mm", "crank_radii_mm")),
+         (Text("Gas, bench, torque"), ("bench", "gas", "torque", "torque_period_deg", "throw"))),
         Text("build it by rules: an inline engine to begin with"),
     ),
     "imbalance": Leg(
@@ -68,10 +70,17 @@ ROUTE: dict[str, Leg] = {
                       ("seals", "rolling_bearings", "plain_bearings", "dips", "jets", "other_losses", "scenarios"))),
         Text("build it by rules: ground flanks in the oil of the bearings"),
     ),
+    "mounting": Leg(
+        Text("What does the driver feel?"),
+        ("mass_kg", "centre_of_gravity_mm", "inertia_kgm2", "idle_speed_rpm", "mounts"),
+        ((MORE, ()), (Text("Frame, points, operations"), ("chassis", "points", "operation"))),
+        Text("nothing is known of masses and mounts: write them into the file"),
+    ),
 }  # fmt: skip
-NAMING: tuple[Place, ...] = (("name",), ("note",))  # of the design itself: asked with its engine, which comes first
+NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
 FIRST = "engine"  # its step
-DOCUMENT: Place = ("document",)  # in a fold behind those of its step
+NOTE: Place = ("note",)  # in the fold of the document control, behind those of its step
+DOCUMENT: Place = ("document",)
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
 GIVEN, SIZED = ("masses",), ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm")
@@ -115,7 +124,7 @@ def idle(place: Place, data: Table) -> bool:
 
 def step_of(place: Place) -> str:
     """The step whose form asks for an input."""
-    return FIRST if place[:1] == DOCUMENT or place in NAMING else str(place[0]) if place else ""
+    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else str(place[0]) if place else ""
 
 
 def document_fold() -> int:
@@ -136,6 +145,8 @@ def fold_of(step: str, path: str) -> int | None:
 
 def fold_at(step: str, place: Place) -> int | None:
     """The fold of a step's form that a place lies in."""
-    if len(place) < 2 or step_of(place) != step:
+    if step_of(place) != step:
         return None
-    return document_fold() if place[:1] == DOCUMENT else fold_of(step, path_of(place))
+    if place[:1] in (DOCUMENT, NOTE):
+        return document_fold()
+    return None if len(place) < 2 else fold_of(step, path_of(place))

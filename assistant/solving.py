@@ -46,6 +46,7 @@ def run(job: Job) -> Answer:
         from calc.solve import solve
 
         results = solve(job.design, job.before, job.stop)
+        results.values()  # gathered here, so that the screen need not wait for it
     except Cancelled:
         return Answer(job.generation, None, 0.0)
     except Exception as error:  # a mistake of the program must not take the user's work with it

@@ -30,28 +30,27 @@ def found() -> dict[str, Any]:
     return json.loads(done.stdout)
 
 
-def test_what_differs_stands_first(capsys, found) -> None:
+def test_the_conclusion_stands_first(capsys, found) -> None:
     code, out, err = said(capsys, BETA, GAMMA)
     assert code == 0 and err == ""
     heads = [
-        "inputs differ.",
+        "r753ie4_beta → r753ie4_gamma: the whole",
+        "Limits and cautions that moved",
+        "Key result ",
         "Inputs that differ",
-        "Verdicts of the steps",
-        "Checks whose verdict moved",
-        "Counter-shaft: values that differ most",
+        "--all lists them",
     ]
     places = [out.index(head) for head in heads]
     assert places == sorted(places)
+    assert "the whole stays ✗ FAIL.\nSteps: Counter-shaft ✓ pass → ▲ warn.\n" in out
+    assert re.search(r"Film at the edge, rear +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +better\n", out)
+    assert re.search(r"Speed above mixed friction, rear .*≥ 3253 rpm → ≥ 1383 rpm +better\n", out)
+    assert re.search(r"Sum of the losses +115\.1 +228\.7 +W +\+99 % +worse\n", out)
     assert re.search(r"bearings\.rear\.diameter_mm +40 +81\n", out)
     assert re.search(r"countershaft\.bolts +left out +6 keys\n", out)
-    assert re.search(r"Counter-shaft +✓ pass +▲ warn: 2 warn\n", out)
-    assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
-    assert re.search(r"bearings\.rear\.transition .*≥ 3253 rpm → ≥ 1383 rpm", out)
-    assert f"{len(found['inputs'])} inputs differ." in out
-    assert "more values differ (--all lists them)" in out
+    assert f"{len(found['checks'])} checks and {len(found['values'])} values differ in all" in out
     assert max(map(len, out.splitlines())) <= 140
-    shown = sum(1 for line in out.splitlines() if line.startswith("  bearings.rear.") and " % " in line)
-    assert shown < 30 < sum(1 for v in found["values"] if v["id"].startswith("bearings."))
+    assert "bearings.rear.film" not in out and "Verdicts of the steps" not in out  # that is asked for
 
 
 def test_all_of_it(capsys, found) -> None:
@@ -59,7 +58,19 @@ def test_all_of_it(capsys, found) -> None:
     assert code == 0 and "--all" not in out
     for kind in ("values", "checks"):
         assert all(re.search(rf"^  {re.escape(v['id'])}  ", out, re.MULTILINE) for v in found[kind])
-    assert "thread = M10x1.5" in out
+    assert "thread = M10x1.5" in out and "more limits" not in out
+    assert re.search(r"Counter-shaft +✓ pass +▲ warn: 2 warn\n", out)
+    assert re.search(r"bearings\.rear\.film_edge +✗ FAIL 4\.768 µm +✓ pass 10\.36 µm +≥ 9 µm +−47 % +\+15 %\n", out)
+
+
+def test_json_says_which_key_results_are_better(found) -> None:
+    conclusion = found["conclusion"]
+    assert conclusion["verdict"] == {"a": "fail", "b": "fail"}
+    results = {r["b"]["id"]: r for r in conclusion["results"]}
+    assert results["bearings.rear.film_edge"]["better"] is True and results["countershaft.mass"]["better"] is False
+    assert results["gears.residual_couple"]["better"] is None
+    pitting = next(r for r in conclusion["results"] if "pitting" in r["label"])
+    assert (pitting["a"]["id"], pitting["b"]["id"]) == ("gears.idler_shaft.safety_contact", "gears.crank_central.safety_contact")
 
 
 def test_json_has_both_sides(found) -> None:
@@ -88,9 +99,9 @@ def test_a_step_that_is_missing_is_not_asked(capsys) -> None:
     code, out, _ = said(capsys, DESIGNS / "timing_pair.toml", GAMMA)
     assert code == 0
     assert re.search(r"\n  bearings +not used +11 keys\n", out)
-    assert re.search(r"\n  Bearings +· not used +✗ FAIL", out)
-    assert re.search(r"\nBearings\n  \d+ values stand in r753ie4_gamma only", out)
-    assert "bearings.front.film_edge" not in out  # the step says it
+    assert re.search(r"\nSteps: .*Bearings · not used → ✗ FAIL", out)
+    assert re.search(r"\n  Mass of the whole shaft +– +9\.034 +kg +–\n", out)
+    assert "Film at the edge, front" not in out  # the step says it
     steps = json.loads(said(capsys, DESIGNS / "timing_pair.toml", GAMMA, "--json")[1])["steps"]
     assert steps["bearings"] == {"a": "not_asked", "b": "fail", "moved": True}
 
@@ -111,7 +122,7 @@ def test_both_files_are_wrong_at_once(capsys, tmp_path) -> None:
 
 def test_usage(capsys) -> None:
     assert said(capsys, GAMMA)[0] == 2
-    assert said(capsys, GAMMA, BETA, "--json", "--all")[0] == 2
+    assert said(capsys, GAMMA, BETA, "--json", "-o", "c.pdf")[0] == 2
 
 
 def test_names_above_the_columns() -> None:

@@ -101,9 +101,9 @@ def test_dxf_is_the_shaft(capsys, tmp_path, design):
     assert code == 0 and errors == "" and "Counter-shaft" in said
     document = ezdxf.readfile(out)
     assert not document.audit().errors
-    (found,) = document.modelspace().query('LWPOLYLINE[layer=="OUTLINE"]')
-    xs, ys = zip(*((x, y) for x, y, *_ in found.get_points()))
-    assert (min(xs), max(xs), min(ys), max(ys)) == pytest.approx((-70.0, 70.0, -12.0, 20.0))
+    contour = max((p for p in document.modelspace().query('LWPOLYLINE[layer=="VISIBLE"]') if p.closed), key=len)
+    xs, ys = zip(*((x, y) for x, y, *_ in contour.get_points()))
+    assert (max(xs) - min(xs), max(ys) - min(ys)) == pytest.approx((140.0, 32.0))
     assert "a shaft alone" in [text.dxf.text for text in document.modelspace().query("TEXT")]
     before = out.read_bytes()
     assert run(capsys, "export", design(PLAIN + SECTIONS), "-o", out)[0] == 0  # the ending decides

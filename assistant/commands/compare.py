@@ -1,29 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero compare`: two designs side by side, differences first."""
+"""`contralbero compare`: two designs side by side: what the comparison comes to, the inputs that differ, the rest when asked for."""
 
 import sys
 from argparse import Namespace
-from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from assistant.plain import finite, sign, table_lines
 from assistant.saving import spare
-from calc.compare import EQUAL, SAME, CheckDifference, Comparison, ValueDifference, compare
+from calc.compare import EQUAL, CheckDifference, Comparison, KeyResult, ValueDifference, compare
+from calc.compare_conclusion import moved_table, result_table, sentences
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.design_file import Document, design, read
 from calc.prediction import compared_table
 from calc.sheet.check import Check
 from calc.sheet.errors import BadInput, InputError
-from calc.sheet.number import short
 from calc.sheet.step import Table
 from calc.sheet.text import Text
 from calc.solve import Results, solve
 from calc.version import VERSION
 
-MOST = 6  # values of a step that are shown
+MOST = 8  # verdicts that moved
 LONGEST = 24  # characters of a name above a column
 Sides = tuple[tuple[Document, Results], tuple[Document, Results]]
 
@@ -45,7 +44,7 @@ def run(asked: Namespace) -> int:
     found = compare(a.data, b.data, sides[0][1], sides[1][1])
     if asked.output:
         spare(Path(asked.output), asked.a, asked.b)
-        return _write(sides, found, Path(asked.output), asked.lang)
+        return _write(sides, found, Path(asked.output), asked.lang, asked.all)
     if asked.json:
         import json
 
@@ -55,24 +54,25 @@ def run(asked: Namespace) -> int:
     return 0
 
 
-def _write(sides: Sides, found: Comparison, path: Path, lang: str) -> int:
+def _write(sides: Sides, found: Comparison, path: Path, lang: str, everything: bool) -> int:
     from reports.comparison import write
 
+    names = column_names(*(Path(document.place).stem for document, _ in sides))
     try:
-        write(*sides, found, column_names(*(Path(document.place).stem for document, _ in sides)), path, lang=lang)
+        write(*sides, found, names, path, lang=lang, everything=everything)
     except OSError as error:
         raise BadInput(
             str(path),
             [InputError(0, "", "", Text("cannot be written: {reason}; choose another place", reason=error.strerror or str(error)))],
         ) from None
-    print("\n".join(_summary(found)) if not found.equal else EQUAL)
+    print("\n".join(sentences(found, names, sign)) if not found.equal else EQUAL)
     print(f"\n{path}")
     return 0
 
 
 # --- text -------------------------------------------------------------------------------------------------------------------
 def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
-    """Which designs; then inputs, verdicts, checks and values, each with what differs first."""
+    """Which designs, what the comparison comes to, the inputs; `everything`: then all verdicts, checks and values that differ."""
     names = column_names(*(Path(document.place).stem for document, _ in sides))
     wide = max(map(len, names))
     for name, (document, results) in zip(names, sides):
@@ -81,15 +81,25 @@ def text(sides: Sides, found: Comparison, everything: bool) -> Iterator[str]:
     if found.equal:
         yield EQUAL
         return
-    yield from _summary(found)
-    if found.inputs:
-        yield from _table(input_table(found.inputs, names, full=everything))
-    yield from _table(verdict_table(found, names, sign))
-    yield from _checks(found, names, everything)
-    yield from _values(found, names, everything)
+    yield from sentences(found, names, sign)
     (_, a), (_, b) = sides
-    if (measured := compared_table((a.design, a.predicted), (b.design, b.predicted), names)) is not None:
-        yield from _table(measured)
+    measured = compared_table((a.design, a.predicted), (b.design, b.predicted), names)
+    tables = [moved_table(found, names, sign, 0 if everything else MOST), result_table(found, names), measured]
+    for table in [*tables, input_table(found.inputs, names, full=everything)]:
+        if table is not None and (table.rows or table.note):
+            yield from _table(table)
+    if everything:
+        yield from _table(verdict_table(found, names, sign))
+        if found.checks:
+            yield from _table(check_table(found.checks, names, sign))
+        for step in STEPS:
+            if of_step := [d for d in found.values if d.step == step.key]:
+                yield from _table(value_table(step.key, Text("{step}: values that differ", step=step.title), of_step, names))
+    else:
+        yield ""
+        yield Text(
+            "{checks} checks and {values} values differ in all: --all lists them.", checks=len(found.checks), values=len(found.values)
+        )
 
 
 def column_names(a: str, b: str) -> Names:
@@ -97,77 +107,9 @@ def column_names(a: str, b: str) -> Names:
     return (a, b) if a != b and max(len(a), len(b)) <= LONGEST else ("A", "B")
 
 
-def _summary(found: Comparison) -> Iterator[str]:
-    moved = found.checks_moved
-    worse = sum(d.worse for d in moved)
-    both = sum(d.both for d in found.values)
-    n = len(found.inputs)
-    yield "1 input differs." if n == 1 else f"{n} inputs differ."
-    n = len(found.steps_moved)
-    yield "1 step changes its verdict." if n == 1 else f"{n} steps change their verdict."
-    n = len(moved)
-    if n == 1:
-        yield "1 check changes its verdict, to the worse." if worse else "1 check changes its verdict, to the better."
-    elif n:
-        yield f"{n} checks change their verdict: {worse} to the worse from A to B, {n - worse} to the better."
-    else:
-        yield "No check changes its verdict."
-    yield f"{both} values differ by more than {short(SAME)} of the larger one."
-    if lone := len(found.values) - both:
-        yield f"{lone} values stand in one design only."
-
-
-def _checks(found: Comparison, names: Names, everything: bool) -> Iterator[str]:
-    """Those whose verdict moved; then, in the steps that both have, what fails or warns in one design only."""
-    moved = found.checks_moved
-    if everything:
-        tables = [("Checks that differ", found.checks)]
-    else:
-        tables = [("Checks whose verdict moved", moved), ("Checks of one design only that do not pass", found.checks_lone)]
-    shown: set[str] = set()
-    for title, rows in tables:
-        if rows:
-            yield from _table(check_table(rows, names, sign), title)
-            shown |= {d.id for d in rows}
-    rest = [d for d in found.checks if d.id not in shown]
-    if rest and not shown:
-        yield from ("", "Checks")
-    yield from _further(rest, names, "checks keep their verdict at another value or limit", "further checks stand in {name} only")
-
-
-def _values(found: Comparison, names: Names, everything: bool) -> Iterator[str]:
-    for step in STEPS:
-        of_step = [d for d in found.values if d.step == step.key]
-        both = [d for d in of_step if d.both]
-        shown = of_step if everything else both[:MOST]
-        if shown:
-            title = (
-                Text("{step}: values that differ", step=step.title)
-                if everything
-                else Text("{step}: values that differ most", step=step.title)
-            )
-            yield from _table(value_table(step.key, title, shown, names))
-        if everything:
-            continue
-        if not shown and of_step:
-            yield from ("", f"{step.title}")
-        rest = [d for d in of_step if d not in shown]
-        yield from _further(rest, names, "more values differ", "values stand in {name} only")
-
-
-def _further(rest: Sequence[CheckDifference | ValueDifference], names: Names, differ: str, only: str) -> Iterator[str]:
-    """How many are not shown."""
-    counts = Counter("both" if d.both else "a" if d.b is None else "b" for d in rest)
-    for key, words in (("both", differ), ("a", only.format(name=names[0])), ("b", only.format(name=names[1]))):
-        if counts[key]:
-            yield f"  {counts[key]} {words} (--all lists them)"
-
-
-def _table(table: Table, title: str = "") -> Iterator[str]:
+def _table(table: Table) -> Iterator[str]:
     yield ""
-    first, *lines = table_lines(table)
-    yield title or first
-    yield from lines
+    yield from table_lines(table)
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------------
@@ -179,6 +121,10 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
         "version": VERSION,
         "designs": [{"file": d.place, "name": results.design.name, "sha256": d.sha256} for d, results in sides],
         "equal": found.equal,
+        "conclusion": {
+            "verdict": dict(zip("ab", found.whole)),
+            "results": [_key_result(result) for result in found.results],
+        },
         "inputs": [{"key": d.key, "label": d.label, "unit": d.unit, "a": d.a, "b": d.b} for d in found.inputs],
         "steps": {v.step: {"a": v.a.verdict, "b": v.b.verdict, "moved": v.moved} for v in found.verdicts},
         "checks": [
@@ -197,6 +143,12 @@ def comparison_json(sides: Sides, found: Comparison) -> dict[str, Any]:
             for d in found.values
         ],
     }
+
+
+def _key_result(result: KeyResult) -> dict[str, Any]:
+    """Of each design the part where it is worst."""
+    sides = {side: v and {"id": v.id, "value": finite(v.shown)} for side, v in (("a", result.a), ("b", result.b))}
+    return {"label": result.either.label, "unit": result.either.unit, **sides, "better": result.better}
 
 
 def _where(d: CheckDifference | ValueDifference) -> str:

@@ -4,7 +4,7 @@
 from argparse import Namespace
 from pathlib import Path
 
-from assistant.exporting import KINDS, drawing_text, draws_gears, exported, gears_text
+from assistant.exporting import KINDS, drawing_text, draws_gears, exported, gears_text, transfer_text
 from assistant.plain import print_summary
 from assistant.saving import spare, write_asked
 from calc.design_file import Document, design, read
@@ -27,7 +27,10 @@ def run(asked: Namespace) -> int:
     if wrong:
         raise BadInput("contralbero export", wrong)
     results = solve(made)
-    text = _drawing(asked, document, results) if kind == "dxf" else exported(kind, document, results)
+    if asked.transfer:
+        text = transfer_text(document, results)
+    else:
+        text = _drawing(asked, document, results) if kind == "dxf" else exported(kind, document, results)
     spare(target, asked.file)
     write_asked(target, text)
     print_summary(results)
@@ -55,6 +58,8 @@ def _drawing_errors(asked: Namespace, kind: str) -> list[InputError]:
     if kind in KINDS and kind != "dxf":
         reason = Text("is for a drawing (--dxf), not for .{kind}", kind=kind)
         errors = [InputError(0, key, "", reason) for key, what in given.items() if what is not None]
+    if asked.transfer and kind != "csv":
+        errors.append(InputError(0, "--transfer", "", Text("is for a table (--csv), not for .{kind}", kind=kind)))
     error = asked.chord_error
     if error is not None and not FINEST <= error <= COARSEST:
         reason = Text("must lie between {finest} and {coarsest}", finest=Amount(FINEST), coarsest=Amount(COARSEST, "µm"))

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero report`: the PDF calculation report, and the verdicts on the screen."""
+"""`contralbero report`: the calculation report as a PDF or as a Word document, and the verdicts on the screen."""
 
 import gc
 from argparse import Namespace
+from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.plain import print_summary
@@ -12,17 +13,22 @@ from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import solve
 
+ENDINGS = ("pdf", "docx")
+PACKAGES = {"python-docx": "docx", "pypdfium2": "pypdfium2"}  # of the extra `docx`, by what they are imported as
+
 
 def run(asked: Namespace) -> int:
     source = Path(asked.file)
     document = read(source)
-    target = Path(asked.output) if asked.output else Path(source.stem + ".pdf")
+    kind, target = _target(asked, source)
     spare(target, asked.file)
     gc.disable()  # looking for garbage takes a tenth of a report, and hardly any is made
     try:
         results = solve(design(document), traced=True)
-        from reports.report import write
-
+        if kind == "docx":
+            from reports.docx_file import write
+        else:
+            from reports.report import write
         write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
     except OSError as error:
         raise BadInput(
@@ -34,3 +40,21 @@ def run(asked: Namespace) -> int:
     print_summary(results)
     print(f"\n{target}")
     return 0
+
+
+def _target(asked: Namespace, source: Path) -> tuple[str, Path]:
+    """What is to be written, and where.  What can not be is said before anything is solved."""
+    target = Path(asked.output) if asked.output else None
+    ending = target.suffix.lower().removeprefix(".") if target is not None else ""
+    kind = asked.format or (ending if ending in ENDINGS else "pdf")
+    if ending in ENDINGS and ending != kind:
+        reason = Text("ends in .{ending}, but --format {kind} writes .{kind}", ending=ending, kind=kind)
+        raise BadInput("contralbero report", [InputError(0, "-o", str(target), reason)])
+    if kind == "docx":
+        if asked.depth == "audit":
+            reason = Text("is written as a PDF only: take --depth engineer, or leave --format out")
+            raise BadInput("contralbero report", [InputError(0, "--depth", "audit", reason)])
+        if missing := [package for package, module in PACKAGES.items() if find_spec(module) is None]:
+            reason = Text("needs {packages}: `pip install {packages}`; the PDF needs nothing more", packages=" ".join(missing))
+            raise BadInput("contralbero report", [InputError(0, "--format", "docx", reason)])
+    return kind, target or Path(f"{source.stem}.{kind}")

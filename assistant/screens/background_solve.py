@@ -30,6 +30,7 @@ if TYPE_CHECKING:
 
 
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
+PAUSE = 0.08  # seconds after a key until results are painted: the next key of who types on comes sooner, and need not wait for that
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
 REST = 0.3  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
 HIDDEN = 0.2  # seconds until a calculation that is not on the screen is written out
@@ -114,6 +115,15 @@ class BackgroundSolve:
             return
         if host.session.job() is not None:  # edited in the meantime
             self.solve()
+            return
+        if (pause := host.app.struck + PAUSE - time.monotonic()) > 0:
+            host.set_timer(pause, self._show)
+        else:
+            self._show()
+
+    def _show(self) -> None:
+        host = self._host
+        if not host.stands or self._solving or host.session.job() is not None:  # edited in the meantime
             return
         host.set_slow(False)
         host.set_stale(not host.session.current)

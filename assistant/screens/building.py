@@ -42,9 +42,9 @@ class Building:
         except Exception as error:  # a mistake of the program must not take the user's work with it
             why = mistake(error)
             plan = Plan({}, {}, why)
-        self._host.call_later(self._built, session, plan)
+        self._host.call_later(self._built, session, step, plan)
 
-    def _built(self, session: Session, plan: Plan) -> None:
+    def _built(self, session: Session, step: str, plan: Plan) -> None:
         host = self._host
         host.app.forget(BUILDING)
         if session is not host.session or not host.stands:
@@ -52,6 +52,8 @@ class Building:
         if why := plan.why or session.take(plan):
             host.app.tell(why, "warning")
             return
+        if step and (reason := as_table(session.data.get("without")).get(step)):
+            host.app.tell(Text("Left out: {reason}.", reason=str(reason)), "warning")
         host.form.focus(scroll_visible=False)
         host.edited()
 

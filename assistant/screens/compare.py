@@ -108,7 +108,7 @@ class CompareScreen(Once, Screen[str | None]):
             return
         found = event.found
         counts = (len(found.inputs), len(found.steps_moved), len(found.checks), len(found.values))
-        self.counts = dict(zip(SECTIONS, counts))
+        self.counts = dict(zip(list(SECTIONS)[1:], counts))
         shown.show(found, (self.other.name, NOW))
         self.show_place()
 
@@ -125,7 +125,7 @@ class CompareScreen(Once, Screen[str | None]):
         mark = self.app.signs.mark("cursor")
         parts = []
         for n, name in enumerate(SECTIONS, 1):
-            here = name == shown.section and name in self.counts
+            here = name == shown.section and bool(self.counts)
             text = f"{mark if here else ' '}{n} {self.app.say(SECTIONS[name])} {self.counts.get(name, '')}"
             part = Content.styled(text.rstrip(), "bold" if here else "not bold dim")
             parts.append(part.stylize(Style.from_meta({"@click": f"screen.to_section('{name}')"})))

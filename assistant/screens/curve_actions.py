@@ -6,7 +6,10 @@ from calc.sheet.text import Text
 from .host import Host
 from .moves import Moves
 
-NO_PIXELS = Text("This terminal does not say that it shows pixels, as Kitty, iTerm2, WezTerm, foot and others do.")
+NO_PIXELS = Text(
+    "P draws the curve in pixels, as Kitty, iTerm2, WezTerm, foot and others can; "
+    "this terminal does not say that it does, so nothing was drawn."
+)
 
 
 class CurveActions:

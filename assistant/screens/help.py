@@ -11,12 +11,12 @@ from textual.screen import ModalScreen
 from textual.widgets import Static
 
 from calc.design import STEPS
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import COMMA, Amount, Text
 
 from ..actions import ACTIONS, BY_ID, key_names
 from ..base_app import BaseApp
 from ..guide import GUIDES
-from ..places import Place
+from ..places import Place, label_of
 from ..widgets.array_heading import ArrayHeading
 from ..widgets.checks import Checks
 from ..widgets.field_help import allowed, meaning
@@ -58,7 +58,7 @@ TALL = 32  # rows of a screen on which each key has a row of its own
 
 KINDS = {
     "limit": Text("Limit: passed over it fails, and less than 5 % of margin is a warning."),
-    "caution": Text("Caution: the design holds, a near relative of it does not. Passed over it warns."),
+    "caution": Text("Caution: the design holds, but a slightly different one might not; it can be accepted with a reason."),
     "advice": Text("Advice: good practice or a possible improvement. Passed over it is a note."),
     "method": Text("Method: about the calculation, not the part. Passed over it is a note."),
 }
@@ -197,7 +197,15 @@ class HelpScreen(Once, ModalScreen[None]):
             *([Content(say(check.advice))] if check.advice else []),
             *([Content(say(Text("Accepted: {reason}", reason=check.accepted)))] if check.accepted else []),
             *([Content(say(Text("Not known: {keys}.", keys=", ".join(check.missing))))] if check.missing else []),
-            *([Content(say(Text("Moved most by: {keys}", keys=", ".join(check.moved_by))))] if check.moved_by else []),
+            *(
+                [
+                    Content(
+                        say(Text("Moved most by: {keys}", keys=COMMA.join(label_of(self.app.session.data, key) for key in check.moved_by)))
+                    )
+                ]
+                if check.moved_by
+                else []
+            ),
             Content(say(KINDS[check.kind])),
             Content.styled(say(Text("Source: {source}", source=check.source)), "dim"),
         ]

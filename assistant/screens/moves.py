@@ -2,7 +2,7 @@
 """Actions that go somewhere: to a step, a pane, a field, a check or a line."""
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT, grouped, severity
+from calc.sheet.check import URGENT, severity
 from calc.sheet.errors import BadInput
 from calc.sheet.text import Text
 
@@ -37,6 +37,8 @@ class Moves:
         host = self._host
         host.app.forget(FIRST)
         n, idle = host.number - 1 + by, isinstance(host.focused, Form)
+        while 0 <= n < len(STEPS) and STEPS[n].optional and STEPS[n].key not in host.session.data:
+            n += by  # nobody is led into what the design does without
         if 0 <= n < len(STEPS):
             await host.open_step(STEPS[n])
             if idle and not self._done and isinstance(next(iter(host.form.stops()), None), Radio):
@@ -70,7 +72,7 @@ class Moves:
         if session.results is None:
             return
         outcomes = session.results.outcomes
-        faults = [(s, group[0]) for s in STEPS for group in grouped(outcomes[s.key].checks) if group[0].verdict in URGENT]
+        faults = [(s, group[0]) for s in STEPS for group in outcomes[s.key].causes if group[0].verdict in URGENT]
         faults.sort(key=lambda f: severity(f[1])[:3])
         if not faults:
             host.app.tell(Text("No check fails or warns."))

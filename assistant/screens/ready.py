@@ -12,6 +12,7 @@ from textual.widgets import Static
 
 from calc.design import STEPS
 from calc.headlines import headline, main_numbers
+from calc.key_values import outside
 from calc.ready import OPEN, StepState, ready
 from calc.sheet.check import Check
 from calc.sheet.text import COMMA, Amount, Name, Text, plural
@@ -109,6 +110,15 @@ class Closing(ItemList):
             for mine in unknown.values()
         ]  # fmt: skip
         yield self._part(Text("not verified ({n})", n=sum(map(len, unknown.values()))), lacking, width)
+        beyond: dict[Check, int] = {}  # a check of the method → how many hold by a formula that it puts out of its range
+        for outcome in outcomes:
+            for check in outcome.checks:
+                for method in outside(check, outcome.checks) if check.verdict == "pass" else ():
+                    beyond[method] = beyond.get(method, 0) + 1
+        stretched = [
+            (method.id, plural("{what}: {n} check holds", "{what}: {n} checks hold", n=n, what=method.name)) for method, n in beyond.items()
+        ]
+        yield self._part(Text("held by a formula outside its validity ({n})", n=sum(beyond.values())), stretched, width)
         values = session.values()
         measured = [
             (row.step, Text("{what}: {value}", what=values[row.value].label if row.value in values else self._labels((row.value,)),
@@ -192,6 +202,8 @@ class ReadyScreen(Once, Screen[str | None]):
         if done:
             corners = self.session.results is not None and any(c.id.endswith("_corner") for c in self.session.results.checks())
             words = Text("every limit holds, at every corner of the tolerances") if corners else Text("every limit holds")
+            if without := [_title(step) for step, _ in self.session.design.without]:
+                words = Text("every limit holds; left out: {steps}", steps=COMMA.join(without))
         else:
             left = sum(not state.done for state in states)
             words = plural("{n} step is left", "{n} steps are left", n=left)

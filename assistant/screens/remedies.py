@@ -3,42 +3,34 @@
 
 import csv
 import io
-from dataclasses import dataclass
+from collections.abc import Iterator
 from pathlib import Path
 from typing import ClassVar
 
-from textual import work
 from textual.app import ComposeResult
 from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.content import Content
-from textual.message import Message
-from textual.screen import ModalScreen
 from textual.widgets import Static
-from textual.worker import get_current_worker
 
 from calc.design import STEPS
 from calc.languages import Language
 from calc.repair.way import Way, ranked
 from calc.repair.words import named
 from calc.sheet.check import Check
-from calc.sheet.errors import Cancelled
+from calc.sheet.progress import Progress
 from calc.sheet.text import EMPTY, Amount, Text
 
-from ..base_app import BaseApp
 from ..saving import SaveError, free_name, write_atomic
 from ..session import Session
-from ..solving import mistake
 from ..widgets.item_list import ItemList
 from ..widgets.way_list import WayList
 from ..widgets.wrap import wrap
-from .once import Once
+from .searching import TITLES, Searching
 
 SECONDS = 6.0  # after which no further kind is begun
-BAR = 24  # cells
 NARROW = 100  # cells below which the list has the whole screen
 HINT = Text("Enter or 1 … 5 applies · k locks the input · w writes a table · Esc")
-TITLES = {step.key: step.title for step in STEPS}
 
 
 def table(ways: tuple[Way, ...], say: Language) -> str:
@@ -55,42 +47,23 @@ def table(ways: tuple[Way, ...], say: Language) -> str:
     return file.getvalue()
 
 
-class Remedies(Once, ModalScreen[Way | None]):
+class Remedies(Searching[Way | None, Way]):
     """Gives the remedy that was taken."""
 
-    app: BaseApp
+    STATE, BAR = "remedies-state", 24
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "leave", "Close", show=False),
         Binding("enter", "take(0)", "Apply", show=False),
         *(Binding(str(n), f"take({n})", "Apply", show=False) for n in range(1, 6)),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up", "move(-1)", "Up", show=False),
         Binding("k", "lock", "Lock the input", show=False),
         Binding("w", "write", "Write a table", show=False),
         Binding("y,Y", "copy", "Copy the row", show=False),
     ]
-
-    @dataclass
-    class Progress(Message):
-        share: float
-        what: str
-
-    @dataclass
-    class Found(Message):
-        way: Way
-        generation: int
-
-    @dataclass
-    class Ended(Message):
-        generation: int
-        failure: Text = EMPTY
 
     def __init__(self, session: Session, finding: Check | str) -> None:
         """`finding`: a check, or the key of a step without a solution."""
         super().__init__()
         self.session, self.finding = session, finding
         self.found: list[Way] = []
-        self.searching = True
 
     def compose(self) -> ComposeResult:
         with Vertical(classes="dialog -whole" if self.app.size.width < NARROW else "dialog", id="remedies"):
@@ -103,7 +76,7 @@ class Remedies(Once, ModalScreen[Way | None]):
     def on_mount(self) -> None:
         self.query_one("#remedies-title", Static).update(self._title())
         self.query_one(WayList).focus()
-        self._begin()
+        self.begin()
 
     @property
     def room(self) -> int:
@@ -119,57 +92,23 @@ class Remedies(Once, ModalScreen[Way | None]):
         return Content("\n").join([Content.styled(row, f"bold {signs.style(check.verdict)}") for row in rows])
 
     # --- searching
-    def _begin(self) -> None:
-        self.found, self.searching = [], True
+    def begin(self) -> None:
+        self.found = []
         self.show_ways()
-        self._say(self.app.say(Text("searching …")))
-        self._search()
+        super().begin()
 
-    @work(thread=True, exclusive=True, group="remedies", exit_on_error=False)
-    def _search(self) -> None:
+    def search(self, progress: Progress) -> Iterator[Way]:
         from calc.repair.ways import search
 
-        worker, session = get_current_worker(), self.session
-        generation = session.generation
+        yield from search(self.session.document, self.finding, self.session.results, progress, SECONDS)
 
-        def progress(share: float, what: str) -> None:
-            if worker.is_cancelled or session.generation != generation:
-                raise Cancelled
-            self.post_message(self.Progress(share, what))
+    def show_found(self, found: Way) -> None:
+        self.found.append(found)
+        self.show_ways()
 
-        try:
-            for way in search(session.document, self.finding, session.results, progress, SECONDS):
-                self.post_message(self.Found(way, generation))
-            self.post_message(self.Ended(generation))
-        except Cancelled:
-            pass
-        except Exception as error:  # a mistake of the program must not take the user's work with it
-            self.post_message(self.Ended(generation, mistake(error)))
-
-    def on_remedies_progress(self, event: Progress) -> None:
-        event.stop()
-        if self.searching:
-            full, empty = ("#", ".") if self.app.ascii else ("█", "░")
-            done, say = round(event.share * BAR), self.app.say
-            self._say(f"{say(Text('searching …'))}  {full * done}{empty * (BAR - done)} {event.share:4.0%}  {say(event.what)}")
-
-    def on_remedies_found(self, event: Found) -> None:
-        event.stop()
-        if event.generation == self.session.generation:
-            self.found.append(event.way)
-            self.show_ways()
-
-    def on_remedies_ended(self, event: Ended) -> None:
-        event.stop()
-        if event.generation != self.session.generation:
-            return
-        self.searching = False
+    def show_end(self, failure: Text) -> None:
         none = Text("No change of a single input is known that helps; look at what the finding says.")
-        self._say(self.app.say(event.failure or (EMPTY if self.found else none)))
-
-    def _say(self, text: str) -> None:
-        state = self.query_one("#remedies-state", Static)
-        state.update(Content(text))
+        self.show_state(self.app.say(failure or (EMPTY if self.found else none)))
 
     @property
     def ways(self) -> tuple[Way, ...]:
@@ -196,19 +135,8 @@ class Remedies(Once, ModalScreen[Way | None]):
 
     def _preview(self) -> None:
         """What it does to every step."""
-        say, signs = self.app.say, self.app.signs
-        parts: list[Content] = []
-        way = self.way
-        for key, was, now in way.verdicts if way is not None else ():
-            arrow = f"{signs.mark(was)} {signs.mark('then')} " if was != now else ""
-            parts.append(Content.assemble(f"{say(TITLES[key])} {arrow}", (f"{signs.mark(now)} {signs.word(now)}", signs.style(now))))
-        lines, line = [], Content("")
-        for part in parts:
-            if line.cell_length + part.cell_length + 3 > self.room:
-                lines.append(line)
-                line = Content("")
-            line = Content.assemble(line, "   " if line else "", part)
-        lines.append(line)
+        say, way = self.app.say, self.way
+        lines = self.verdict_rows(way.verdicts if way is not None else (), self.app.signs.mark("then"))
         if way is not None and way.left:
             still = Text("still open: {checks}", checks=Text(", ").join(way.left))
             lines += [Content.styled(row, "dim") for row in wrap(say(still), self.room, 2)[:2]]
@@ -218,9 +146,6 @@ class Remedies(Once, ModalScreen[Way | None]):
         self.query_one("#remedies-preview", Static).update(Content("\n").join(lines))
 
     # --- what the keys do
-    def action_move(self, by: int) -> None:
-        self.query_one(WayList).move(by)
-
     def action_take(self, number: int) -> None:
         """The row of a number; 0: that under the cursor."""
         way = self.way if number == 0 else self.ways[number - 1] if number <= len(self.ways) else None
@@ -241,7 +166,7 @@ class Remedies(Once, ModalScreen[Way | None]):
         locked = bool(self.session.lock_reason(key))
         what = named(self.session.document, key)
         self.app.tell(Text("{input}: locked", input=what) if locked else Text("{input}: may be changed again", input=what))
-        self._begin()
+        self.begin()
 
     def action_copy(self) -> None:
         if (item := self.query_one(WayList).item) is not None:
@@ -258,8 +183,3 @@ class Remedies(Once, ModalScreen[Way | None]):
             self.app.tell(error.text, "error")
             return
         self.app.tell(Text("Written: {path}", path=str(path)))
-
-    def action_leave(self) -> None:
-        """Stops a search that is going on."""
-        self.workers.cancel_node(self)
-        self.dismiss(None)

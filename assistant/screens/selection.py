@@ -3,6 +3,7 @@
 it is taken, so that its price in the other steps is seen."""
 
 from collections import Counter
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, ClassVar
 
@@ -12,25 +13,23 @@ from textual.binding import Binding, BindingType
 from textual.containers import Vertical
 from textual.content import Content
 from textual.message import Message
-from textual.screen import ModalScreen
 from textual.timer import Timer
 from textual.widgets import Static
-from textual.worker import get_current_worker
 
 from calc.design import STEPS
 from calc.design_file import design
-from calc.sheet.errors import BadInput, Cancelled, NoSolution
-from calc.sheet.text import EMPTY, SEMICOLON, Text
+from calc.sheet.errors import BadInput, NoSolution
+from calc.sheet.progress import Progress
+from calc.sheet.text import EMPTY, Text
 
-from ..base_app import BaseApp
 from ..changes import applied, locked_text, told
 from ..offers.offer import Offer, offer
 from ..session import Session
-from ..solving import Answer, Job, mistake, run
+from ..solving import Answer, Job, run
 from ..widgets.item_list import ItemList
 from ..widgets.offer_list import OfferList
 from ..widgets.wrap import wrap
-from .once import Once
+from .searching import TITLES, Searching, mistakes_text
 
 if TYPE_CHECKING:
     from calc.solve import Results
@@ -38,7 +37,6 @@ if TYPE_CHECKING:
 
 PAUSE = 0.15  # seconds that the cursor rests on a row before its design is solved
 HINT = Text("Enter takes the row (undo takes it back), ↑ ↓ go through the rows, Esc goes back")
-BAR = 30  # cells
 
 
 @dataclass(frozen=True)
@@ -55,33 +53,16 @@ def _refused(preview: Preview) -> Text:
     return Text("Row {n} can not be taken: {reason}", n=preview.number, reason=preview.why)
 
 
-def mistakes_text(bad: BadInput) -> Text:
-    """Every mistake with its key, in one row."""
-    return SEMICOLON.join(Text("{key}: {reason}", key=e.key, reason=e.reason) if e.key else e.reason for e in bad.errors)
-
-
-class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
+class Choosing(Searching[tuple[str, ...] | None, Offer]):
     """Gives the changes of the row that was taken, as KEY=VALUE."""
 
-    app: BaseApp
+    STATE, BAR, BEHIND = "choosing-state", 30, Text("Esc stops")
     BINDINGS: ClassVar[list[BindingType]] = [
-        Binding("escape,q", "leave", "Close", show=False),
         Binding("enter", "take", "Take the row", show=False),
-        Binding("down,j", "move(1)", "Down", show=False),
-        Binding("up,k", "move(-1)", "Up", show=False),
+        Binding("k", "move(-1)", "Up", show=False),
         Binding("y", "copy('value')", "Copy the row", show=False),
         Binding("Y", "copy('line')", "Copy the row with its columns", show=False),
     ]
-
-    @dataclass
-    class Progress(Message):
-        share: float
-        what: str
-
-    @dataclass
-    class Found(Message):
-        offer: Offer | None
-        why: Text = EMPTY
 
     @dataclass
     class Previewed(Message):
@@ -96,9 +77,8 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
         self._rest: Timer | None = None
 
     def compose(self) -> ComposeResult:
-        title = next(s.title for s in STEPS if s.key == self.step)
         with Vertical(classes="dialog -tall -whole"):
-            yield Static(Content.styled(self.app.say(title), "bold"), id="choosing-title")
+            yield Static(Content.styled(self.app.say(TITLES[self.step]), "bold"), id="choosing-title")
             yield Static(id="choosing-state")
             yield OfferList()
             yield Static(id="choosing-preview")
@@ -106,58 +86,27 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
 
     def on_mount(self) -> None:
         self.query_one(OfferList).focus()
-        self.say(self.app.say(Text("searching …")))
-        self._search()
+        self.begin()
 
-    def say(self, text: str) -> None:
-        state = self.query_one("#choosing-state", Static)
-        state.update(Content(text))
-        state.display = bool(text)
+    def show_state(self, text: str) -> None:
+        super().show_state(text)
+        self.query_one("#choosing-state").display = bool(text)
 
     @property
     def room(self) -> int:
         return max(20, self.app.size.width - 8)
 
     # --- searching
-    @work(thread=True, group="choosing", exit_on_error=False)
-    def _search(self) -> None:
-        worker = get_current_worker()
+    def search(self, progress: Progress) -> Iterator[Offer]:
+        yield offer(self.step, self.session.design, self.session.name, progress)
 
-        def progress(share: float, what: str) -> None:
-            if worker.is_cancelled:
-                raise Cancelled
-            self.post_message(self.Progress(share, what))
-
-        try:
-            found = offer(self.step, self.session.design, self.session.name, progress)
-            self.post_message(self.Found(found))
-        except Cancelled:
-            pass
-        except BadInput as bad:
-            self.post_message(self.Found(None, mistakes_text(bad)))
-        except NoSolution as none:
-            self.post_message(self.Found(None, none.text))
-        except Exception as error:  # a mistake of the program must not take the user's work with it
-            self.post_message(self.Found(None, mistake(error)))
-
-    def on_choosing_progress(self, event: Progress) -> None:
-        event.stop()
-        if self.offer is None:
-            full, empty = ("#", ".") if self.app.ascii else ("█", "░")
-            done = round(event.share * BAR)
-            say = self.app.say
-            bar = f"{full * done}{empty * (BAR - done)} {event.share:4.0%}"
-            self.say(f"{say(Text('searching …'))}  {bar}  {say(event.what)}   {say(Text('Esc stops'))}")
-
-    def on_choosing_found(self, event: Found) -> None:
-        event.stop()
-        if event.offer is None:
-            self.say(self.app.say(Text("Nothing to choose: {reason}", reason=event.why)))
-            return
-        self.offer = event.offer
-        self.say("")
-        self.query_one(OfferList).show(event.offer)
+    def show_found(self, found: Offer) -> None:
+        self.offer = found
+        self.query_one(OfferList).show(found)
         self.query_one(OfferList).focus()
+
+    def show_end(self, failure: Text) -> None:
+        self.show_state(self.app.say(Text("Nothing to choose: {reason}", reason=failure)) if failure else "")
 
     # --- the row under the cursor
     @property
@@ -223,31 +172,14 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
 
     def _verdicts(self, results: "Results") -> list[Content]:
         signs, before = self.app.signs, self.session.results
-        parts: list[Content] = []
-        for step in STEPS:
-            verdict = results.outcomes[step.key].verdict
-            was = before.outcomes[step.key].verdict if before is not None else verdict
-            arrow = f"{signs.mark(was)} → " if was != verdict else ""
-            parts.append(
-                Content.assemble(
-                    f"{self.app.say(step.title)} {arrow}", (f"{signs.mark(verdict)} {signs.word(verdict)}", signs.style(verdict))
-                )
-            )
+        now = {step.key: results.outcomes[step.key].verdict for step in STEPS}
+        was = {key: before.outcomes[key].verdict for key in now} if before is not None else now
         counted = Counter(c.verdict for c in results.checks())
         were = Counter(c.verdict for c in before.checks()) if before is not None else counted
         counts = ", ".join(f"{counted[v]} {signs.word(v)} ({self.app.say(Text('now {n}', n=were[v]))})" for v in ("fail", "warn", "pass"))
-        lines, line = [], Content("")
-        for part in parts:
-            if line.cell_length + part.cell_length + 3 > self.room:
-                lines.append(line)
-                line = Content("")
-            line = Content.assemble(line, "   " if line else "", part)
-        return [*lines, line, Content.styled(counts, "dim")]
+        return [*self.verdict_rows(((key, was[key], now[key]) for key in now), "→"), Content.styled(counts, "dim")]
 
     # --- what the keys do
-    def action_move(self, by: int) -> None:
-        self.query_one(OfferList).move(by)
-
     def action_take(self) -> None:
         number = self.number
         if self.offer is None or not number:
@@ -269,8 +201,3 @@ class Choosing(Once, ModalScreen[tuple[str, ...] | None]):
             text = getattr(item, what) or item.line
             self.app.copy_to_clipboard(text)
             self.app.tell(Text("Copied: {text}", text=text))
-
-    def action_leave(self) -> None:
-        """Stops a search that is going on."""
-        self.workers.cancel_node(self)
-        self.dismiss(None)

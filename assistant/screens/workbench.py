@@ -266,8 +266,12 @@ class Workbench(Screen[None]):
     def edited(self) -> None:
         """The design has changed: solve, say what is not accepted, and keep the edit aside, each in its time."""
         self.background.solve()
-        self.show_state()
+        self.call_after_refresh(self._show_edit)  # the key is painted first
         self.feedback.keep_soon()
+
+    def _show_edit(self) -> None:
+        if self.stands:
+            self.show_state()
 
     def show_state(self) -> None:
         complete = self.feedback.show()

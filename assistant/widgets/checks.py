@@ -11,7 +11,7 @@ from textual.content import Content
 from textual.message import Message
 
 from calc.headlines import share
-from calc.sheet.check import Check, grouped, severity
+from calc.sheet.check import Check, severity
 from calc.sheet.number import short
 from calc.sheet.remedy import sentence
 from calc.sheet.step import Outcome
@@ -167,7 +167,7 @@ class Checks(ItemList):
         assert self.outcome is not None
         checks, signs, say = self.outcome.checks, self.app.signs, self.app.say
         rows: list[Row] = []
-        found = [[c for c in group if c.open] for group in grouped(checks)]
+        found = [[c for c in group if c.open] for group in self.outcome.causes]
         shown = [group for group in found if group and group[0].kind in KINDS_SHOWN]
         for group in shown:
             mine = [c for c in group if c.kind in KINDS_SHOWN]
@@ -175,7 +175,7 @@ class Checks(ItemList):
             rows.append(Row(group[0].id, group[0], 0 if unfolded else len(mine) - 1))
             rows += [Row(c.id, c, inside=True) for c in mine[1:]] if unfolded else []
         if not shown:
-            words = f"{signs.mark('ready')} {say(Text('Nothing fails and no caution is open.'))}"
+            words = f"{signs.mark('ready')} {say(Text('Nothing fails here, no caution is open.'))}"
             rows.append(Row("", head=Content.styled(words, signs.style("ready"))))
         rows += [Row(c.id, c) for c in checks if c.verdict == "accepted"]
         rows.append(Row("", head=Content("")))
@@ -201,7 +201,7 @@ class Checks(ItemList):
             return []
         if not outcome.checks:
             texts = {
-                "not_asked": Text("Nothing is judged here: the design has no such step."),
+                "not_asked": Text("Nothing is judged here: this step is not built yet."),
                 "solved": Text("This step has no limits of its own."),
             }
             text = say(texts[outcome.state]) if outcome.state in texts else outcome.reason
@@ -210,7 +210,8 @@ class Checks(ItemList):
         columns = self._columns([row for row in rows if row.check is not None], width)
         keys = [row.key for row in rows if row.key]
         chosen = self.key if self.key in keys else keys[0] if keys else ""
-        items = [Item("", [self._head(columns)])] if columns.numbers else []
+        told = [Item("", [Content(row) for row in wrap(say(outcome.reason), max(1, width))])] if outcome.reason else []
+        items = [*told, Item("", [self._head(columns)])] if columns.numbers else told
         for row in rows:
             if row.check is None:
                 items.append(Item(row.key, [(row.head or Content("")).truncate(width, ellipsis=True)]))
@@ -288,6 +289,8 @@ class Checks(ItemList):
         if check.open and check.remedies:
             ways = Name("; ").join(one.words for one in check.remedies)
             tell(say(Text("{key}: {ways}", key=self.app.shown_key("fix"), ways=ways)))
+        if check.open and check.kind == "caution":
+            tell(say(Text("{key} accepts it, with a reason.", key=self.app.shown_key("accept"))))
         if check.moved_by:
             inputs = COMMA.join(dict.fromkeys(self._label(key) for key in check.moved_by[:3]))
             tell(say(Text("most: {inputs}", inputs=self.slopes.get(check.id, inputs))))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two designs side by side as one list: inputs, verdicts, checks, values, in each what differs first."""
+"""Two designs side by side as one list: what it comes to; inputs, verdicts, checks, values, in each what differs first."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from textual.content import Content
 
 from calc.compare import CheckDifference, Comparison
+from calc.compare_conclusion import differing, moved, moved_table, result_table, sentences
 from calc.compare_tables import Names, check_table, input_table, value_table, verdict_table
 from calc.design import STEPS
 from calc.languages.outcome import in_language
@@ -18,7 +19,13 @@ from .signs import WORDS
 from .table_list import Setter
 from .wrap import wrap
 
-SECTIONS = {"Inputs": Text("Inputs"), "Verdicts": Text("Verdicts"), "Checks": Text("Checks"), "Values": Text("Values")}
+SECTIONS = {
+    "Conclusion": Text("Conclusion"),
+    "Inputs": Text("Inputs"),
+    "Verdicts": Text("Verdicts"),
+    "Checks": Text("Checks"),
+    "Values": Text("Values"),
+}
 ROOMY = 100  # columns in which the margins have room
 
 
@@ -60,8 +67,9 @@ class ComparisonList(ItemList):
                 self.waiting if self.found is None else Text("The two designs are equal: no input, verdict, check or value differs.")
             )
             return [Item("", [Content(row) for row in wrap(text, width)])]
-        items: list[Item] = []
-        self._heads = {}
+        told = sentences(self.found, self.names, self._sign)
+        items = [Item("", [self._coloured(Content(row)) for text in told for row in wrap(say(text), width)])]
+        self._heads = {"Conclusion": 0}
         for part in self._parts(self.found, width >= ROOMY):
             self._heads.setdefault(part.section, len(items))
             gap = [Content("")] if items else []
@@ -71,11 +79,13 @@ class ComparisonList(ItemList):
             set_ = Setter(in_language(part.table, say), width, say)
             items.append(Item("", [*gap, Content.styled(say(part.title), "bold underline"), *set_.head()]))
             items += [self._item(part.section, id, str(row[2]), item) for id, row, item in zip(part.ids, part.table.rows, set_.items())]
+            if part.table.note:
+                items.append(Item("", [Content.styled(row, "dim") for row in wrap(say(part.table.note), width)]))
         return items
 
     def _item(self, section: str, id: str, now: str, item: Item) -> Item:
         """`now`: what the second design has, which is what is copied."""
-        rows = [self._coloured(row) for row in item.rows] if section in ("Verdicts", "Checks") else item.rows
+        rows = [self._coloured(row) for row in item.rows] if section in ("Conclusion", "Verdicts", "Checks") else item.rows
         return Item(f"{section} {id}", rows, now, f"{id}: {item.line}")
 
     def _sign(self, verdict: str) -> str:
@@ -91,19 +101,26 @@ class ComparisonList(ItemList):
 
     def _parts(self, found: Comparison, roomy: bool) -> list[Part]:
         names, n = self.names, len(found.inputs)
+        parts = []
+        if checks := moved(found):
+            table = moved_table(found, names, self._sign)
+            parts.append(Part("Conclusion", table.title, table, tuple(d.id for d in checks)))
+        if results := differing(found):
+            table = result_table(found, names)
+            parts.append(Part("Conclusion", table.title, table, tuple(r.either.id for r in results)))
         if n:
             title = plural("{n} input differs", "{n} inputs differ", n=n)
-            parts = [Part("Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs))]
+            parts.append(Part("Inputs", title, input_table(found.inputs, names, ids=False), tuple(d.key for d in found.inputs)))
         else:
-            parts = [Part("Inputs", Text("No input differs."), None)]
+            parts.append(Part("Inputs", Text("No input differs."), None))
         n = len(found.steps_moved)
         changes = plural("{n} step changes its verdict", "{n} steps change their verdict", n=n)
         title = changes if n else Text("No step changes its verdict")
         parts.append(Part("Verdicts", title, verdict_table(found, names, self._sign), tuple(v.step for v in found.verdicts)))
-        moved, n = found.checks_moved, len(found.checks_moved)
+        checks_moved, n = found.checks_moved, len(found.checks_moved)
         changes = plural("{n} check changes its verdict", "{n} checks change their verdict", n=n)
         title = changes if n else Text("No check changes its verdict")
-        parts.append(self._checks(title, moved, roomy) if moved else Part("Checks", title, None))
+        parts.append(self._checks(title, checks_moved, roomy) if checks_moved else Part("Checks", title, None))
         lone = [d for d in found.checks if not d.both and d.worse]
         if lone:
             parts.append(

@@ -58,14 +58,14 @@ class Entry(Input):
         values: list[str]
 
     def __init__(self, value: str, placeholder: str = "", *, numeric: bool = False) -> None:
-        super().__init__(select_on_focus=True, validate_on=[])
+        super().__init__(select_on_focus=False, validate_on=[])
         self.numeric = numeric
         self.editing = False
         self.add_class("-textual-compact", update=False)
         self.set_reactive(Input.compact, True)
         self.set_reactive(Input.placeholder, placeholder)
         self.set_reactive(Input.value, value)
-        self.set_reactive(Input.selection, Selection.cursor(len(value)))
+        self.set_reactive(Input.selection, Selection.cursor(self._end(value)))
         self._initial_value = False
 
     def on_mount(self) -> None:
@@ -93,11 +93,23 @@ class Entry(Input):
             self.editing = True
             self.post_message(self.Began(self))
 
+    def _end(self, value: str) -> int:
+        """Where the cursor rests: behind a number; words that are longer than their box show how they begin."""
+        return len(value) if self.numeric else 0
+
+    def _on_focus(self, event: events.Focus) -> None:
+        if not event.from_app_focus:
+            self._select()
+
+    def _select(self) -> None:
+        """All of it, with the cursor where it rests."""
+        self.selection = Selection(len(self.value) - (end := self._end(self.value)), end)
+
     def arrive(self, text: str) -> None:
         """As if it had just got the focus, with this text in it."""
         self.show(text)
         self.editing = False
-        self.action_select_all()
+        self._select()
 
     def _on_blur(self, event: events.Blur) -> None:
         self.editing = False
@@ -122,4 +134,4 @@ class Entry(Input):
         if text != self.value:
             with self.prevent(Input.Changed):
                 self.value = text
-            self.cursor_position = len(text)
+            self.cursor_position = self._end(text)

@@ -203,7 +203,7 @@ class Field(Widget):
             return [""], []
         label = wrap(self.about.label, (LABEL_NARROW if width >= NARROW else LABEL) - 2)  # a blank before it and one behind
         mark = self.app.signs.mark("invalid")
-        return label, wrap(f"{mark} {key_at(self.place)}: {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
+        return label, wrap(f"{mark} {self.app.say(self.reason)}", width - 3, 2) if self.reason else []
 
     def get_content_height(self, container: Any, viewport: Any, width: int) -> int:
         label, error = self._rows(width)

@@ -140,6 +140,11 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
             self._side = side_
             self.rebuild()
 
+    def watch_virtual_size(self) -> None:
+        """Something above the field may have grown: it is never typed into unseen."""
+        if self.is_attached and self.field is not None:
+            self.call_after_refresh(self.bring_into_view)
+
     def rebuild(self, focus: Place | None = None) -> None:
         """Put the form in order: what goes is taken away, what is new is put in, and all else stays as it is, the focus too."""
         if focus is not None:

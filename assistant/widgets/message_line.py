@@ -7,11 +7,11 @@ from textual.content import Content
 from textual.widget import Widget
 
 from calc.design import STEPS
-from calc.sheet.check import URGENT, Check, grouped
+from calc.sheet.check import URGENT, Check
 from calc.sheet.text import Amount, Text
 
 from ..base_app import BaseApp
-from ..places import key_at
+from ..places import label_of, named_key
 from ..route import step_of
 from ..session import Session
 from .steps import states_of
@@ -22,11 +22,6 @@ if TYPE_CHECKING:
 
 
 ROWS = 2
-
-
-def _worst(checks: tuple[Check, ...]) -> Check:
-    """The one that stands first among the findings."""
-    return grouped(checks)[0][0]
 
 
 class MessageLine(Widget):
@@ -56,7 +51,11 @@ class MessageLine(Widget):
             mine = {place: reason for place, reason in reasons.items() if step_of(place) == self.step}
             place, reason = next(iter((mine or reasons).items()))
             step = "" if mine else self._title(step_of(place))
-            text = Text("{key}: {reason}", key=key_at(place) or Text("the design"), reason=reason)
+            text = Text(
+                "{key}: {reason}",
+                key=label_of(session.data, named_key(session.data, place)) if place else Text("the design"),
+                reason=reason,
+            )
             if len(reasons) > 1:
                 text = Text("{mistake}  ({n} in all)", mistake=text, n=len(reasons))
             return "invalid", step + say(Text("{mistake}. The results are those of the last valid input.", mistake=text))
@@ -71,12 +70,12 @@ class MessageLine(Widget):
         if here is not None:
             return here.verdict, self._check(here)
         checks = outcome.checks
-        if checks and (first := _worst(checks)).verdict in URGENT:
+        if checks and (first := outcome.causes[0][0]).verdict in URGENT:
             bad = sum(c.verdict in URGENT for c in checks)
             more = "  " + say(Text("({n} of {count} checks here)", n=bad, count=len(checks))) if bad > 1 else ""
             return first.verdict, self._check(first) + more
         outcomes = [(other.key, session.results.outcomes[other.key]) for other in STEPS]
-        worst = [(key, _worst(other.checks)) for key, other in outcomes if other.checks]
+        worst = [(key, other.causes[0][0]) for key, other in outcomes if other.checks]
         for key, check in worst:
             if check.verdict == "fail":
                 return "fail", self._title(key) + self._check(check)

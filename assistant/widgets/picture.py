@@ -35,6 +35,9 @@ class Picture(Widget, can_focus=True):
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("left", f"turn(-{PRESSED})", "Turn back", show=False),
         Binding("right", f"turn({PRESSED})", "Turn", show=False),
+        Binding("comma", "leaf(-1)", "Picture before", show=False),
+        Binding("full_stop", "leaf(1)", "Next picture", show=False),
+        Binding("space", "halt", "Halt and go on", show=False),
     ]
 
     def __init__(self, id: str | None = "picture-drawing") -> None:
@@ -44,8 +47,10 @@ class Picture(Widget, can_focus=True):
         self.results: Results | None = None
         self.degrees = 0
         self.turns = False  # whether the sketch depends on the crank's angle
+        self.view, self.views = 0, 1  # which of the sketch's pictures comes first, of so many
         self._drawn: dict[tuple[object, ...], tuple[Content, bool]] = {}
         self._clock: Timer | None = None
+        self._halted = False
 
     # --- what is shown
     def show(self, step_key: str, design: Design | None, results: "Results | None", lit_key: str = "") -> None:
@@ -53,12 +58,13 @@ class Picture(Widget, can_focus=True):
         if results is not self.results or design is not self.design:
             self._drawn.clear()
         if (step_key, design, results, lit_key) != (self.step, self.design, self.results, self.lit):
+            self.view = self.view if step_key == self.step else 0
             self.step, self.design, self.results, self.lit = step_key, design, results, lit_key
             self.refresh()
 
     def render(self) -> Content:
         columns, rows = self.size
-        key = (self.step, columns, rows, self.lit, self.degrees, self.app.signs)
+        key = (self.step, columns, rows, self.lit, self.degrees, self.view, self.app.signs)
         if key not in self._drawn:
             if len(self._drawn) >= KEPT:
                 self._drawn.clear()
@@ -72,8 +78,9 @@ class Picture(Widget, can_focus=True):
 
         signs, say = self.app.signs, self.app.say
         try:
-            sketch = sketch_of(self.step, self.design, self.results, math.radians(self.degrees))
+            sketch = sketch_of(self.step, self.design, self.results, math.radians(self.degrees), self.view)
             if isinstance(sketch, Sketch):
+                self.views = sketch.views
                 return draw(sketch, columns, rows, signs, say, self.lit), sketch.turning
         except Exception:  # a picture that cannot be drawn never stops the work that it shows
             sketch = FAILED
@@ -85,6 +92,15 @@ class Picture(Widget, can_focus=True):
             self.degrees = (self.degrees + by) % 360
             self.refresh()
 
+    def action_leaf(self, by: int) -> None:
+        self.view = (self.view + by) % self.views
+        self.refresh()
+
+    def action_halt(self) -> None:
+        if self._clock is not None:
+            (self._clock.resume if self._halted else self._clock.pause)()
+            self._halted = not self._halted
+
     def on_focus(self) -> None:
         if self.app.animation_level != "none":
             self._clock = self._clock or self.set_interval(1 / RATE, lambda: self.action_turn(STEP))
@@ -95,8 +111,8 @@ class Picture(Widget, can_focus=True):
             self._clock.pause()
 
 
-def sketch_of(step: str, design: Design | None, results: "Results | None", angle: float) -> Sketch | Text:
-    """The sketch of a step at a crank angle, or what it waits for."""
+def sketch_of(step: str, design: Design | None, results: "Results | None", angle: float, view: int = 0) -> Sketch | Text:
+    """The sketch of a step at a crank angle, its picture `view` first, or what it waits for."""
     if not step or design is None:
         return EMPTY
     outcome = results.outcomes.get(step) if results is not None else None
@@ -104,4 +120,6 @@ def sketch_of(step: str, design: Design | None, results: "Results | None", angle
         return Text(WAITS.template, step=TITLES[step])
     make: Callable[..., Sketch] = import_module(f"calc.{step}.sketch").sketch
     sketch = make(design, results)
+    if sketch.views > 1:
+        return make(design, results, angle=angle, view=view % sketch.views)
     return make(design, results, angle=angle) if sketch.turning and angle else sketch

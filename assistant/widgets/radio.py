@@ -131,7 +131,9 @@ class Balance(Radio):
     def build(self, width: int) -> list[Item]:
         say = self.app.say
         if not self._known:
-            return [Item("", [Content.styled(say(Text("What each balancing leaves is being computed …")), "dim")])]
+            waits = Text("What each balancing leaves is being computed …")
+            wrong = Text("What each balancing leaves is told as soon as every input is understood.")
+            return [Item("", [Content.styled(say(waits if self.session.valid else wrong), "dim")])]
         what = [Content.styled(" " * LABEL + say(left.what), "dim") for left in self._known[0].left]
         items, made = [Item("", [*what])] if what else [], self.made()
         for one in self._known:

@@ -17,7 +17,7 @@ from calc.sheet.step import Step
 from calc.sheet.text import Text
 
 from ..places import Place
-from ..route import DOCUMENT, FIRST, NAMING, ROUTE, covers, document_fold, fold_of, idle, path_of
+from ..route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, covers, document_fold, fold_of, idle, path_of
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 RADIUS: Place = ("engine", "crank_radius_mm")
@@ -53,8 +53,7 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
     leg = ROUTE[step.key]
     found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
-    naming = [Row("field", place, keys(Design)[str(place[0])].about, required=place == NAMING[0]) for place in NAMING]
-    made = naming if step.key == FIRST else []
+    made = [_of_design(NAME, required=True)] if step.key == FIRST else []
     in_fold: list[list[Row]] = [[] for _ in leg.folds]
     deciding: list[list[Row]] = [[] for _ in leg.deciding]
     for row in found:
@@ -76,11 +75,16 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     return [*made, *_document(data, asked, opened)] if step.key == FIRST else made
 
 
+def _of_design(place: Place, *, required: bool = False) -> Row:
+    """An input of the design itself."""
+    return Row("field", place, keys(Design)[str(place[0])].about, required=required)
+
+
 def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
-    """The fold of the document control, which every design may have."""
+    """The fold of the document control, which every design may have, with its note."""
     about = keys(Design)[str(DOCUMENT[0])].about
     assert about.table is not None
-    inside = tuple(_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False))
+    inside = (_of_design(NOTE), *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False))
     is_open = (n := document_fold()) in opened
     return [Row("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
 

@@ -26,24 +26,30 @@ class StepBar(Widget):
 
     def render(self) -> Content:
         signs, states = self.app.signs, states_of(self.session)
-        titles = [self.app.say(step.title) for step in STEPS]
+        shown = [
+            (n, step, self.app.say(step.title), state)
+            for n, (step, state) in enumerate(zip(STEPS, states), 1)
+            if not step.optional or state.state != "not_asked" or step.key == self.current
+        ]
+        titles = [title for _, _, title, _ in shown]
         end = self.app.say(Text("Ready"))
         width = self.size.width - len(end) - 2
-        spare = width - sum(len(title) + 4 for title in titles)
-        longest = max(map(len, titles))
-        room = longest
-        while spare < 0 and room > 3:  # shorten the longest titles first
+        room = max(map(len, titles))
+
+        def cells(room: int) -> int:
+            return sum(4 + (len(title) if step.key == self.current else min(len(title), room)) for _, step, title, _ in shown)
+
+        while cells(room) > width and room > 3:  # shorten the longest titles first, never that of this step
             room -= 1
-            spare = width - sum(min(len(title), room) + 4 for title in titles)
         parts: list[Content | str] = []
-        for n, (step, title, state) in enumerate(zip(STEPS, titles, states), 1):
-            here = step.key == self.current
+        for n, step, title, state in shown:
+            current = step.key == self.current
             text = Content.assemble(
-                "[" if here else " ",
+                "[" if current else " ",
                 str(n),
                 (signs.mark(state.state), signs.style(state.state)),
-                (fit(title, room, ""), "bold" if here else ""),
-                "]" if here else " ",
+                (title if current else fit(title, room, ""), "bold" if current else ""),
+                "]" if current else " ",
             )
             parts.append(text.stylize(Style.from_meta({"@click": f"screen.{BY_ID[f'step_{n}'].does}"})))
         mark = "ready" if ready(states) else "todo"

@@ -80,6 +80,7 @@ def light(design: Path, memory: Memory) -> Session:
 @pytest.fixture
 def screen(light: Session, monkeypatch: pytest.MonkeyPatch) -> Screen:
     """Opens the screen over a session, which is solved; `async with screen(size=(80, 24)) as pilot`."""
+    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)  # nothing goes on behind the test
 
     @asynccontextmanager

@@ -3,7 +3,7 @@
 
 import pytest
 
-from assistant.canvas import draw
+from assistant.canvas import draw, noted
 from assistant.raster import BITS
 from assistant.widgets.signs import Signs
 from calc.languages import language
@@ -105,3 +105,8 @@ def test_pictures_beside_each_other_are_left_out_where_they_get_too_small():
 
     assert shown(90, 14) == ["first", "second", "third"]
     assert shown(24, 10) == ["first"]
+
+
+def test_notes_take_as_many_rows_as_they_need() -> None:
+    assert noted(["gap × 100", "the load points down", "pressure"], 32) == ["gap × 100 · the load points down", "pressure"]
+    assert noted([], 10) == []

@@ -16,6 +16,7 @@ from assistant.screens.compare_with import CompareFile, CompareWith
 from assistant.session import Session
 from assistant.widgets.comparison import ComparisonList
 from calc.compare import compare
+from calc.compare_conclusion import differing, moved
 from calc.design_file import load
 from calc.sheet.number import short
 from calc.shipped import DESIGNS
@@ -110,6 +111,10 @@ async def test_an_earlier_state_beside_the_present_one(screen: Screen, size: tup
         found = {(d.key, d.a, d.b) for d in shown.found.inputs}
         assert found == {("engine.crank_radius_mm", 53.5, 54.0), ("engine.bore_mm", 94.0, 95.0)}
         seen = text(pilot)
+        assert "2 edits ago → now: the whole" in seen
+        await strike(pilot, "2")
+        await pilot.pause()
+        seen = text(pilot)
         assert "2 edits ago" in seen and "Crank radius (engine)" in seen and "53.5" in seen and "2 inputs differ" in seen
         assert all(len(line) <= size[0] for line in seen.splitlines())
         assert ("x FAIL" in seen or "! warn" in seen) if ascii else "▲ warn" in seen
@@ -131,12 +136,12 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         await strike(pilot, "enter")
         shown = await opened(pilot)
         sections = []
-        for key in ("4", "h", "left", "1", "right", "l", "l", "l"):
+        for key in ("5", "h", "left", "2", "right", "l", "l", "l"):
             await strike(pilot, key)
             sections.append(shown.section)
         assert sections == ["Values", "Checks", "Verdicts", "Inputs", "Verdicts", "Checks", "Values", "Values"]
         top = text(pilot).splitlines()[1]
-        assert "▸4 Values" in top and "1 Inputs 1 " in top
+        assert "▸5 Values" in top and "2 Inputs 1 " in top
         first = shown.key
         await strike(pilot, "j", "j", "k")
         assert shown.key != first and shown.id_here in text(pilot)
@@ -147,7 +152,7 @@ async def test_sections_lines_and_copying(screen: Screen, monkeypatch: pytest.Mo
         await strike(pilot, "end")
         assert shown.cursor == max(i for i, item in enumerate(shown.items) if item.key)
         assert shown._first[shown.cursor] < shown.scroll_y + shown.size.height
-        await strike(pilot, "1", "enter")
+        await strike(pilot, "2", "enter")
         await until(pilot, lambda: not isinstance(pilot.app.screen, CompareScreen))
         await settled(pilot)
         field = work(pilot).form.field
@@ -189,7 +194,7 @@ async def test_a_shipped_design_and_steps_that_are_not_asked(screen: Screen) -> 
         pilot.app.screen.query_one("#path", Input).value = str(DESIGNS / "timing_pair.toml")
         await strike(pilot, "enter")
         await opened(pilot)
-        await strike(pilot, "2")
+        await strike(pilot, "3")
         await pilot.pause()
         assert "· not used" in text(pilot) and "5 steps change their verdict" in text(pilot)
 
@@ -248,7 +253,8 @@ async def test_a_long_comparison_is_set_quickly(session: Session, size: tuple[in
         started = time.perf_counter()
         shown.show(found, ("r753ie4_beta", "now"))
         assert time.perf_counter() - started < 0.5
-        assert sum(bool(item.key) for item in shown.items) == len(found.inputs) + 6 + len(found.checks) + len(found.values)
+        rows = len(moved(found)) + len(differing(found)) + len(found.inputs) + 6 + len(found.checks) + len(found.values)
+        assert sum(bool(item.key) for item in shown.items) == rows
         assert all(row.cell_length <= shown.room for item in shown.items for row in item.rows)
         started = time.perf_counter()
         shown.render_line(5)

@@ -32,6 +32,7 @@ def put_aside() -> Iterator[None]:
     report.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-" + raw)  # type: ignore[attr-defined]
     with pytest.MonkeyPatch.context() as patch:
         patch.setitem(sys.modules, "reports.report", report)
+        patch.setattr(background_solve, "PAUSE", 0.0)
         patch.setattr(background_solve, "AHEAD", 1000.0)
         yield
 

@@ -64,15 +64,16 @@ async def test_what_is_typed_in_one_burst_goes_to_the_fields_that_it_was_typed_f
 
 
 async def test_a_burst_passes_over_what_is_no_text(screen: Screen) -> None:
-    """Over the layout, which is a choice."""
+    """Over two folds, and the layout, which is a choice."""
     async with screen() as pilot:
-        await go_to(pilot, "engine.rated_speed_rpm")
-        for name in ("2", "5", "0", "0", "down", "down", "4", "tab", "9", "9"):
+        await go_to(pilot, "engine.layout")
+        await go_to(pilot, "engine.cylinder_pitch_mm")
+        for name in ("9", "9", "down", "down", "down", "down", "4"):
             pilot.app.post_message(events.Key(name, name if len(name) == 1 else None))
         await settled(pilot)
         await solved(pilot)
         engine = work(pilot).session.data["engine"]
-        assert (engine["rated_speed_rpm"], engine["cylinders"], engine["cylinder_pitch_mm"]) == (2500.0, 4, 99.0)
+        assert (engine["cylinders"], engine["cylinder_pitch_mm"]) == (4, 99.0)
 
 
 async def test_a_comma_is_a_decimal_sign_and_the_field_is_rewritten(screen: Screen) -> None:
@@ -267,3 +268,16 @@ async def test_values_of_earlier_steps_lead_to_their_owner(screen: Screen) -> No
         await settled(pilot)
         assert work(pilot).number == 1
         assert work(pilot).form.here() == ("engine", "rated_speed_rpm")
+
+
+async def test_words_show_how_they_begin_and_a_mistake_is_told_without_its_key(screen: Screen) -> None:
+    async with screen() as pilot:
+        box = await go_to(pilot, "name")
+        assert isinstance(box, Entry) and box.cursor_position == 0 and box.selected_text == box.value
+        await strike(pilot, "x")
+        assert box.value == "x"  # the first key replaces all of it
+        await go_to(pilot, "engine.rod_length_mm")
+        await type_in(pilot, "-5")
+        await strike(pilot, "tab")
+        await until(pilot, lambda: "greater than" in rows(pilot) or "must be" in rows(pilot))
+        assert "rod_length_mm" not in rows(pilot) and "rod length: must be" in message(pilot)

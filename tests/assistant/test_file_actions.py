@@ -180,7 +180,7 @@ async def test_where_there_is_nothing_to_draw_it_says_what_to_add(screen: Screen
 @pytest.mark.slow
 @pytest.mark.parametrize(
     ("name", "size", "step", "ending", "drawn"),
-    [("r753ie4_sized", (120, 40), "3", ".dxf", "SECTORS"), ("timing_pair", (80, 24), "5", "-gears.dxf", "PROFILE")],
+    [("r753ie4_sized", (120, 40), "3", ".dxf", "HATCH"), ("timing_pair", (80, 24), "5", "-gears.dxf", "PROFILE")],
 )
 async def test_shaft_and_gears_are_drawn(
     screen: Screen, memory: Memory, tmp_path: Path, name: str, size: tuple[int, int], step: str, ending: str, drawn: str

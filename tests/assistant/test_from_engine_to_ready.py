@@ -97,7 +97,7 @@ async def test_an_own_engine_is_ready_within_sixty_keys(name, size, tmp_path, mo
         assert "stroke" not in numbers or 2 * session.value("engine.crank_radius_mm") == float(numbers["stroke"])
 
 
-FAULTY = {"r753ie4_beta", "r753ie4_gamma", "finotti_gear_sheet"}  # published designs that fail
+FAULTY = {"r753ie4_beta", "r753ie4_gamma", "r753ie4_mounting", "finotti_gear_sheet"}  # published designs that fail
 OWN = sorted(path for path in DESIGNS.glob("*.toml") if path.stem not in FAULTY)
 
 

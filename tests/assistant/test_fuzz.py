@@ -92,6 +92,7 @@ def enclosed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     stub.write = lambda document, results, raw, path, **rest: path.write_bytes(b"%PDF-")  # type: ignore[attr-defined]
     monkeypatch.setitem(sys.modules, "reports.report", stub)
     monkeypatch.setattr(Session, "save_as", inside)
+    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.chdir(tmp_path)
 

@@ -105,7 +105,7 @@ def test_at_most_two_seconds_of_typing_are_lost(light: Session, state: Path, sec
 
 def test_an_entry_that_is_not_accepted_comes_back(light: Session, state: Path) -> None:
     with Terminal(light.home, state) as terminal:
-        terminal.write("\t\t12x")  # the bore
+        terminal.write("\t12x")  # the bore
         terminal.until(b"autosaved")
         terminal.kill()
     session = reopened(light.home, state)

@@ -12,6 +12,7 @@ from assistant.session import Session
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.fold import Fold
+from assistant.widgets.guide_text import GuideText
 from assistant.widgets.radio import Balance, Todo
 from calc.design import STEPS
 from calc.sheet.quantity import keys
@@ -32,23 +33,34 @@ def test_the_route_names_keys_that_there_are() -> None:
             for part in pattern.split("."):
                 assert part in keys(cls), (step.key, pattern)
                 cls = keys(cls)[part].about.table or cls
-    assert fold_of("engine", "bore_mm") is None and fold_of("engine", "firing_order") == 0 and fold_of("gears", "wheels.quality") == 1
+    assert fold_of("engine", "bore_mm") is None and fold_of("engine", "rated_power_kW") == 0 and fold_of("gears", "wheels.quality") == 1
 
 
 async def test_a_fold_opens_stays_open_and_opens_for_a_field_that_is_sought(screen: Screen) -> None:
     async with screen() as pilot:
         await go_to(pilot, "engine.bore_mm")
-        assert "Which engine shakes?" in rows(pilot) and ("engine", "firing_order") not in places(pilot)
+        assert "Which engine shakes?" in rows(pilot) and ("engine", "rated_power_kW") not in places(pilot)
         fold = next(one for one in work(pilot).form.query(Fold) if one.row.place == ("engine", "+0"))
         fold.focus()
         await strike(pilot, "enter")
         await settled(pilot)
-        assert ("engine", "firing_order") in places(pilot) and "assumed (" in rows(pilot)
+        assert ("engine", "rated_power_kW") in places(pilot) and "assumed (" in rows(pilot)
         await strike(pilot, "left")
         await settled(pilot)
-        assert ("engine", "firing_order") not in places(pilot) and pilot.app.focused is fold
+        assert ("engine", "rated_power_kW") not in places(pilot) and pilot.app.focused is fold
+        await go_to(pilot, "engine.rated_power_kW")
         await go_to(pilot, "engine.firing_order")
         assert ("engine", "bank_angle_deg") not in places(pilot)  # an inline engine has none
+
+
+async def test_a_field_is_never_typed_into_unseen(screen: Screen) -> None:
+    """Whatever grows above it."""
+    async with screen(size=(80, 24)) as pilot:
+        await go_to(pilot, "engine.bore_mm")
+        form = work(pilot).form
+        assert form.field is not None and form.field.region in form.region
+        form.query_one(GuideText).styles.height = 40
+        await until(pilot, lambda: form.scroll_y > 0 and form.field is not None and form.field.region in form.region)
 
 
 async def test_keys_that_follow_a_jump_into_a_fold_are_not_lost(screen: Screen) -> None:

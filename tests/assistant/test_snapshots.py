@@ -75,6 +75,7 @@ Opened = Callable[..., AbstractAsyncContextManager[Pilot[int]]]
 @pytest.fixture
 def opened(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Opened:
     """Opens a step of a shipped design, which is solved; with a clock that stands, and a solve that always takes as long."""
+    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)  # nor is there an autosave, sooner or later
 
@@ -151,6 +152,7 @@ async def test_start(seen: SnapshotAssertion, tmp_path: Path) -> None:
 
 async def test_imbalance_of_a_new_design(seen: SnapshotAssertion, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The one question of the step, what each answer leaves, and its picture."""
+    monkeypatch.setattr(background_solve, "PAUSE", 0.0)
     monkeypatch.setattr(background_solve, "AHEAD", 1000.0)
     monkeypatch.setattr(edit_feedback, "KEEP", 1000.0)
     monkeypatch.chdir(tmp_path)

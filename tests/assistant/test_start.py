@@ -10,6 +10,7 @@ from textual.widgets import Input
 
 from assistant.app import ContralberoApp
 from assistant.beginnings import engine_only, finding, groups
+from assistant.matching import match
 from assistant.recovery import Memory
 from assistant.screens.start import Start
 from assistant.screens.workbench import Workbench
@@ -116,3 +117,11 @@ async def test_words_that_a_designer_types_first_find_an_engine(memory: Memory, 
         found = [row for row in start(pilot)._rows if row is not None]
         assert found and all(row.kind == "engine" for row in found)
         assert not engine or engine in {row.id for row in found}
+
+
+def test_a_number_finds_only_what_has_it_by_itself() -> None:
+    assert (
+        match(["753"], "R753IE4")[0] > 0 and match(["3"], "R753IE4", "diesel 3 cylinders")[0] > 0 == match(["4"], "R753IE4", "bore 94")[0]
+    )
+    assert match(["inline", "4"], "Inline 3", "own-inline-3 94 x 107")[0] == 0
+    assert match(["inline", "4"], "Inline four", "inline 4 cylinders")[0] > 0

@@ -134,7 +134,7 @@ async def pixels(pilot: Pilot[int], do: Do) -> None:
         patch.setattr(pilot.app, "suspend", nullcontext)
         patch.setenv("CONTRALBERO_PIXELS", "none")
         await do()
-        await until(pilot, lambda: "does not say that it shows pixels" in told(pilot))
+        await until(pilot, lambda: "so nothing was drawn" in told(pilot))
         assert not written
         patch.setenv("CONTRALBERO_PIXELS", "kitty")
         await do()

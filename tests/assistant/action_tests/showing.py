@@ -47,7 +47,7 @@ DEEDS |= {"back": partial(to_step, 1), "next": partial(to_step, 3)}
 async def help_(pilot: Pilot[int], do: Do) -> None:
     await do()
     await over(pilot, HelpScreen)
-    assert "Step 2 of 6: Imbalance" in text(pilot)
+    assert "Step 2 of 7: Imbalance" in text(pilot)
     assert all(word in text(pilot) for word in ("Go on", "See why", "Mend", "Take back", "Write"))
     await strike(pilot, "f1")
     await until(pilot, lambda: "This screen" in text(pilot))

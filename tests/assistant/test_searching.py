@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The search behind a dialog: how far it is, why it ends, that it can be stopped, and that an earlier one is no longer heard."""
+
+import threading
+from collections.abc import Callable, Iterator
+
+import pytest
+from textual.app import ComposeResult
+from textual.widgets import Static
+
+from assistant.screens.searching import Searching
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.progress import Progress
+from calc.sheet.text import Text
+
+from .conftest import Screen
+from .driving import strike, until
+
+
+class Letters(Searching[str | None, str]):
+    """Finds what it is given, by the searches one after the other."""
+
+    STATE, BAR, BEHIND = "state", 10, Text("Esc stops")
+
+    def __init__(self, *searches: Callable[[Progress], Iterator[str]]) -> None:
+        super().__init__()
+        self.searches = list(searches)
+        self.letters: list[str] = []
+
+    def compose(self) -> ComposeResult:
+        yield Static(id="state")
+
+    def on_mount(self) -> None:
+        self.begin()
+
+    def search(self, progress: Progress) -> Iterator[str]:
+        return self.searches.pop(0)(progress)
+
+    def show_found(self, found: str) -> None:
+        self.letters.append(found)
+
+    def show_end(self, failure: Text) -> None:
+        self.show_state(f"over {failure}")
+
+    @property
+    def state(self) -> str:
+        return str(self.query_one("#state", Static).content)
+
+
+@pytest.mark.parametrize(("ascii", "bar"), [(False, "████░░░░░░"), (True, "####......")])
+async def test_how_far_it_is(screen: Screen, ascii: bool, bar: str) -> None:
+    go_on = threading.Event()
+
+    def search(progress: Progress) -> Iterator[str]:
+        progress(0.4, "half of them")
+        yield "a"
+        go_on.wait(30)
+
+    async with screen(ascii=ascii) as pilot:
+        shown = Letters(search)
+        pilot.app.push_screen(shown)
+        await until(pilot, lambda: shown.letters == ["a"])
+        assert shown.searching and shown.state == f"searching …  {bar}  40%  half of them   Esc stops"
+        go_on.set()
+        await until(pilot, lambda: not shown.searching)
+        assert shown.state == "over " and shown.letters == ["a"]
+
+
+@pytest.mark.parametrize(
+    ("error", "words"),
+    [
+        (NoSolution(Text("no pair fits")), "no pair fits"),
+        (BadInput("x.toml", [InputError(1, "engine.bore_mm", "-1", Text("is below zero"))]), "engine.bore_mm: is below zero"),
+        (ZeroDivisionError("by nought"), "the program made a mistake: ZeroDivisionError: by nought"),
+    ],
+)
+async def test_why_it_ends(screen: Screen, error: Exception, words: str) -> None:
+    def search(progress: Progress) -> Iterator[str]:
+        yield "a"
+        raise error
+
+    async with screen() as pilot:
+        shown = Letters(search)
+        pilot.app.push_screen(shown)
+        await until(pilot, lambda: bool(shown.letters) and not shown.searching)
+        assert words in shown.state and shown.letters == ["a"]
+
+
+async def test_an_earlier_search_is_stopped_and_no_longer_heard(screen: Screen) -> None:
+    go_on, stopped = threading.Event(), threading.Event()
+
+    def first(progress: Progress) -> Iterator[str]:
+        yield "a"
+        go_on.wait(30)
+        yield "late"
+        try:
+            progress(0.9, "nearly")
+        finally:
+            stopped.set()
+        yield "never"
+
+    async with screen() as pilot:
+        shown = Letters(first, lambda progress: iter("b"))
+        pilot.app.push_screen(shown)
+        await until(pilot, lambda: shown.letters == ["a"])
+        shown.begin()
+        await until(pilot, lambda: not shown.searching)
+        go_on.set()
+        await until(pilot, stopped.is_set)
+        await pilot.pause(0.05)
+        assert shown.letters == ["a", "b"] and shown.state == "over "
+
+
+async def test_leaving_stops_it(screen: Screen) -> None:
+    go_on, ended = threading.Event(), threading.Event()
+    reached: list[str] = []
+
+    def search(progress: Progress) -> Iterator[str]:
+        yield "a"
+        go_on.wait(30)
+        try:
+            progress(0.5, "more")
+            reached.append("went on")
+        finally:
+            ended.set()
+
+    async with screen() as pilot:
+        shown, below = Letters(search), pilot.app.screen
+        pilot.app.push_screen(shown)
+        await until(pilot, lambda: shown.letters == ["a"])
+        await strike(pilot, "escape")
+        await until(pilot, lambda: pilot.app.screen is below)
+        go_on.set()
+        await until(pilot, ended.is_set)
+        assert not reached
