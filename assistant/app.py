@@ -36,7 +36,7 @@ class Speaking(Protocol):
     async def speak(self) -> None: ...
 
 
-HELD = 1.0  # seconds that keys wait at most
+HELD = 3.0  # seconds that keys wait at most
 LOOK = 2.0  # seconds between two looks at the file, whether another program has changed it
 
 
@@ -148,17 +148,19 @@ class ContralberoApp(BaseApp):
             self.push_screen(Palette())
 
     async def on_event(self, event: events.Event) -> None:
-        """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter for where
-        that leads."""
-        if isinstance(event, events.Key) and not event.is_forwarded:
-            self.struck = time.monotonic()
-            if self._held is not None:
-                self._held.append(event)
-                return
-            opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
-            if opens or (event.key == "enter" and getattr(self.screen, "HOLDS", False)):
-                self._held = []
-                self._hold = self.set_timer(HELD, self.release)
+        """Keys that follow the one that opens the palette or the start page are for it, and those that follow the palette's Enter or
+        Escape for where that leads."""
+        if not isinstance(event, events.Key) or event.is_forwarded:
+            await super().on_event(event)
+            return
+        self.struck = time.monotonic()
+        if self._held is not None:
+            self._held.append(event)
+            return
+        opens = isinstance(self.screen, Workbench) and event.key in (*self._keys("palette"), *self._keys("new"))
+        if opens or (event.key in ("enter", "escape") and getattr(self.screen, "HOLDS", False)):
+            self._held = []
+            self._hold = self.set_timer(HELD, self.release)
         await super().on_event(event)
 
     def _keys(self, id: str) -> list[str]:
@@ -168,9 +170,14 @@ class ContralberoApp(BaseApp):
     def release(self) -> None:
         if self._hold is not None:
             self._hold.stop()  # or it would end the wait of other keys
-        held, self._held = self._held, None
+            self.call_later(self._let_go, self._hold)  # behind the keys that have come: they keep their order
+
+    async def _let_go(self, hold: Timer) -> None:
+        if hold is not self._hold:  # of another wait, which has ended
+            return
+        held, self._held, self._hold = self._held, None, None
         for event in held or ():
-            self.post_message(event)
+            await self.on_event(event)
 
     def on_unmount(self) -> None:
         """However the program ends, a closed page of a browser too: edits are kept aside."""

@@ -29,7 +29,7 @@ class Found(OptionList, can_focus=False):
 
 class Palette(ModalScreen[None]):
     app: BaseApp
-    HOLDS = True  # keys that follow Enter are for what it runs
+    HOLDS = True  # keys that follow Enter or Escape are for where it leads
     AUTO_FOCUS = "#words"
     BINDINGS: ClassVar[list[BindingType]] = [
         Binding("escape", "leave", "Back", show=False, priority=True),
