@@ -129,42 +129,47 @@ class _Tables:
             self.blocks += named_table(title, columns, rows)
         self.inside(inner, data, prefix)
 
-    def inside(self, inner: list[Key], data: dict[str, Any], prefix: str) -> None:
-        """Tables in a table: neighbours of one class stand beside each other."""
+    def inside(self, inner: list[Key], data: dict[str, Any], prefix: str, whose: str = "") -> None:
+        """Tables in a table: neighbours of one class stand beside each other.  `whose`: the part that they belong to."""
+
+        def title(key: Key) -> str:
+            return f"{self.say(key.about.label)}: {whose}" if whose else self.say(key.about.label)
+
         n = 0
         while n < len(inner):
             key = inner[n]
             content = data.get(key.key)
             if key.about.kind == "tables":
                 named = [(_part_name(p, i), p) for i, p in enumerate(content or [])]
-                self.parts(self.say(key.about.label), key.about.table, named, f"{prefix}.{key.key}")
+                self.parts(title(key), key.about.table, named, f"{prefix}.{key.key}")
                 n += 1
                 continue
             like = [k for k in inner[n:] if k.about.table is key.about.table and k.about.kind == "table"]
             n += len(like)
             asked = [k for k in like if data.get(k.key) is not None]
-            if len(asked) > 1 and _flat(key.about.table):
+            if len(asked) > 1:
                 self.parts("", key.about.table, [(self.say(k.about.label), data[k.key]) for k in asked], prefix)
             else:
                 for k in asked:
-                    self.plain(self.say(k.about.label), k.about.table, data[k.key], f"{prefix}.{k.key}")  # type: ignore[arg-type]
+                    self.plain(title(k), k.about.table, data[k.key], f"{prefix}.{k.key}")  # type: ignore[arg-type]
 
     def parts(self, title: str, cls: type | None, parts: list[tuple[str, dict[str, Any]]], prefix: str) -> None:
-        """Like parts: as rows where they say little each, else as columns."""
+        """Like parts: as rows where they say little each, else as columns; the tables inside them follow."""
         if not parts or cls is None:
             return
-        if not _flat(cls):
-            for i, (name, data) in enumerate(parts):
-                here = f"{prefix}.{data.get('name', i)}" if title else prefix
-                self.plain(f"{title}: {name}" if title else name, cls, data, here)
-            return
+        self.beside(title, cls, parts)
+        inner = [key for key in keys(cls).values() if key.about.kind in ("table", "tables")]
+        for i, (name, data) in enumerate(parts):
+            self.inside(inner, data, f"{prefix}.{data.get('name', i)}" if title else prefix, name)
+
+    def beside(self, title: str, cls: type, parts: list[tuple[str, dict[str, Any]]]) -> None:
         total = len(parts)
         between = 0 if self.all or total <= LONG else total - 2 * ENDS
         parts = [*parts[:ENDS], *parts[-ENDS:]] if between else parts
         shown: list[tuple[Key, list[_Given]]] = []
         for key in keys(cls).values():
             given = [_given(key, data) for _, data in parts]
-            if key.key == "name":
+            if key.key == "name" or key.about.kind in ("table", "tables"):
                 continue
             if all(g.left_out for g in given):
                 self.left_out.append(_left_out(key, self.say))
@@ -215,10 +220,6 @@ class _Tables:
         self.default |= given.default
         text = self.say.number(given.text) if given.number else given.text
         return Cell(f"{text} *" if given.default else text)
-
-
-def _flat(cls: type | None) -> bool:
-    return cls is not None and all(k.about.kind not in ("table", "tables") for k in keys(cls).values())
 
 
 def input_blocks(context: Context, step: Step) -> list[Block]:

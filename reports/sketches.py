@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The sketch of a step as a figure: its pictures in one row, each in true scale, their words where they cover neither each other nor lines.
+"""The sketch of a step as a figure: its pictures beside each other, each in true scale, their words where they cover neither each other nor
+lines.
 
 Areas are light greys; what fails is drawn heavier and has a ✗, what is to be heeded has a ▲.
 """
@@ -35,6 +36,7 @@ if TYPE_CHECKING:
 
 HIGH = 118.0  # at most, of a row of pictures
 BETWEEN = 18.0  # of two pictures
+ABREAST, APART = 4, 8.0  # pictures in a row; between two rows
 LETTERS = Style(7.5, 9.2)
 FAINT_LETTERS = Style(7.5, 9.2, colour=GREY)
 SIGN = Style(9.0, 9.6, BOLD)
@@ -61,38 +63,59 @@ def sketch_figure(context: Context, step: Step, outcome: Outcome[object]) -> lis
     context.figures += 1
     caption = f"{context.words['figure']} {context.figures}. {context.say(step.title)}"
     notes = "; ".join(map(context.say, sketch.notes))
-    return [_row([_Picture(one, context.say) for one in parts], caption + (f" ({notes})" if notes else ""))]
+    return [_rows([_Picture(one, context.say) for one in parts], caption + (f" ({notes})" if notes else ""))]
 
 
-def _row(pictures: list[_Picture], caption: str) -> Block:
+class _Row:
     """Pictures side by side, as high as the width of the page allows."""
-    room = WIDTH - BETWEEN * (len(pictures) - 1)
-    low, high = 10.0, HIGH
-    if sum(one.width(high) for one in pictures) > room:
-        for _ in range(12):
-            middle = (low + high) / 2
-            low, high = (middle, high) if sum(one.width(middle) for one in pictures) <= room else (low, middle)
-        high = low
+
+    def __init__(self, pictures: list[_Picture]) -> None:
+        self.pictures = pictures
+        room = WIDTH - BETWEEN * (len(pictures) - 1)
+        low, high = 10.0, HIGH
+        if sum(one.width(high) for one in pictures) > room:
+            for _ in range(12):
+                middle = (low + high) / 2
+                low, high = (middle, high) if sum(one.width(middle) for one in pictures) <= room else (low, middle)
+            high = low
+        self.scales = [one.scale(high) for one in pictures]
+        self.widths = [one.width(high) for one in pictures]
+        self.apart = BETWEEN + (room - sum(self.widths)) / len(pictures)
+        self.titled = NOTE.leading + 2.0 if any(one.title for one in pictures) else 0.0
+        self.drawn = max(one.height(scale) for one, scale in zip(pictures, self.scales))
+
+    @property
+    def height(self) -> float:
+        return self.titled + self.drawn
+
+    def draw(self, pen: Pen, y: float) -> None:
+        x = (self.apart - BETWEEN) / 2
+        for one, width, scale in zip(self.pictures, self.widths, self.scales):
+            if one.title:
+                title = one_line(one.title, NOTE, width + self.apart - 4.0)
+                pen.put(title, x + (width - title.width) / 2, y - 0.78 * NOTE.leading)
+            one.draw(pen, x, y - self.height, (width, self.drawn), scale)
+            x += width + self.apart
+
+
+def _rows(pictures: list[_Picture], caption: str) -> Block:
+    """One row of pictures, or several where there are many, above their caption."""
+    count = math.ceil(len(pictures) / ABREAST)
+    across = math.ceil(len(pictures) / count)
+    rows = [_Row(pictures[n : n + across]) for n in range(0, len(pictures), across)]
     under = lines(caption, STRONG, WIDTH, 3)
-    titled = NOTE.leading + 2.0 if any(one.title for one in pictures) else 0.0
-    widths = [one.width(high) for one in pictures]
-    apart = BETWEEN + (room - sum(widths)) / len(pictures)
-    drawn = max(one.height(one.scale(high)) for one in pictures)
 
     def draw(pen: Pen, y: float) -> None:
-        x = (apart - BETWEEN) / 2
-        for one, width in zip(pictures, widths):
-            if one.title:
-                title = one_line(one.title, NOTE, width + apart - 4.0)
-                pen.put(title, x + (width - title.width) / 2, y - 0.78 * NOTE.leading)
-            one.draw(pen, x, y - titled - drawn, (width, drawn), one.scale(high))
-            x += width + apart
+        for row in rows:
+            row.draw(pen, y)
+            y -= row.height + APART
         for i, line in enumerate(under):
-            pen.put(line, 0.0, y - titled - drawn - 5.0 - (i + 0.78) * STRONG.leading)
+            pen.put(line, 0.0, y + APART - 5.0 - (i + 0.78) * STRONG.leading)
 
     below = len(under) * STRONG.leading
     alt = "; ".join([caption, *(words for one in pictures for words in one.words)])
-    return Block(titled + drawn + 5.0 + below, draw, gap=6.0, content=Picture((caption,), below), tag=Tag(FIGURE, alt=alt))
+    high = sum(row.height for row in rows) + APART * (len(rows) - 1) + 5.0 + below
+    return Block(high, draw, gap=6.0, content=Picture((caption,), below), tag=Tag(FIGURE, alt=alt))
 
 
 class _Picture:
