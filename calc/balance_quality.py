@@ -9,7 +9,7 @@ ISO = Text("ISO 21940-11")
 GRADES = ("G0.4", "G1", "G2.5", "G6.3", "G16", "G40", "G100", "G250", "G630", "G1600", "G4000")
 
 
-@formula("U_per", Text("{iso}, permissible residual unbalance; G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q"})
+@formula("U_per", Text("{iso}: permissible residual unbalance, from G = e_per·ω", iso=ISO), unit="g·mm", names={"G": "G_Q"})
 def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -> KilogramMetre:
     """>>> permitted_unbalance(G=0.0063, m_S=9.034, omega=272.3)
     0.0002090128...
@@ -17,7 +17,7 @@ def permitted_unbalance(G: MetrePerSecond, m_S: Kilogram, omega: RadPerSecond) -
     return G * m_S / omega
 
 
-@formula("G_Q", Text("{iso}, balance quality grade: e_per·ω", iso=ISO), shows="number of the grade, in mm/s")
+@formula("G_Q", Text("{iso}: balance quality grade, e_per·ω", iso=ISO), shows="number of the grade, in mm/s")
 def grade_number(grade: str) -> MetrePerSecond:
     """G of a grade: "G6.3" is 6.3 mm/s."""
     return float(grade[1:]) / 1000

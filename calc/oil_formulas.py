@@ -39,7 +39,7 @@ FLATTEST, STEEPEST = 1.0, 6.0  # slopes of viscosity lines, either sign; silicon
 
 @formula(
     "ν",
-    "Finotti 2013, 5.3: Walther's lg lg(ν + c_ν) = C_2 + C_1·lg T from two points; c_ν = 0.6 there, 0.7 in ASTM D341",
+    "Finotti 2013, 5.3: kinematic viscosity, Walther's lg lg(ν + c_ν) = C_2 + C_1·lg T from two points; c_ν = 0.6 there, 0.7 in ASTM D341",
     unit="mm²/s",
     names={"T": "T_oil", "c": "c_ν"},
 )

@@ -17,7 +17,7 @@ from calc.sheet.value import leaves, link_of
 from .boxes import text
 from .flow import Block, heading, paragraph
 from .paper import WIDTH
-from .prose import GROUP, NOTE, one_line, run
+from .prose import GROUP, NOTE, lines, run
 from .symbols import BETWEEN, Symbol
 from .typeset import symbol as set_symbol
 
@@ -29,7 +29,7 @@ COLUMNS, GUTTER = 2, 14.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
 SYMBOL, UNIT, PAGE = 36.0, 36.0, 13.0  # width of what stands beside a meaning
 MEANING = EACH - SYMBOL - UNIT - PAGE - 4.0
-CUTS = ("; ", ", ", " (", ": ")  # where a meaning may end
+CUTS = (", ", " (", ": ")  # where a meaning may end
 
 
 def noted(context: Context, name: str, label: str, unit: str) -> str:
@@ -70,7 +70,8 @@ def _meaning(context: Context, line: Line) -> tuple[str, str]:
 
 
 def _short(words: str) -> str:
-    """What a source says, without what follows the first mark, where it is too long for a line."""
+    """What a source says first; without what follows a mark, where it is too long for a line."""
+    words = words.partition("; ")[0]
     while run(words, NOTE).width > MEANING and (cut := max(map(words.rfind, CUTS))) > 8:
         words = words[:cut]
     return words
@@ -120,19 +121,20 @@ def _order(one: Symbol) -> tuple[bool, str, str]:
 
 
 class _Entry:
-    """One symbol, set on one line."""
+    """One symbol with what it means."""
 
     def __init__(self, one: Symbol) -> None:
         self.one, self.symbol = one, set_symbol(one.name, NOTE.size)
         self.at = max(SYMBOL, self.symbol.width + 3.0)
         self.unit = text(one.unit, NOTE.size, NOTE.face, NOTE.colour)
         self.right = EACH - PAGE - max(UNIT, self.unit.width + 2.0)
-        self.meaning = one_line(one.meaning, NOTE, self.right - 3.0 - self.at)
+        self.meaning = lines(one.meaning[:1].upper() + one.meaning[1:], NOTE, self.right - 3.0 - self.at)
 
     def draw(self, pen: Pen, x: float, y: float) -> None:
         base = y - 0.78 * NOTE.leading
         pen.put(self.symbol, x, base)
-        pen.put(self.meaning, x + self.at, base)
+        for n, line in enumerate(self.meaning):
+            pen.put(line, x + self.at, base - n * NOTE.leading)
         pen.put(self.unit, x + self.right, base)
         if pages := pen.places.get(self.one.indexed):
             number = text(str(pages[0]), NOTE.size, NOTE.face, NOTE.colour)
@@ -145,4 +147,4 @@ def _row(entries: list[_Entry]) -> Block:
         for n, entry in enumerate(entries):
             entry.draw(pen, n * (EACH + GUTTER), y)
 
-    return Block(NOTE.leading, draw)
+    return Block(max(len(entry.meaning) for entry in entries) * NOTE.leading, draw)

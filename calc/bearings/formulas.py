@@ -110,7 +110,11 @@ def load_speed(i_F: Number, n_J: RevPerSecond) -> RevPerSecond:
     return i_F * n_J
 
 
-@formula("g_T", "physics, linear expansion of seat and journal; χ: share of the housing's expansion held back by the block", unit="µm")
+@formula(
+    "g_T",
+    "physics: clearance at a temperature, by the expansion of seat and journal; χ, share of the housing's expansion held back by the block",
+    unit="µm",
+)
 def clearance_at(g: Metre, d: Metre, alpha_H: PerKelvin, chi: Number, alpha_J: PerKelvin, T: Celsius, T_ref: Celsius) -> Metre:
     """The diametral clearance at a temperature from the one at its reference temperature; negative: the journal is seized.
 
@@ -128,7 +132,7 @@ def relative_clearance(g: Metre, d: Metre) -> Number:
     return g / d
 
 
-@formula("n_h", "ISO 7902-1: hydrodynamically effective speed for journal, bush and load vector", unit="rpm")
+@formula("n_h", "ISO 7902-1: hydrodynamically effective speed of journal, bush and load vector", unit="rpm")
 def effective_speed(n_J: RevPerSecond, n_B: RevPerSecond, n_F: RevPerSecond) -> RevPerSecond:
     """Zero where the load turns at half the journal's speed: no film is built up.  Load turning with the journal: as if it stood.
 
@@ -286,12 +290,12 @@ def short_bearing_pressure(mu: PascalSecond, omega: RadPerSecond, psi: Number, l
     return largest * mu * omega / psi**2
 
 
-@formula("k", "definition, corner of the oil's tolerance; o: −1 thinner, +1 thicker")
+@formula("k", "definition: factor of the viscosity at a corner of its tolerance; o is −1 where thinner, +1 where thicker")
 def viscosity_factor(t_nu: Number, o: Number) -> Number:
     return 1 + o * t_nu
 
 
-@formula("μ", "definition: the oil at a corner of its tolerance", unit="mPa·s", names={"mu": "μ_m"})
+@formula("μ", "definition: viscosity at a corner of the oil's tolerance", unit="mPa·s", names={"mu": "μ_m"})
 def viscosity_at_corner(mu: PascalSecond, k: Number) -> PascalSecond:
     return k * mu
 

@@ -101,13 +101,13 @@ def eccentric_mass(m: Kilogram) -> Kilogram:
     return total(m)
 
 
-@formula("R_r", "statics: equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
+@formula("R_r", "statics: reaction of the rear bearing (Finotti 2013, 3.2.3.1)")
 def reaction_rear(C_S: PhasorNewtonMetre, z_f: Metre, F_S: PhasorNewton, z_r: Metre) -> PhasorNewton:
     """The force of the rear support on the shaft; it turns with the shaft."""
     return -(C_S - z_f * F_S) / (z_r - z_f)
 
 
-@formula("R_f", "statics: equilibrium of the shaft on two supports (Finotti 2013, 3.2.3.1)")
+@formula("R_f", "statics: reaction of the front bearing (Finotti 2013, 3.2.3.1)")
 def reaction_front(F_S: PhasorNewton, R_r: PhasorNewton) -> PhasorNewton:
     return -F_S - R_r
 

@@ -20,7 +20,7 @@ def sector_area(gamma: Radian, R: Metre, r_0: Metre) -> SquareMetre:
     return gamma * (R**2 - r_0**2)
 
 
-@formula("S", Text("{sector}: static moment about the axis", sector=SECTOR), unit="mm³")
+@formula("S", Text("{sector}: static moment of the sector about the axis", sector=SECTOR), unit="mm³")
 def sector_moment(gamma: Radian, R: Metre, r_0: Metre) -> CubicMetre:
     """>>> sector_moment(gamma=1.336, R=0.043, r_0=0.018)
     4.776899...e-05

@@ -16,7 +16,9 @@ from ..sheet.formula import formula
 from ..sheet.text import Text
 from ..sheet.units import Metre, PhasorNewton, PhasorNewtonMetre
 
-CLAPEYRON = Text("statics: Clapeyron's three-moment equation (Finotti 2013, 3.2.3.1, for two spans; here any number, with overhangs)")
+CLAPEYRON = Text(
+    "statics: bending moments over the supports, by Clapeyron's three moments (Finotti 2013, 3.2.3.1, for two spans; here any number)"
+)
 
 
 @formula("M_i", CLAPEYRON,
@@ -44,7 +46,7 @@ def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     return cast(PhasorNewtonMetre, M)
 
 
-@formula("R_i", "statics: equilibrium of each span between its supports, after Clapeyron",
+@formula("R_i", "statics: reactions of the supports, from the equilibrium of each span after Clapeyron",
     shows="−(Σ F·b/L on the span behind + Σ F·a/L on the span ahead + moments' differences over the spans + overhung loads)")  # fmt: skip
 def support_reactions(F: PhasorNewton, z: Metre, z_s: Metre, M: PhasorNewtonMetre) -> PhasorNewton:
     """Forces of the supports on the shaft, from the loads and the moments over the supports: all arrays."""

@@ -18,7 +18,11 @@ from .inputs import EngineInputs, usual_order
 SAME_PIN = 1e-6  # rad
 
 
-@formula("φ", "Finotti 2013, 2.4: even firing, throw k at ψ_k − i_k·180°·strokes/N", shows="φ from ψ − i·π·strokes/N, counted from throw 1")
+@formula(
+    "φ",
+    "Finotti 2013, 2.4: angles of the throws for even firing, throw k at ψ_k − i_k·180°·strokes/N",
+    shows="φ from ψ − i·π·strokes/N, counted from throw 1",
+)
 def throw_angles(psi: Radian, i: Number, strokes: Number, N: Number) -> Radian:
     """The angle of every throw, leading throw 1; i is the place of each cylinder in the firing order."""
     phi = many(psi - i * math.pi * strokes / N)

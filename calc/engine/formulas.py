@@ -22,7 +22,7 @@ from ..sheet.units import (
 )  # fmt: skip
 
 
-@formula("M_ra", "Finotti 2013, 2.5.3.1: rod as two masses", unit="g")
+@formula("M_ra", "Finotti 2013, 2.5.3.1: reciprocating mass of the rod as two masses", unit="g")
 def rod_reciprocating_mass(M_B: Kilogram, X_2: Metre, L: Metre) -> Kilogram:
     """The share of the rod that moves with the piston; X₂ is its CG to the big end."""
     return M_B * X_2 / L

@@ -263,7 +263,7 @@ def working_involute(alpha_t: Radian, alpha_n: Radian, x_1: Number, x_2: Number,
 
 @formula(
     "α_y",
-    "mathematics: inverse of inv α = tan α − α by Newton's method, from above",
+    "mathematics: pressure angle of an involute, by Newton's method from inv α = tan α − α",
     shows="the angle whose involute is given: tan α − α = inv α",
 )
 def angle_of_involute(involute: Number) -> Radian:

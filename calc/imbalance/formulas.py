@@ -24,43 +24,43 @@ from ..sheet.units import (
     RadPerSecond,
 )  # fmt: skip
 
-FORWARD = Text("Finotti 2013, 2.2.3 and 2.3.3: reciprocating force as two turning vectors, here for any order, throws and banks")
+VECTORS = Text("Finotti 2013, 2.2.3 and 2.3.3")  # there of the first two orders; here of any order, throws and banks
 
 
-@formula("F_n⁺", FORWARD)
+@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS))
 def force_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", FORWARD)
+@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS))
 def force_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", FORWARD)
+@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS))
 def couple_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * c_n * cis(n * theta_0) * resultant(z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", FORWARD)
+@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS))
 def couple_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * m * r * conj(c_n) * cis(-n * theta_0) * resultant(z * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("F_κ", "Finotti 2013, 2.3.2: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+@formula("F_κ", "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins")
 def counterweight_force(kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, phi: Radian) -> PhasorNewton:
     return -kappa * omega**2 * m * r * cis(theta_0) * resultant(cis(phi))
 
 
-@formula("C_κ", "Finotti 2013, 2.3.2: the share κ of the reciprocating masses, carried by counterweights opposite the pins")
+@formula("C_κ", "Finotti 2013, 2.3.2: couple of the counterweights that carry the share κ of the reciprocating masses, opposite the pins")
 def counterweight_couple(
     kappa: Number, omega: RadPerSecond, m: Kilogram, r: Metre, theta_0: Radian, z: Metre, phi: Radian
 ) -> PhasorNewtonMetre:
@@ -89,12 +89,20 @@ def with_rotating_couple(C_1: PhasorNewtonMetre, C_rot: PhasorNewtonMetre) -> Ph
     return joined(C_1, C_rot)
 
 
-@formula("F_1⁺,κ", "mathematics: sum of the turning vectors; nothing on the crank changes F_1⁻ or a higher order", names={"F_1": "F_1⁺"})
+@formula(
+    "F_1⁺,κ",
+    "mathematics: force of order 1 that turns forward, with the counterweights; they change neither F_1⁻ nor a higher order",
+    names={"F_1": "F_1⁺"},
+)
 def remaining_force(F_1: PhasorNewton, F_kappa: PhasorNewton) -> PhasorNewton:
     return joined(F_1, F_kappa)
 
 
-@formula("C_1⁺,κ", "mathematics: sum of the turning vectors; nothing on the crank changes C_1⁻ or a higher order", names={"C_1": "C_1⁺"})
+@formula(
+    "C_1⁺,κ",
+    "mathematics: couple of order 1 that turns forward, with the counterweights; they change neither C_1⁻ nor a higher order",
+    names={"C_1": "C_1⁺"},
+)
 def remaining_couple(C_1: PhasorNewtonMetre, C_kappa: PhasorNewtonMetre) -> PhasorNewtonMetre:
     return joined(C_1, C_kappa)
 

@@ -26,9 +26,7 @@ from ..sheet.units import (
 )  # fmt: skip
 from ..sheet.value import based_on
 
-FORWARD = Text(
-    "Finotti 2013, 2.2.3 and 2.4: reciprocating force as two turning vectors, here for any order, throws, banks, masses and radii"
-)
+VECTORS = Text("Finotti 2013, 2.2.3 and 2.4")  # here for any order, throws, banks, masses and radii
 SHARE = Text(
     "Finotti 2013, 2.3.3: the share κ of the reciprocating masses, each carried by a counterweight opposite its pin and at its radius"
 )
@@ -60,28 +58,28 @@ def measures(engine: EngineInputs, e: EngineResult) -> tuple[Metre, Number]:
     return based_on(float(np.mean(r)), r), based_on(float(np.mean(lam)), lam)
 
 
-@formula("F_n⁺", FORWARD)
+@formula("F_n⁺", Text("{vectors}: force of an order that turns forward", vectors=VECTORS))
 def force_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("F_n⁻", FORWARD)
+@formula("F_n⁻", Text("{vectors}: force of an order that turns backward", vectors=VECTORS))
 def force_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, psi: Radian, phi: Radian
 ) -> PhasorNewton:
     return 0.5 * omega**2 * cis(-n * theta_0) * resultant(m * r * conj(c_n) * cis(psi) * cis(-n * (phi - psi)))
 
 
-@formula("C_n⁺", FORWARD)
+@formula("C_n⁺", Text("{vectors}: couple of an order that turns forward", vectors=VECTORS))
 def couple_forward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:
     return 0.5 * omega**2 * cis(n * theta_0) * resultant(m * r * c_n * z * cis(psi) * cis(n * (phi - psi)))
 
 
-@formula("C_n⁻", FORWARD)
+@formula("C_n⁻", Text("{vectors}: couple of an order that turns backward", vectors=VECTORS))
 def couple_backward(
     omega: RadPerSecond, m: Kilogram, r: Metre, c_n: PhasorNumber, n: Number, theta_0: Radian, z: Metre, psi: Radian, phi: Radian
 ) -> PhasorNewtonMetre:

@@ -29,7 +29,11 @@ def stiffness_matrix(k: NewtonPerMetre, B: Number, R: Number) -> NewtonPerMetre:
     return each(found)
 
 
-@formula("ω²", "dynamics: free vibration of a rigid body on springs", shows="eigenvalues of K·φ = ω²·M·φ, ascending")
+@formula(
+    "ω²",
+    "dynamics: squared angular frequencies of a rigid body's free vibration on springs",
+    shows="eigenvalues of K·φ = ω²·M·φ, ascending",
+)
 def eigenvalues(K: NewtonPerMetre, M: Kilogram) -> PerSecond2:
     return each(eigen(np.asarray(K), np.asarray(M))[0])
 
@@ -39,7 +43,11 @@ def frequency(omega2: PerSecond2) -> Hertz:
     return sqrt(omega2) / (2 * pi)
 
 
-@formula("φ", "dynamics: free vibration of a rigid body on springs", shows="K·φ = ω²·M·φ with φᵀ·M·φ = 1, a column for each mode")
+@formula(
+    "φ",
+    "dynamics: squared angular frequencies of a rigid body's free vibration on springs",
+    shows="K·φ = ω²·M·φ with φᵀ·M·φ = 1, a column for each mode",
+)
 def shapes(K: NewtonPerMetre, M: Kilogram) -> Number:
     phi = eigen(np.asarray(K), np.asarray(M))[1]
     return each(np.where(np.abs(phi) > DUST * np.abs(phi).max(-1, keepdims=True), phi, 0.0))

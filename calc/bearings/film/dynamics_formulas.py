@@ -30,7 +30,9 @@ TURNED = Text("hydrodynamics, displaced journal: the film's force turns with the
 WHIRL = Text("hydrodynamics, a moving line of centres acts as the effective speed ω − 2·dφ/dt; damping is symmetric")
 SCALE = Text("definition of the dimensionless coefficient, k = K·c/F and c = C·c·ω/F")
 LUND = Text("Lund 1966, Self-excited stationary whirl orbits of a journal in a sleeve bearing: rigid shaft")
-MOTION = Text("dynamics, (K + i·Ω·C)·x = F_0 in the load's frame, where F_0 turns at Ω; the shaft's acceleration seen from that frame")
+FRAME = Text("(K + i·Ω·C)·x = F_0 in the load's frame, where F_0 = R_0·(1, −i) turns at Ω; the shaft's acceleration seen from that frame")
+IMPEDANCE = Text("dynamics: impedance of film and mass; {frame}", frame=FRAME)
+MOTION = Text("dynamics: motion of the journal about its place under the load; {frame}", frame=FRAME)
 
 
 # --- dimensionless, over the load ---------------------------------------------------------------------------------------------
@@ -197,34 +199,34 @@ def relative_speed(sense: Number, n_F: RevPerSecond) -> RadPerSecond:
     return -sense * 2 * pi * n_F
 
 
-@formula("Z_xx", MOTION)
+@formula("Z_xx", IMPEDANCE)
 def impedance_xx(K_xx: NewtonPerMetre, C_xx: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
     return K_xx + 1j * Omega * C_xx - 2 * m * Omega**2
 
 
-@formula("Z_xy", MOTION)
+@formula("Z_xy", IMPEDANCE)
 def impedance_xy(K_xy: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
     return K_xy + 1j * Omega * C_xy + 2j * m * Omega**2
 
 
-@formula("Z_yx", MOTION)
+@formula("Z_yx", IMPEDANCE)
 def impedance_yx(K_yx: NewtonPerMetre, C_xy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
     return K_yx + 1j * Omega * C_xy - 2j * m * Omega**2
 
 
-@formula("Z_yy", MOTION)
+@formula("Z_yy", IMPEDANCE)
 def impedance_yy(K_yy: NewtonPerMetre, C_yy: NewtonSecondPerMetre, Omega: RadPerSecond, m: Kilogram) -> PhasorNewtonPerMetre:
     return K_yy + 1j * Omega * C_yy - 2 * m * Omega**2
 
 
-@formula("x", MOTION + "; F_0 = R_0·(1, −i)", unit="µm")
+@formula("x", MOTION, unit="µm")
 def motion_x(
     R_0: Newton, Z_xx: PhasorNewtonPerMetre, Z_xy: PhasorNewtonPerMetre, Z_yx: PhasorNewtonPerMetre, Z_yy: PhasorNewtonPerMetre
 ) -> PhasorMetre:
     return R_0 * (Z_yy + 1j * Z_xy) / (Z_xx * Z_yy - Z_xy * Z_yx)
 
 
-@formula("y", MOTION + "; F_0 = R_0·(1, −i)", unit="µm")
+@formula("y", MOTION, unit="µm")
 def motion_y(
     R_0: Newton, Z_xx: PhasorNewtonPerMetre, Z_xy: PhasorNewtonPerMetre, Z_yx: PhasorNewtonPerMetre, Z_yy: PhasorNewtonPerMetre
 ) -> PhasorMetre:

@@ -45,7 +45,7 @@ def shear_modulus(E: Pascal, nu: Number) -> Pascal:
     return E / (2 * (1 + nu))
 
 
-@formula("κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: circular section")
+@formula("κ_s", "Cowper 1966, The shear coefficient in Timoshenko's beam theory: shear coefficient of the circular section")
 def shear_coefficient(nu: Number) -> Number:
     """Used for the sectors too: shear gives a small part of the deflection there."""
     return 6 * (1 + nu) / (7 + 6 * nu)
@@ -68,7 +68,11 @@ def core_inertia(I: Metre4, r_0: Metre, sector: BoolArray) -> Metre4:
     return cast(Metre4, found)
 
 
-@formula("I_η", "rule of this program: the core bends whole, and the sector lends a share of what it adds to the core", unit="mm⁴")
+@formula(
+    "I_η",
+    "rule of this program: second moment of area; the core bends whole, and the sector lends a share of what it adds to the core",
+    unit="mm⁴",
+)
 def shared_inertia(I_0: Metre4, eta: Number, I: Metre4) -> Metre4:
     """Mass and shear stiffness stay those of the whole section."""
     return I_0 + eta * (I - I_0)

@@ -170,7 +170,7 @@ def safety_slip(n: Number, F_min: Newton, Q: Newton, mu_T: Number) -> Number:
     return n * F_min / (Q * sqrt(1 + 1 / mu_T**2))
 
 
-@formula("M_G", Text("{vdi}: torque in the shank, the share of the thread", vdi=VDI), unit="N·m", names={"rho": "ρ′"})
+@formula("M_G", Text("{vdi}: torque in the shank, that of the thread", vdi=VDI), unit="N·m", names={"rho": "ρ′"})
 def thread_torque(F_V: Newton, d_2: Metre, alpha_h: Radian, rho: Radian) -> NewtonMetre:
     return F_V * d_2 / 2 * tan(alpha_h + rho)
 

@@ -57,7 +57,7 @@ def nominal_diameter(designation: str) -> Metre:
     return thread(designation)[0]
 
 
-@formula("P_h", "ISO 261: pitch, given in the thread's designation or else the coarse one", shows="number behind ×, or coarse pitch",
+@formula("P_h", "ISO 261: pitch of the thread, as in its designation, else the coarse one", shows="number behind ×, or coarse pitch",
     unit="mm")  # fmt: skip
 def pitch(designation: str) -> Metre:
     return thread(designation)[1]
@@ -68,7 +68,7 @@ def pitch_diameter(D: Metre, p: Metre) -> Metre:
     return D - 0.649519 * p
 
 
-@formula("d_3", "ISO 898-1: diameter at the root, d_1 − H/6", unit="mm", names={"p": "P_h"})
+@formula("d_3", "ISO 898-1: root diameter of the thread, d_1 − H/6", unit="mm", names={"p": "P_h"})
 def root_diameter(D: Metre, p: Metre) -> Metre:
     return D - 1.226869 * p
 

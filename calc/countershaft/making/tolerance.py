@@ -33,18 +33,18 @@ class ToleranceResult:
     permitted_couple_error_share: Number | None = value("its share of the required couple", "%", "q_per", default=None)
 
 
-@formula("q_f", Text("{planes}: as the static load of the front bearing", planes=PLANES))
+@formula("q_f", Text("{planes}: share of the front plane, that of the static load of its bearing", planes=PLANES))
 def lever_front(z_r: Metre, z_S: Metre, z_f: Metre) -> Number:
     return modulus(z_r - z_S) / (z_r - z_f)
 
 
-@formula("q_r", Text("{planes}: as the static load of the rear bearing", planes=PLANES))
+@formula("q_r", Text("{planes}: share of the rear plane, that of the static load of its bearing", planes=PLANES))
 def lever_rear(z_S: Metre, z_f: Metre, z_r: Metre) -> Number:
     return modulus(z_S - z_f) / (z_r - z_f)
 
 
-@formula("U_per,p", Text("{planes}: not below 0.3, nor above 0.7 of U_per (1.3 near an overhung mass)", planes=PLANES), unit="g·mm",
-    names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"})  # fmt: skip
+@formula("U_per,p", Text("{planes}: permitted unbalance of a plane, 0.3 to 0.7 of U_per (to 1.3 near an overhung mass)", planes=PLANES),
+    unit="g·mm", names={"U": "U_per", "q": "x_U", "q_max": "x_U,max"})  # fmt: skip
 def plane_unbalance(U: KilogramMetre, q: Number, q_max: Number) -> KilogramMetre:
     return U * smallest(largest(q, LEAST), q_max)
 

@@ -27,7 +27,7 @@ TRAINS = 4096
 BY_CHANCE = Text("mathematics, {trains} trains by chance", trains=TRAINS)
 
 
-@formula("j_bn,p", Text("{by_chance}, order statistics", by_chance=BY_CHANCE), unit="µm",
+@formula("j_bn,p", Text("{by_chance}: normal backlash that a share of the trains keeps", by_chance=BY_CHANCE), unit="µm",
     shows="the largest backlash that the share p of the trains keeps")  # fmt: skip
 def kept(j: Metre, p: Number) -> Metre:
     """`j` (trains,) in rising order."""
@@ -35,7 +35,7 @@ def kept(j: Metre, p: Number) -> Metre:
     return float(many(j)[size - ceil(p * size)])
 
 
-@formula("Δφ_p", Text("{by_chance}, order statistics", by_chance=BY_CHANCE),
+@formula("Δφ_p", Text("{by_chance}: free turn that a share of the trains keeps", by_chance=BY_CHANCE),
     shows="the smallest free turn that the share p of the trains does not exceed")  # fmt: skip
 def not_exceeded(phi: Radian, p: Number) -> Radian:
     """`phi` (trains,) in rising order."""

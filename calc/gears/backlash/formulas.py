@@ -139,7 +139,7 @@ def three_deviations(k: Number, T: Metre) -> Metre:
 
 
 # --- temperature ------------------------------------------------------------------------------------------------------------
-@formula("T_W", "given in the design: wheels warmer than the housing")
+@formula("T_W", "given in the design: temperature of the wheels, warmer than the housing")
 def wheel_temperature(T_H: Celsius, Delta_T: Kelvin) -> Celsius:
     return T_H + Delta_T
 

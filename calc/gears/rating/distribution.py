@@ -195,7 +195,11 @@ def contact_share(xi: Number) -> Number:
     return 1 / sqrt(largest(xi, 1.0))
 
 
-@formula("N_F", Text("{clause_7}: from the smaller b/h of both wheels, at least 3", clause_7=CLAUSE_7), names={"r": "(b/h)"})
+@formula(
+    "N_F",
+    Text("{clause_7}: exponent of the face load factor at the root, from the smaller b/h of both wheels, at least 3", clause_7=CLAUSE_7),
+    names={"r": "(b/h)"},
+)
 def root_exponent(r: Number) -> Number:
     return r**2 / (1 + r + r**2)
 
@@ -217,12 +221,12 @@ def relative_deviation(c_gamma_alpha: Pascal, f: Metre, y_alpha: Metre, w_m: New
     return c_gamma_alpha * (f - y_alpha) / (w_m * K_Hbeta)
 
 
-@formula("K_α", Text("{clause_8}: ε_γ up to 2, before its limits", clause_8=CLAUSE_8))
+@formula("K_α", Text("{clause_8}: transverse load factor before its limits, ε_γ up to 2", clause_8=CLAUSE_8))
 def pair_factor(eps_gamma: Number, q_alpha: Number) -> Number:
     return eps_gamma / 2 * (0.9 + 0.4 * q_alpha)
 
 
-@formula("K_α", Text("{clause_8}: ε_γ above 2, before its limits", clause_8=CLAUSE_8))
+@formula("K_α", Text("{clause_8}: transverse load factor before its limits, ε_γ above 2", clause_8=CLAUSE_8))
 def pair_factor_high(eps_gamma: Number, q_alpha: Number) -> Number:
     return 0.9 + 0.4 * sqrt(2 * (eps_gamma - 1) / eps_gamma) * q_alpha
 

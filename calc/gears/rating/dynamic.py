@@ -178,22 +178,22 @@ def _by_overlap(above_two: Formula[..., Number], up_to_two: Number, eps_gamma: N
 
 
 # --- the four ranges -------------------------------------------------------------------------------------------------------
-@formula("K_N", Text("{clause_6}: below the main resonance", clause_6=CLAUSE_6))
+@formula("K_N", Text("{clause_6}: rise of the dynamic factor with N, below the main resonance", clause_6=CLAUSE_6))
 def growth(B_p: Number, C_v2: Number, B_f: Number, C_v3: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v3 * B_k
 
 
-@formula("K_V", Text("{clause_6}: below the main resonance, N ≤ N_S", clause_6=CLAUSE_6), names={"K": "K_N"})
+@formula("K_V", Text("{clause_6}: dynamic factor below the main resonance, N ≤ N_S", clause_6=CLAUSE_6), names={"K": "K_N"})
 def factor_below(N: Number, K: Number) -> Number:
     return N * K + 1
 
 
-@formula("K_V", Text("{clause_6}: in the main resonance, N_S < N ≤ 1.15", clause_6=CLAUSE_6))
+@formula("K_V", Text("{clause_6}: dynamic factor in the main resonance, N_S < N ≤ 1.15", clause_6=CLAUSE_6))
 def factor_resonant(B_p: Number, C_v2: Number, B_f: Number, C_v4: Number, B_k: Number) -> Number:
     return C_V1 * B_p + C_v2 * B_f + C_v4 * B_k + 1
 
 
-@formula("K_V", Text("{clause_6}: above the main resonance, N ≥ 1.5", clause_6=CLAUSE_6))
+@formula("K_V", Text("{clause_6}: dynamic factor above the main resonance, N ≥ 1.5", clause_6=CLAUSE_6))
 def factor_above(B_p: Number, C_v6: Number, B_f: Number, C_v7: Number) -> Number:
     return C_V5 * B_p + C_v6 * B_f + C_v7
 

@@ -36,7 +36,7 @@ def zone_factor(beta_b: Radian, alpha_wt: Radian, alpha_t: Radian) -> Number:
     return sqrt(2 * cos(beta_b) * cos(alpha_wt) / (cos(alpha_t) ** 2 * sin(alpha_wt)))
 
 
-@formula("E'", Text("{contact}: both bodies under the elasticity factor, Z_E = √E'", contact=CONTACT), unit="MPa")
+@formula("E'", Text("{contact}: modulus of both bodies together, Z_E = √E'", contact=CONTACT), unit="MPa")
 def contact_modulus(nu_1: Number, E_1: Pascal, nu_2: Number, E_2: Pascal) -> Pascal:
     return 1 / (pi * ((1 - nu_1**2) / E_1 + (1 - nu_2**2) / E_2))
 
