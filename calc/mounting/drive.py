@@ -8,7 +8,6 @@ import numpy as np
 from ..engine.crank import firing
 from ..engine.inputs import EngineInputs
 from ..engine.result import EngineResult
-from ..imbalance.orders import Order
 from ..imbalance.result import ImbalanceResult
 from ..sheet.arrays import Array, ComplexArray, each, phasors
 from ..sheet.record import record
@@ -19,6 +18,7 @@ from ..sheet.value import based_on
 from . import excitation as x
 from .gas_torque import Nodes, harmonics, nodes
 from .inputs import MountingInputs
+from .vectors import Moving, index, integer, moving, turning_wrench
 
 VARIANTS = ("bare", "half", "shaft", "scatter", "tooth")
 TITLES = {
@@ -28,7 +28,6 @@ TITLES = {
     "scatter": Text("with the shaft as it scatters"),
     "tooth": Text("with the shaft one tooth late"),
 }
-Moving = tuple[ComplexArray, ComplexArray, ComplexArray, ComplexArray]  # F⁺ F⁻ C⁺ C⁻ of every order
 PURE = 1e-6  # of a couple: smaller forces beside it are dust
 
 
@@ -130,24 +129,24 @@ def drive(
     fires = firing(engine, e.crank)
     turning = e.torque
     assert turning is not None
-    torque, reaction = _integer(turning.harmonics, n), _integer(turning.reaction_harmonics, n)
+    torque, reaction = integer(turning.harmonics, n), integer(turning.reaction_harmonics, n)
     inertia, variants = [], ["bare", "half"]
     with about(Text("half on the crank")):
-        half = _moving(n, imbalance.orders, bare=False)
+        half = moving(n, imbalance.orders, bare=False)
     with about(Text("nothing balanced")):
-        inertia.append(_wrench(_moving(n, imbalance.orders, bare=True), reaction))
-    inertia.append(_wrench(half, reaction))
+        inertia.append(turning_wrench(moving(n, imbalance.orders, bare=True), reaction))
+    inertia.append(turning_wrench(half, reaction))
     for name, (s, delta) in (shaft.deviations() if shaft is not None else {}).items():
         assert shaft is not None
         with about(TITLES[name]):
-            inertia.append(_wrench(*_with_shaft(n, half, reaction, shaft, s, delta)))
+            inertia.append(turning_wrench(*_with_shaft(n, half, reaction, shaft, s, delta)))
         variants.append(name)
     whole = based_on(np.stack(inertia), *inertia)
     whole[np.abs(whole) < 1e-12 * np.abs(whole).max(initial=0.0)] = 0.0
     moment = x.about_gravity(F=each(whole[..., :3]), M=each(whole[..., 3:]), r_G=mounting.centre_of_gravity)  # type: ignore[arg-type]
     at_gravity = based_on(np.concatenate([whole[..., :3], phasors(moment)], -1), moment)
     gas = nodes(engine, e, engine.gas, mounting.operation, n) if engine.gas is not None else None
-    apart = sorted({_index(n, 1.0)} | ({_index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
+    apart = sorted({index(n, 1.0)} | ({index(n, round(abs(shaft.ratio)))} if shaft is not None else set()))
     return Drive(
         engine,
         e,
@@ -169,7 +168,7 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     """How much less there is of the shaft's order at every place, where it is a couple that turns backward and nothing else."""
     if shaft is None or shaft.pair or shaft.ratio > 0:
         return {}
-    i = _index(n, round(-shaft.ratio))
+    i = index(n, round(-shaft.ratio))
     F_f, F_b, C_f, C_b = (complex(part[i]) for part in half)
     if not C_b or max(abs(F_f), abs(F_b), abs(C_f)) > PURE * abs(C_b):
         return {}
@@ -179,41 +178,9 @@ def _first_order(n: Array, half: Moving, shaft: ShaftOnEngine | None) -> dict[st
     return found | {name: x.first_order_ratio(s=s, delta=delta) for name, (s, delta) in others.items()}
 
 
-def _index(n: Array, order: float) -> int:
-    return int(np.argmin(np.abs(n - order)))
-
-
-def _integer(harmonics: tuple[complex, ...], n: Array) -> ComplexArray:
-    """Harmonics of the turn at their places among the orders of the cycle."""
-    found = np.zeros(n.size, dtype=complex)
-    for order, one in enumerate(harmonics, 1):
-        found[_index(n, order)] = one
-    return found
-
-
-def _moving(n: Array, orders: dict[str, Order], *, bare: bool) -> Moving:
-    """F⁺ F⁻ C⁺ C⁻ of every order; `bare`: with no share of the reciprocating masses on the crank."""
-    found = np.zeros((4, n.size), dtype=complex)
-    sources = []
-    for word, one in orders.items():
-        vectors = one.unbalanced if bare else one.vectors
-        found[:, _index(n, float(word.removeprefix("order_")))] = vectors
-        sources.append(vectors)
-    return tuple(based_on(part, *(four[i] for four in sources)) for i, part in enumerate(found))  # type: ignore[return-value]
-
-
-def _wrench(moving: Moving, roll: ComplexArray) -> ComplexArray:
-    """Forces and moments about the origin from the vectors that turn (orders, 6)."""
-    F_f, F_b, C_f, C_b = (each(part) for part in moving)
-    X, Y = x.vertical(p=F_f, m=F_b), x.horizontal(p=F_f, m=F_b)
-    M_x, M_y = x.moment_about_x(p=C_f, m=C_b), x.moment_about_y(p=C_f, m=C_b)
-    zero = np.zeros(roll.size, dtype=complex)
-    return based_on(np.stack([phasors(X), phasors(Y), zero, phasors(M_x), phasors(M_y), roll], -1), X, Y, M_x, M_y, roll)
-
-
 def _with_shaft(n: Array, half: Moving, roll: ComplexArray, shaft: ShaftOnEngine, s: Number, delta: Radian) -> tuple[Moving, ComplexArray]:
     """The same vectors with those of the shaft at its order, and with the roll of its force."""
-    i, backward = _index(n, round(abs(shaft.ratio))), shaft.ratio < 0
+    i, backward = index(n, round(abs(shaft.ratio))), shaft.ratio < 0
     sides = [(shaft.force, shaft.couple, backward, 1.0)]
     if shaft.pair:
         sides.append((shaft.force.conjugate(), shaft.couple.conjugate(), not backward, -1.0))

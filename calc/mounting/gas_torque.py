@@ -19,7 +19,7 @@ from ..sheet.record import record
 from ..sheet.trace import untraced
 from ..sheet.value import based_on
 from . import excitation as x
-from .inputs import GAS, Operation
+from .use_inputs import GAS, Operation
 
 INSIDE = 1e-9  # rad: a sample so near to the end of the held pressure belongs to it
 BEYOND = 1e-9  # of a speed: so little outside of the nodes is none

@@ -15,8 +15,9 @@ from ..sheet.units import Metre, MetrePerSecond, MetrePerSecond2, Newton, Newton
 from ..sheet.value import based_on
 from . import severity, weighting
 from .drive import Drive
-from .inputs import MountingInputs, Point
+from .inputs import MountingInputs
 from .system import System, decomposed, gain, moves, respond, respond_at, transmitted
+from .use_inputs import Point
 
 CIRCLE = 720  # points over the cycle, for the largest deflection
 NONE_BELOW = 1e-9  # of the largest order: there is no such order

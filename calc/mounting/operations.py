@@ -16,11 +16,11 @@ from . import levels as l
 from . import severity, weighting
 from .drive import TITLES, Drive
 from .excitation import order_word
-from .inputs import Point
 from .levels import Levels
 from .numbers import Nested, along_last, described, joined, mapped, put, there
 from .result import MountLevel, OrderForce, OrderLevel, PointLevel, Tree
 from .system import System
+from .use_inputs import Point
 
 SHOWN = tuple(name for name in PointLevel.__dataclass_fields__ if name != "orders")
 FELT = 1e-6  # of all orders together: one that is weaker is not worth a line

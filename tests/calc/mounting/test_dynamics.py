@@ -215,7 +215,7 @@ def levels_of(given, f):
 
 
 def points(*places):
-    from calc.mounting.inputs import Point
+    from calc.mounting.use_inputs import Point
 
     return tuple(Point(name=f"point-{n}", position=place) for n, place in enumerate(places))
 
