@@ -11,10 +11,10 @@ from ..sheet.text import Text
 from ..sheet.value import based_on
 from . import aids, weighting
 from .body import DOFS
+from .course import Course, course
 from .drive import Drive
 from .excitation import order_word
 from .inputs import MountingInputs
-from .levels import Course, course
 from .numbers import described, put
 from .result import MountingResult, Tree
 from .system import System

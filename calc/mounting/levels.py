@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from ..sheet.arrays import Array, ComplexArray, IndexArray, each
+from ..sheet.arrays import Array, ComplexArray, each
 from ..sheet.formula import formula
 from ..sheet.functions import sqrt
 from ..sheet.record import record
@@ -16,7 +16,7 @@ from ..sheet.value import based_on
 from . import severity, weighting
 from .drive import Drive
 from .inputs import MountingInputs
-from .system import System, decomposed, gain, moves, respond, respond_at, transmitted
+from .system import System, moves, respond, transmitted
 from .use_inputs import Point
 
 CIRCLE = 720  # points over the cycle, for the largest deflection
@@ -173,7 +173,7 @@ def levels(s: System, drive: Drive, speeds: Array, torque: ComplexArray) -> Leve
     motion = np.stack([u, w * u, w * w * u], axis=3)
     felt = {point.name: _felt(s.mounting, point, motion[:, :, i, 2]) for i, point in enumerate(points) if point.role != "machine"}
     f = Omega.reshape(S, O) / (2 * math.pi)
-    weight = {point.name: _weights(point, f) for point in points if point.role != "machine"}
+    weight = {point.name: point_weights(point, f) for point in points if point.role != "machine"}
     F_t, M_t = (part.reshape(S, O, V, 3).swapaxes(1, 2) for part in transmitted(s, r))
     return Levels(
         np.asarray(speeds),
@@ -202,63 +202,8 @@ def _felt(mounting: MountingInputs, point: Point, a: ComplexArray) -> ComplexArr
     return np.ascontiguousarray(turned)
 
 
-def _weights(point: Point, f: Array) -> Array:
+def point_weights(point: Point, f: Array) -> Array:
     """(speeds, 1, 3, orders)."""
     names = ("Wh", "Wh", "Wh") if point.role == "hand" else ("Wd", "Wd", "Wk")
     by = {name: weighting.weights(name, f) for name in set(names)}
     return np.stack([by[name] for name in names], axis=1)[:, None]
-
-
-@record
-class Course:
-    """The level of one seat over speed: (variants, speeds) all orders together, and each order of `half` and `shaft` (speeds, orders)."""
-
-    speeds: Array
-    orders: Array
-    variants: tuple[str, ...]
-    total: Array
-    by_order: dict[str, Array]
-
-    def part(self, which: slice) -> "Course":
-        """The same at some of its speeds."""
-        by_order = {name: levels[which] for name, levels in self.by_order.items()}
-        return Course(self.speeds[which], self.orders, self.variants, self.total[:, which], by_order)
-
-
-def course(s: System, drive: Drive, point: Point, speeds: Array, torque: ComplexArray) -> Course:
-    """What a seat feels over speed.  Variants differ in the orders of the shaft alone, so only these are solved for each."""
-    O, apart = drive.orders.size, list(drive.apart)
-    wrench, half = drive.wrench(speeds, torque), drive.variants.index("half")
-    common = _weighted(s, drive, point, speeds, wrench[:, :, half : half + 1], np.arange(O))[:, :, 0]
-    own = _weighted(s, drive, point, speeds, wrench[:, apart], np.asarray(apart))  # (speeds, orders apart, variants)
-    squares = np.broadcast_to(common[:, None, :] ** 2, (len(speeds), len(drive.variants), O)).copy()
-    squares[:, :, apart] = np.swapaxes(own, 1, 2) ** 2
-    by_order = {name: np.sqrt(squares[:, i]) for i, name in enumerate(drive.variants) if name in ("half", "shaft")}
-    return Course(np.asarray(speeds), drive.orders, drive.variants, np.sqrt(squares.sum(-1)).T, by_order)
-
-
-def _weighted(s: System, drive: Drive, point: Point, speeds: Array, wrench: ComplexArray, which: IndexArray) -> Array:
-    """Root mean square, weighted, all three axes (speeds, orders, variants) of some orders."""
-    S, n = len(speeds), drive.orders[which]
-    f = np.asarray(speeds)[:, None] * n
-    Omega = (2 * math.pi * f).ravel()
-    P = _felt_rows(s, point)
-    flat = np.asarray(wrench).reshape(S * n.size, -1, 6)
-    if s.constant:
-        _, whole = s.mount_stiffness(Omega[:1])
-        d = decomposed(s.stiffness(whole, Omega[:1])[0], s.M)
-        u = ((flat @ d.left.T) * gain(d.values, Omega)[:, None, :]) @ (P @ d.right).T
-    else:
-        u = respond_at(s, Omega, flat) @ P.T
-    W = _weights(point, f)[:, 0]  # (speeds, 3, orders)
-    sizes = np.abs(u).reshape(S, n.size, -1, 3) * (W.swapaxes(1, 2) * ((2 * math.pi * f) ** 2)[:, :, None])[:, :, None, :]
-    found: Array = np.sqrt((sizes**2).sum(-1) / 2)
-    return found
-
-
-def _felt_rows(s: System, point: Point) -> Array:
-    rows = moves(s, point)
-    if point.role == "hand":
-        return rows
-    turned: Array = (seat_axes(s.mounting) * np.asarray(s.mounting.seat_transmissibility)[:, None]) @ rows
-    return turned

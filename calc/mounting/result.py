@@ -7,8 +7,9 @@ from ..sheet.arrays import Array
 from ..sheet.quantity import Stated, group, result, value
 from ..sheet.record import record
 from ..sheet.units import Hertz, Metre, MetrePerSecond, MetrePerSecond2, Newton, Number, Radian
+from .course import Course
 from .drive import Drive
-from .levels import Course, Levels
+from .levels import Levels
 from .modes import Modes
 from .system import System
 
