@@ -15,6 +15,7 @@ from .inputs import MountingInputs
 from .levels import NONE_BELOW
 from .result import MountingResult
 from .severity import scope
+from .statics import preload
 
 
 def honest(result: MountingResult) -> Text:
@@ -112,8 +113,9 @@ def notes(mounting: MountingInputs, engine: EngineInputs, result: MountingResult
         "start and stop, which sweep through the modes."
     )
     yield Text(
-        "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and the stiffness that "
-        "the weight itself adds, below 1 % of ordinary mounts, is left out."
+        "The engine is a rigid body, rubber is linear: its stiffness does not fall with amplitude (Payne effect), and what the weight "
+        "itself adds to the stiffness, {share} of that against tilting, is left out.",
+        share=Amount(100 * preload(mounting, result.stiffness[0]), "%", digits=2),
     )
 
 

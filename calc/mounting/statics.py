@@ -91,3 +91,12 @@ def published(mounting: MountingInputs, rest: Rest, out: tuple[float, ...]) -> T
     q = based_on(rest.q + rest.q_by_torque * M_z, rest.q, rest.q_by_torque, M_z)
     tree["roll"] = Stated(Described(Text("Static roll, from up to the side"), "°", "φ_s"), roll(q_s=each(q)))
     return tree
+
+
+def preload(mounting: MountingInputs, K: Array) -> float:
+    """What the weight itself adds to the stiffness against tilting, m·g·h over the lesser of the two; it is left out of the model."""
+    up = np.asarray(mounting.up, dtype=float) / np.linalg.norm(mounting.up)
+    above = [abs(float((np.asarray(mounting.centre_of_gravity) - np.asarray(mount.position)) @ up)) for mount in mounting.mounts]
+    level = np.eye(3) - np.outer(up, up)
+    _, least, _ = np.linalg.eigvalsh(level @ K[3:, 3:] @ level)  # the first: about up, which the weight leaves alone
+    return float(mounting.mass) * GRAVITY * max(above) / float(least)

@@ -84,3 +84,15 @@ def test_a_generating_set_is_judged():
     judged = [c for c in outcome.checks if c.id.endswith(".severity")]
     assert len(judged) == 4 and all(c.kind == "advice" for c in judged)
     assert "No shaft" in outcome.reason
+
+
+def test_the_weight_stiffens_the_mounts_by_little_and_the_note_says_by_how_much(results):
+    pitch = roll = both = 0.0
+    for k_x, k, y, z in ((900, 420, -250, -210), (900, 420, 250, -210), (990, 462, -280, 290), (990, 462, 280, 290)):
+        pitch += 1.3 * (k_x * (z - 90) ** 2 + k * 205**2)
+        roll += 1.3 * (k_x * (y + 12) ** 2 + k * 205**2)
+        both -= 1.3 * k_x * (z - 90) * (y + 12)
+    share = 310 * 9.80665 * 205 / ((pitch + roll) / 2 - math.hypot((pitch - roll) / 2, both))  # N·mm
+    assert share < 0.01
+    note = next(note for note in results.outcomes["mounting"].notes if "Payne" in note)
+    assert f"{100 * share:.2g} %" in note
