@@ -191,7 +191,7 @@ def levels(s: System, drive: Drive, speeds: Array, torque: ComplexArray) -> Leve
 
 def _ordered(x: ComplexArray, S: int) -> ComplexArray:
     """(speeds·orders, variants, things, axes) with the orders along the last axis."""
-    return np.ascontiguousarray(np.moveaxis(x.reshape(S, -1, *x.shape[1:]), 1, -1))
+    return np.ascontiguousarray(np.moveaxis(x.reshape(S, len(x) // S, *x.shape[1:]), 1, -1))
 
 
 def _felt(mounting: MountingInputs, point: Point, a: ComplexArray) -> ComplexArray:

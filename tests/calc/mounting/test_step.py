@@ -96,3 +96,14 @@ def test_the_weight_stiffens_the_mounts_by_little_and_the_note_says_by_how_much(
     assert share < 0.01
     note = next(note for note in results.outcomes["mounting"].notes if "Payne" in note)
     assert f"{100 * share:.2g} %" in note
+
+
+def test_points_may_be_left_out(case):
+    """Modes, statics and the forces of the mounts need no place to look at."""
+    table = copy.deepcopy(case.data["mounting"])
+    table.pop("points")
+    table["chassis"].pop("modes")
+    outcome = solve(design(Document({**case.data, "mounting": table}))).outcomes["mounting"]
+    assert outcome.state == "solved"
+    assert {value.id: value for value in outcome.values()}["mounting.idle.half.force_sum"].shown > 100
+    assert "In the mounts" in outcome.reason
