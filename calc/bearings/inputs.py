@@ -15,8 +15,22 @@ from .materials.data import DEFAULT_APPLICATION
 PLACES = ("front", "rear")
 IN_WORDS = {"front": Text("front"), "rear": Text("rear")}  # the two bearings in words
 IN_TITLES = {"front": Text("Front"), "rear": Text("Rear")}  # at the beginning of a sentence
-ASSUMED_FIT = "IT7"
 LEAST_SPEED_SHARE = 0.02  # of the journal's speed: below, the load turns at half the speed of the surfaces; rule of this program
+
+
+class Assumed(str):
+    """Words that the program takes where a file says nothing: equal to none that a file gives, though these may read the same."""
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Assumed) and str.__eq__(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = str.__hash__
+
+
+ASSUMED_FIT = Assumed("IT7")
 
 
 @inputs
@@ -155,7 +169,7 @@ class BearingsInputs:
     @property
     def fits_given(self) -> bool:
         """Whether the tolerances are the design's own; else the program assumed them."""
-        return (self.journal_fit, self.seat_fit) != (ASSUMED_FIT, ASSUMED_FIT)
+        return not (isinstance(self.journal_fit, Assumed) and isinstance(self.seat_fit, Assumed))
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         needs = {

@@ -109,3 +109,11 @@ def test_fits_with_letters_make_the_corners_whatever_clearance_is_given(gamma):
     assert r.clearance == pytest.approx(88e-6)
     assert (r.corners.clearance_min, r.corners.clearance_max) == pytest.approx((30e-6, 90e-6))
     assert sorted(set(np.round(r.corners.columns["clearance"] * 1e6, 6))) == pytest.approx([30, 60, 90])
+
+
+def test_fits_that_stand_in_the_file_are_given_though_they_are_those_that_are_assumed(gamma):
+    given = gamma.with_value("bearings.journal_fit", "IT7").with_value("bearings.seat_fit", "IT7")
+    assert not design(gamma).bearings.fits_given and design(given).bearings.fits_given
+    before = solve(design(gamma))
+    notes = [" ".join(map(str, r.outcomes["bearings"].notes)) for r in (before, solve(design(given), before))]
+    assert "No fits are given" in notes[0] and "No fits are given" not in notes[1]
