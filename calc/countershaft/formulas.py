@@ -274,3 +274,9 @@ def stationary(G_B: Newton, R_G: Newton) -> Newton:
 @formula("R_max", "statics: the turning and the standing part in line, once a turn", names={"R": "F"})
 def reaction_peak(R: Newton, R_0: Newton) -> Newton:
     return R + R_0
+
+
+# --- the support ------------------------------------------------------------------------------------------------------------
+@formula("w", "Finotti 2013, 4.2: the support's outside stays, its seat grows", unit="mm", names={"w": "w_w"})
+def wall_beside(w: Metre, d: Metre, D_w: Metre) -> Metre:
+    return w - (d - D_w) / 2

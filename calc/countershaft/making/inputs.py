@@ -141,6 +141,9 @@ class Support:
     material: str = text("Material", help="A name from the table of materials or from [[material]].")
     wall: float | None = quantity("Wall beside the largest seat", "mm", default=None, above=0, high=200, symbol="w",
         source="Finotti 2013, 4.2", help="Metal left beside the largest seat, with the shaft of this design.")  # fmt: skip
+    wall_at_seat: float | None = quantity("Seat with that wall", "mm", default=None, above=0, high=500, symbol="D_w",
+        source="Finotti 2013, 4.2",
+        help="A larger seat takes half of what it grows from wall_mm. Left out: wall_mm stands whatever the seat.")  # fmt: skip
     least_wall: float = quantity("Least wall", "mm", default=5e-3, above=0, high=200, symbol="w_min", source="Finotti 2013, 4.2",
         help="What the casting needs; 5 mm in sand-cast aluminium.")  # fmt: skip
     bolt_stress: float | None = quantity("Stress under the bolts' preload, von Mises", "MPa", default=None, low=0, high=10000,
@@ -151,6 +154,10 @@ class Support:
     load_stress_limit: float | None = quantity("Limit of the stress from the loads", "MPa", default=None, above=0, high=10000,
         source="given in the design, by the fatigue strength of the casting",
         help="Stress that the support endures without end under the turning load; left out, fatigue is not judged.")  # fmt: skip
+
+    def problems(self) -> Iterable[tuple[str, Text]]:
+        if self.wall_at_seat is not None and self.wall is None:
+            yield "wall_at_seat_mm", Text("needs wall_mm: the wall that is left at this seat")
 
 
 @inputs

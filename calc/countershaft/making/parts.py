@@ -43,6 +43,7 @@ class Gathered:
 def making(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, ...], result: CountershaftResult, R: Metre | None,
     materials: Mapping[str, Material], journals: tuple[tuple[Metre, Metre], ...], to: Gathered) -> CountershaftResult:  # fmt: skip
     """The result with all of it but the bending; `R`: outer radius of the sectors, `journals`: their sizes, both where they are known."""
+    shaft = _with_wall(shaft, journals)
     rho = materials[shaft.material].density
     result = replace(result, tolerance=_permitted(shaft, todo, result, to), holes=_holes(shaft, todo, masses, result, rho, R, to))
     scattered, other, bolted = _scatter(shaft, todo, masses, result, to), None, None
@@ -176,6 +177,15 @@ def _drains(shaft: CountershaftInputs, to: Gathered) -> "dict[str, DrainResult]"
     to.checks += [drain.named(check, name) for name, one in chosen.items() for check in drain.checks(one)]
     to.notes += dict.fromkeys(note for one in chosen.values() for note in drain.notes(one))
     return chosen
+
+
+def _with_wall(shaft: CountershaftInputs, journals: tuple[tuple[Metre, Metre], ...]) -> CountershaftInputs:
+    """The wall of the support beside the largest seat as it now is; as given where that does not say at which seat it was."""
+    support = shaft.support
+    if support is None or support.wall is None or support.wall_at_seat is None or not journals:
+        return shaft
+    w = f.wall_beside(w=support.wall, d=max(d for d, _ in journals), D_w=support.wall_at_seat)
+    return replace(shaft, support=replace(support, wall=w))
 
 
 def _support(support: Support, material: Material) -> Iterator[Check]:
