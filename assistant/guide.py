@@ -46,7 +46,7 @@ GUIDES: dict[str, Guide] = {
             clearance=USUAL_CLEARANCE,
         ),
         Text(
-            "A tighter fit or a thicker oil first, then more length, then smoother surfaces. Bearings that pass can be chosen from a table."
+            "A tighter fit first, then more length, then smoother surfaces; a thicker oil where the engine allows it. A table has bearings that pass."
         ),
     ),
     "gears": Guide(

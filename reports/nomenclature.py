@@ -25,9 +25,9 @@ if TYPE_CHECKING:
     from .context import Context
     from .pen import Pen
 
-COLUMNS, GUTTER = 2, 14.0
+COLUMNS, GUTTER = 2, 10.0
 EACH = (WIDTH - (COLUMNS - 1) * GUTTER) / COLUMNS
-SYMBOL, UNIT, PAGE = 36.0, 36.0, 13.0  # width of what stands beside a meaning
+SYMBOL, UNIT, PAGE = 30.0, 26.0, 11.0  # width of what stands beside a meaning
 MEANING = EACH - SYMBOL - UNIT - PAGE - 4.0
 CUTS = (", ", " (", ": ")  # where a meaning may end
 
@@ -109,7 +109,7 @@ def nomenclature_blocks(context: Context) -> list[Block]:
         own = sorted((one for one in context.symbols.values() if one.chapter == step.key), key=_order)
         rows = [_Entry(one) for one in own]
         if rows:
-            made += heading(f"{number}  {context.say(step.title)}", GROUP, gap=5.0, after=0.0)
+            made += heading(f"{number}  {context.say(step.title)}", GROUP, gap=3.0, after=0.0)
             made += [_row(rows[n : n + COLUMNS]) for n in range(0, len(rows), COLUMNS)]
     return made
 
