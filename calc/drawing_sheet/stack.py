@@ -94,7 +94,8 @@ def _clear(row: Row, placed: list[Row], later: list[Span], height: float) -> boo
         a, b = other.taken(height)
         if other.level == row.level and first < b - 1e-6 and a < last - 1e-6:
             return False
-        if other.level > row.level and any(row.span.start < x < row.span.end for x in (other.span.start, other.span.end)):
+        ends = (other.span.start, other.span.end)
+        if other.level > row.level and any(row.span.start < x < row.span.end or _within(x, row.number) for x in ends):
             return False  # its extension lines would cross the row
         if other.level < row.level and any(_within(x, other.number) for x in (row.span.start, row.span.end)):
             return False

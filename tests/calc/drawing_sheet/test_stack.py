@@ -3,7 +3,7 @@
 from itertools import combinations, pairwise
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from calc.drawing_sheet.stack import Shelf, Span, rows, shelves
@@ -22,6 +22,7 @@ def chain(lengths):
 
 @settings(deadline=None, max_examples=80)
 @given(CHAINS)
+@example([12.0, 7.0, 11.0, 1.0])
 def test_no_two_of_a_row_cover_each_other_and_no_number_is_crossed(lengths):
     spans = chain(lengths)
     found = rows(spans, H)
