@@ -12,6 +12,7 @@ from babel.messages.mofile import write_mo
 from calc.languages import Language
 
 from ..assistant.conftest import design, light, memory, session
+from .texts import PLURALS
 
 __all__ = ["catalogue", "design", "light", "memory", "session"]
 
@@ -22,6 +23,7 @@ def catalogue() -> Callable[[dict[str | tuple[str, str], str | tuple[str, str]]]
 
     def made(entries: dict[str | tuple[str, str], str | tuple[str, str]]) -> Language:
         catalog, data = Catalog(locale="it"), io.BytesIO()
+        catalog.mime_headers = [PLURALS]
         for template, translation in entries.items():
             catalog.add(template, translation)
         write_mo(data, catalog)

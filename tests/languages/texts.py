@@ -43,6 +43,7 @@ FIELDS = {
     "tables",
 }  # calls whose first argument is a label
 SENTENCES = {"help", "source"}  # their keywords that are texts
+PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")  # for one and for many: babel's own rules differ from version to version
 Template = tuple[str, str]  # the template, and that for a count of 1 ("": none)
 
 
@@ -208,6 +209,7 @@ def update(code: str) -> None:
     po(code).parent.mkdir(parents=True, exist_ok=True)
     known = entries(code) if po(code).exists() else {}
     catalog = Catalog(locale=code, fuzzy=False, header_comment=f"# The texts of contralbero in {code}.")
+    catalog.mime_headers = [PLURALS]
     for many, one in templates():
         told = known.get((many, one), ("", "") if one else ("",))
         catalog.add((one, many) if one else many, told if one else told[0])
