@@ -46,7 +46,8 @@ GUIDES: dict[str, Guide] = {
             clearance=USUAL_CLEARANCE,
         ),
         Text(
-            "A tighter fit first, then more length, then smoother surfaces; a thicker oil where the engine allows it. A table has bearings that pass."
+            "A tighter fit first, then more length, then smoother surfaces; a thicker oil where the engine allows it. "
+            "A table has bearings that pass."
         ),
     ),
     "gears": Guide(

@@ -7,9 +7,11 @@ from typing import ClassVar
 from textual import events
 from textual.binding import Binding, BindingType
 from textual.content import Content
+from textual.geometry import Size
 from textual.message import Message
 from textual.widget import Widget
 
+from calc.sheet.quantity import keys
 from calc.sheet.text import EMPTY, Text
 
 from ..base_app import BaseApp
@@ -18,11 +20,15 @@ from ..session import Session
 from .entry import LEAVING
 from .field_help import heading_help
 from .rows import Row
-from .wrap import fit
+from .wrap import fit, pad
+
+TALL = 30  # rows of a screen that has room for a table of the elements
+MOST = 8  # elements in it
+INDENT, GAP, LABEL = 3, 2, 12  # cells before its rows, between its columns, and of a label that is wider than what is below it
 
 
 class ArrayHeading(Widget, can_focus=True):
-    """`◂ 2 of 4: central ▸` of a long array, `2` of a short one that stands there whole."""
+    """`◂ 2 of 4: central ▸` of a long array, over a table of what its elements must have; `2` of a short one that stands there whole."""
 
     app: BaseApp
     BINDINGS: ClassVar[list[BindingType]] = [
@@ -60,11 +66,12 @@ class ArrayHeading(Widget, can_focus=True):
 
     def redraw(self, row: Row, reason: Text) -> None:
         """Draw anew if there is something new to draw."""
-        looks = (row.shown, self.names(), reason)
+        before = self.row.shown is None, len(self.names())
         self.row, self.reason = row, reason
+        looks = (row.shown, self.cells(), self.names(), reason)
         if looks != self._looks:
             self._looks = looks
-            self.refresh()
+            self.refresh(layout=before != (row.shown is None, len(self.names())))
 
     @property
     def adds(self) -> bool:
@@ -73,6 +80,44 @@ class ArrayHeading(Widget, can_focus=True):
 
     def names(self) -> list[str]:
         return [str(item.get("name", n + 1)) for n, item in enumerate(content_at(self.session.data, self.row.place) or [])]
+
+    def items(self) -> list[dict[str, object]]:
+        """The elements of the table; none where they stand in the form themselves, or there is no room."""
+        items = content_at(self.session.data, self.row.place) or []
+        return items if self.row.shown is not None and len(items) <= MOST and self.app.size.height >= TALL else []
+
+    def cells(self) -> list[tuple[str, ...]]:
+        """Their names, and what each must have beside it, below the labels."""
+        assert self.row.about.table is not None
+        known = {key: one.about for key, one in keys(self.row.about.table).items()}
+        columns = [key for key, about in known.items() if not about.optional and about.kind not in ("table", "tables") and key != "name"]
+        if not (items := self.items()) or not columns:
+            return []
+        labels = [f"{self.app.say(known[key].label)} {known[key].unit}".rstrip() for key in columns]
+        return [("", *labels), *((name, *(self._written(item.get(key)) for key in columns)) for name, item in zip(self.names(), items))]
+
+    def _written(self, value: object) -> str:
+        if isinstance(value, (list, tuple)):
+            return " ".join(map(self._written, value))
+        return self.app.say.number(f"{value:g}".replace("-", "−")) if isinstance(value, (int, float)) else str(value or "")
+
+    def get_content_height(self, container: Size, viewport: Size, width: int) -> int:
+        return 1 + len(self.cells())
+
+    def _table(self) -> list[Content]:
+        """A row for each element, that which is shown marked; columns as far as there is room."""
+        cells = self.cells()
+        wide = [max(min(len(label), LABEL), *map(len, column)) + GAP for label, *column in zip(*cells)]
+        while sum(wide) - GAP + INDENT > self.size.width and len(wide) > 2:
+            wide.pop()
+        here = ">" if self.app.signs.ascii else "▸"
+        rows = []
+        for n, row in enumerate(cells, -1):
+            text = "".join(pad(fit(cell, width - GAP), width) for cell, width in zip(row, wide))
+            mark, style = (here, "bold") if n == self.row.shown else (" ", "dim" if n < 0 else "")
+            written = Content.styled(fit(f" {mark} {text}", self.size.width).rstrip(), style)
+            rows.append(written if n < 0 else self._clicked(written, f"show({n})"))
+        return rows
 
     def explained(self) -> tuple[str, str]:
         """What the foot of the form says about it."""
@@ -100,16 +145,22 @@ class ArrayHeading(Widget, can_focus=True):
         )
         left = Content.assemble((" " + title, signs.style("invalid") if self.reason else "bold"), *middle)
         gap = max(1, self.size.width - left.cell_length - Content.assemble(*buttons).cell_length - 1)
-        return Content.assemble(left, " " * gap, *buttons)
+        return Content("\n").join([Content.assemble(left, " " * gap, *buttons), *self._table()])
 
     def _link(self, text: str, action: str) -> Content:
+        return self._clicked(Content.styled(text, "bold" if self.has_focus else "dim"), action)
+
+    def _clicked(self, content: Content, action: str) -> Content:
         from textual.style import Style
 
-        return Content.styled(text, "bold" if self.has_focus else "dim").stylize(Style.from_meta({"@click": action}))
+        return content.stylize(Style.from_meta({"@click": action}))
 
     def action_leaf(self, by: int) -> None:
         if self.row.shown is not None and (count := len(self.names())):
             self.post_message(self.Leafed(self, (self.row.shown + by) % count))
+
+    def action_show(self, index: int) -> None:
+        self.post_message(self.Leafed(self, index))
 
     def action_add(self) -> None:
         self.post_message(self.Added(self))

@@ -8,6 +8,7 @@ from textual import events
 
 from assistant.route import idle
 from assistant.session import Session
+from assistant.widgets.array_heading import ArrayHeading
 from assistant.widgets.checks import Checks
 from assistant.widgets.entry import Entry
 from assistant.widgets.field import Field
@@ -229,6 +230,28 @@ async def test_a_long_array_is_leafed_through_and_grows(screen: Screen, session:
         await strike(pilot, "ctrl+z")
         await settled(pilot)
         assert len(session.data["gears"]["wheels"]) == 4
+
+
+@pytest.mark.parametrize("size, rows_of_table", [((120, 40), 5), ((80, 24), 0)])
+async def test_a_long_array_is_a_table_where_there_is_room(
+    screen: Screen, session: Session, size: tuple[int, int], rows_of_table: int
+) -> None:
+    """What each element must have; the row that is shown is marked, and a click shows another."""
+    async with screen(size=size, session=session) as pilot:
+        await go_to(pilot, "gears.wheels.crank.teeth")
+        heading = next(one for one in work(pilot).form.query(ArrayHeading) if one.row.place == ("gears", "wheels"))
+        assert heading.size.height == 1 + rows_of_table
+        if not rows_of_table:
+            return
+        told = [line.split() for line in heading.render().plain.splitlines()[1:]]
+        assert told == [["Teeth"], ["▸", "crank", "25"], ["central", "36"], ["idler", "39"], ["shaft", "25"]]
+        await pilot.click(heading, offset=(5, 4))
+        await settled(pilot)
+        assert "3 of 4 idler" in rows(pilot)
+        await go_to(pilot, "gears.wheels.idler.teeth")
+        await type_in(pilot, "40")
+        await settled(pilot)
+        assert heading.cells()[3] == ("idler", "40") and heading.render().plain.splitlines()[4].split() == ["▸", "idler", "40"]
 
 
 @pytest.mark.slow
