@@ -109,7 +109,7 @@ async def test_what_is_not_understood_stays_with_the_reason(screen: Screen) -> N
         await type_in(pilot, ".5")
         await pilot.pause(0.8)
         assert "ambiguous" in message(pilot)
-        assert "bore_mm" in rows(pilot) and "write 1234.5" in rows(pilot)
+        assert "write 1234.5" in rows(pilot)
         assert work(pilot).session.results is before
         assert work(pilot).query_one(Checks).stale
         await strike(pilot, "tab")
@@ -177,7 +177,7 @@ async def test_a_field_may_be_left_to_the_program(screen: Screen, session: Sessi
 @pytest.mark.slow
 async def test_every_form_has_the_fields_of_the_file_once(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
-        for step in STEPS:
+        for step in (step for step in STEPS if step.key in session.data):
             await work(pilot).open_step(step)
             form = work(pilot).form
             form.opened |= {0, 1, 2}

@@ -203,8 +203,9 @@ async def test_curves_in_turn(screen: Screen) -> None:
         await pilot.press("escape", "2")
         await pilot.pause()
         pane = work(pilot).query_one(CurvePane)
+        await settled(pilot)
+        await until(pilot, lambda: len(pane.leaves) > 2)
         first, count = pane.leaf, len(pane.leaves)
-        assert count > 2
         await strike(pilot, "c")
         await pilot.pause()
         assert pane.display and pane.leaf is first  # which had not been seen yet
