@@ -63,15 +63,15 @@ class ArrayHeading(Widget, can_focus=True):
         self.session = session
         self.reason = EMPTY  # why the array as a whole is not accepted
         self._looks: tuple[object, ...] = ()
+        self._rows = 0  # of its table, when last looked at
 
     def redraw(self, row: Row, reason: Text) -> None:
         """Draw anew if there is something new to draw."""
-        before = self.row.shown is None, len(self.names())
         self.row, self.reason = row, reason
-        looks = (row.shown, self.cells(), self.names(), reason)
+        looks = (row.shown, cells := self.cells(), self.names(), reason)
         if looks != self._looks:
-            self._looks = looks
-            self.refresh(layout=before != (row.shown is None, len(self.names())))
+            self.refresh(layout=len(cells) != self._rows)
+            self._looks, self._rows = looks, len(cells)
 
     @property
     def adds(self) -> bool:

@@ -252,6 +252,17 @@ async def test_a_long_array_is_a_table_where_there_is_room(
         await type_in(pilot, "40")
         await settled(pilot)
         assert heading.cells()[3] == ("idler", "40") and heading.render().plain.splitlines()[4].split() == ["▸", "idler", "40"]
+        await pilot.resize_terminal(80, 24)
+        await settled(pilot)
+        assert heading.size.height == 1
+        await pilot.resize_terminal(*size)
+        await settled(pilot)
+        assert heading.size.height == 1 + rows_of_table
+        heading.focus()
+        await strike(pilot, "plus")
+        await settled(pilot)
+        grown = next(one for one in work(pilot).form.query(ArrayHeading) if one.row.place == ("gears", "wheels"))
+        assert grown.size.height == 1 + len(grown.cells()) == 2 + rows_of_table
 
 
 @pytest.mark.slow
