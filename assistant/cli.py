@@ -25,6 +25,7 @@ COMMANDS = {
     "replay": "run scripted designs and compare with what they expect",
     "set": "edit a design file in place, comments kept",
     "choose": "search for the user: a ranked table, of which one row can be taken",
+    "design": "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin",
     "compare": "two designs side by side: what got better and worse, the inputs that differ",
     "sweep": "many designs at once, a row of a CSV table for each",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
@@ -109,6 +110,21 @@ def parser() -> argparse.ArgumentParser:
     add["choose"].add_argument("--json", action="store_true", help="print one JSON object")
     add["choose"].add_argument("--top", type=int, default=20, metavar="N", help="rows to show (default: %(default)s)")
     add["choose"].add_argument("--apply", type=int, metavar="N", help="write row N into the design file")
+
+    one = add["design"]
+    one.add_argument("file")
+    one.add_argument("--out", metavar="FOLDER", help="where the drives are put, and what is known of them; the same again goes on")
+    one.add_argument("--vary", action="extend", nargs="+", metavar="KEY=LO:HI:STEP", help="also KEY=VALUE,VALUE,… and KEY=fixed")
+    one.add_argument("--most", action="extend", nargs="+", metavar="NAME=X", help="power_W, mass_kg, seat_mm, price_EUR")
+    one.add_argument("--least", action="extend", nargs="+", metavar="NAME=X", help="margin_percent")
+    one.add_argument("--limit", action="extend", nargs="+", metavar="ID", help="findings that are limits beside the usual ones; * for any")
+    one.add_argument("--objectives", metavar="NAME,…", help="some of power, mass, seat, price, margin (default: all that are known)")
+    one.add_argument("--rows", type=int, metavar="N", help="drives that are solved whole and saved (default: 60)")
+    one.add_argument("--processes", type=int, metavar="N", help="default: one for each core")
+    one.add_argument("--dry", action="store_true", help="say what would be searched, and search nothing")
+    one.add_argument("--json", action="store_true", help="print one JSON object")
+    one.add_argument("--pick", type=int, metavar="N", help="write drive N of the folder into the file")
+    one.add_argument("-o", "--output", metavar="NEW.toml", help="with --pick: into this file instead")
 
     add["compare"].add_argument("a", metavar="A", help="a design file")
     add["compare"].add_argument("b", metavar="B", help="another one, or the same")

@@ -171,10 +171,10 @@ def spare(target: Path, *designs: str) -> None:
                 raise BadInput(str(target), [InputError(0, "", "", Text("is the design itself; give another name with -o"))])
 
 
-def write_asked(path: Path, text: str) -> None:
+def write_asked(path: Path, text: str, backup: bool = True) -> None:
     """Write a file that a command was asked for.  Raises BadInput with the reason where it can not be written."""
     try:
-        _replace(path, text.encode("utf-8"), backup=True)
+        _replace(path, text.encode("utf-8"), backup)
     except OSError as error:
         raise BadInput(
             str(path), [InputError(0, "", "", Text("cannot be written: {reason}", reason=error.strerror or str(error)))]

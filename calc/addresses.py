@@ -47,7 +47,7 @@ def address(data: Table, key: str, whole: bool = False) -> tuple[str | int, ...]
         found.append(part)
         about = known[part].about
         cls = about.table
-        if about.kind == "reasons":
+        if about.kind in ("reasons", "open"):
             rest = ".".join(parts[i + 1 :])  # an id, which has dots of its own
             if not rest and not whole:
                 raise _no_such(key, Text("is a table; name one of its keys: ") + "bearings.front.mckee")

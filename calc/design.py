@@ -14,6 +14,7 @@ from .gears.inputs import GearsInputs
 from .imbalance.inputs import ImbalanceInputs
 from .measured import Measured
 from .mounting.inputs import MountingInputs
+from .optimise.inputs import OptimiseInputs
 from .sheet.quantity import day, inputs, integer, reasons, table, tables, text
 from .sheet.rules import is_limit
 from .sheet.step import Step
@@ -66,6 +67,10 @@ class Design:
     locked: tuple[tuple[str, str], ...] = reasons(
         "Locked inputs",
         help="Keys that no remedy and no search may change, each with the reason. Left out: the oil, which is the engine's.",
+    )
+
+    optimise: OptimiseInputs | None = table(
+        "Search for whole drives", OptimiseInputs, default=None, help="What `contralbero design` varies and wants; no step asks for it."
     )
 
     measured: tuple[Measured, ...] = tables(

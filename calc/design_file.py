@@ -137,7 +137,7 @@ def key_lines(text: str) -> dict[str, int]:
 # What stands for a wrong or missing value while the rest of the document is checked: no comparison with it holds.
 PLACEHOLDER: Table = {
     "number": math.nan, "integer": math.nan, "text": "", "date": "", "choice": "", "series": (), "integers": (), "table": None,
-    "tables": (), "reasons": (),
+    "tables": (), "reasons": (), "open": None,
 }  # fmt: skip
 
 
@@ -201,6 +201,12 @@ class _Reader:
                 return _keyed(about, self.series(about, value, key), address)
             case "reasons":
                 return self.reasons(value, key)
+            case "open":
+                return (
+                    value
+                    if isinstance(value, (dict, list))
+                    else self.error(key, value, Text("must be {allowed}", allowed=about.allowed()), "open")
+                )
             case "text" | "choice":
                 if about.kind == "choice" and not isinstance(value, (str, bool)) and str(value) in about.choices:
                     return linked(str(value), address)  # a choice that looks like a number, like the property class 8.8

@@ -4,7 +4,7 @@
 from typing import NamedTuple
 
 from .sheet.text import Amount, Text
-from .sheet.units import Celsius, Kelvin, NewtonPerMetreSecond, Number, Pascal, Radian
+from .sheet.units import Celsius, Kelvin, MetrePerSecond, NewtonPerMetreSecond, Number, Pascal, Radian
 
 FINOTTI = Text("Finotti 2013, 3.2.3.1")
 TRUMPLER = Text("Trumpler, after Finotti 2013, 5.5.1")
@@ -22,6 +22,12 @@ TRUMPLER_START_LOAD: Pascal = 2e6  # as Finotti 2013, 5.5.1, prints it; Trumpler
 FULL_FILM_FRICTION: tuple[Number, Number] = (0.002, 0.012)  # Finotti 2013, 5.4.1
 SLOPE: Radian = 0.25e-3  # Finotti 2013, 4.6 (in chapter 6): target of the engine's maker
 STABLE_FILM: Number = 150.0  # McKee & McKee 1932, cP·rpm/psi
+SPEED_FACTOR: tuple[Number, Number] = (3.0, 10.0)  # least speed over that of transition: the surface speed in m/s, within these
+
+
+def speed_factor(u: MetrePerSecond) -> Number:
+    """The least speed of a journal over its speed of transition; Finotti 2013, 5.5.3."""
+    return SPEED_FACTOR[0] if u < SPEED_FACTOR[0] else min(u, SPEED_FACTOR[1])
 
 
 class Lubrication(NamedTuple):

@@ -10,6 +10,7 @@ from ..catalogue import Material, Oil
 from ..countershaft.result import CountershaftResult
 from ..engine.inputs import BenchPoint, EngineInputs
 from ..fits import deviations, parse
+from ..journal_rules import speed_factor
 from ..lubricant import Lubricant
 from ..sheet.arrays import many
 from ..sheet.check import Check, check
@@ -177,7 +178,7 @@ def _bearing(place: str, seat: BearingCase, load: float, slope: float, speed: Re
         W = f.heat_index(F=load, n=speed, l=l)
         pv = load_times_speed(p=p, u=u)
         n_T = f.transition_speed(p=p, mu=hot.oil.mu, d=d)
-        least = f.least_speed(k=3.0 if u < 3 else min(u, 10.0), n_T=n_T)
+        least = f.least_speed(k=speed_factor(u), n_T=n_T)
         uncapped = f.least_speed_uncapped(u=u, n_T=n_T)
         mckee = f.mckee_number(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)
         number = film_duty(mu=hot.oil.mu, n_h=duty.effective_speed, p=p)

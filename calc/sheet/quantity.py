@@ -24,7 +24,7 @@ THUMB = Text("rule of thumb, no published source")  # the source of a usual rang
 @record
 class Quantity:
     """The description of one input.  `kind` is one of number, integer, text, date, choice, series, integers, table, tables,
-    reasons."""
+    reasons, open."""
 
     kind: str
     label: Text
@@ -63,6 +63,8 @@ class Quantity:
                 return Text("an array of tables")
             case "reasons":
                 return Text("a table of reasons by the ids of checks")
+            case "open":
+                return Text("a list, or a table of keys")
         noun = NOUNS[self.kind]
         if self.kind in ("series", "integers") and self.count is not None and self.count[0] == 1:
             noun = Text("a number, or {noun},", noun=noun)
@@ -164,6 +166,11 @@ def reasons(label: str, **said: Unpack[Said]) -> tuple[tuple[str, str], ...]:
     return _make("reasons", label, "", (), **said)
 
 
+def open_(label: str, *, default: T = REQUIRED, **said: Unpack[Said]) -> T:
+    """A list or a table of free form, which the Inputs class itself judges; there it stands as the file has it."""
+    return _make("open", label, "", default, **said)
+
+
 @record
 class Key:
     """One key of an Inputs class: where it stands in the file and where in the dataclass."""
@@ -240,7 +247,9 @@ def result(cls: type[T]) -> type[T]:
 
 
 @dataclass_transform(
-    frozen_default=True, kw_only_default=True, field_specifiers=(quantity, integer, text, day, choice, series, integers, table, tables)
+    frozen_default=True,
+    kw_only_default=True,
+    field_specifiers=(quantity, integer, text, day, choice, series, integers, table, tables, open_),
 )
 def inputs(cls: type[T]) -> type[T]:
     """A class of inputs: frozen, made by keywords, equal when all its values are."""

@@ -164,13 +164,14 @@ def field(task: Task, variant: Variant, slope: Radian, in_room: bool = False) ->
     too; None where no length is left to look at."""
     at = task.with_oil(variant.lubricant, variant.supply, variant.fits)
     l = _bearable(at, lengths(at, in_room))
-    usual = _field(at, variant, l, clearances(at, widest_usual(at)))
+    usual = field_over(at, variant, l, clearances(at, widest_usual(at)))
     if usual is not None and (not usual.hot(slope) or not usual.carries(slope) or usual.passing(slope).any()):
         return usual
-    return _field(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
+    return field_over(at, variant, l, clearances(at, WIDEST * at.seat.bearing.diameter, FEW)) or usual
 
 
-def _field(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
+def field_over(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
+    """Lengths `l` and clearances `g`, both rising; None where there are none."""
     if not l.size or not g.size:
         return None
     spread = math.log(l[-1] / l[0])

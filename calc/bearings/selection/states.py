@@ -11,13 +11,14 @@ from dataclasses import replace
 
 import numpy as np
 
+from ...journal_rules import speed_factor
 from ...lubricant import Lubricant
 from ...sheet.arrays import Array, IndexArray, each, many
 from ...sheet.linked_array import column
 from ...sheet.record import record
 from ...sheet.search import Judged
 from ...sheet.text import Text
-from ...sheet.units import UNITS, Metre, Radian
+from ...sheet.units import UNITS, Metre, Radian, RevPerSecond
 from .. import formulas as f
 from ..corners import widths
 from ..routes import supply
@@ -85,6 +86,22 @@ class Task:
         if fits is not None:
             inputs = replace(inputs, journal_fit=fits[0], seat_fit=fits[1])
         return replace(self, seat=replace(seat, lubricant=oil, inputs=inputs))
+
+    def at_diameter(self, d: Metre) -> "Task":
+        """The same journal at another diameter, under the same load; its room is that of the one it was made for."""
+        rules, asked = self.rules, UNITS["µm"].shown(f.trumpler_film(d=d))
+        changed = {
+            key: replace(rules[key], check=replace(rules[key].check, limit=asked)) for key in ("film_double_load", "film_edge_trumpler")
+        }
+        seat = replace(self.seat, bearing=replace(self.seat.bearing, diameter=d))
+        factor = speed_factor(f.surface_speed(d=d, n=self.sliding_speed))
+        return replace(self, seat=seat, rules={**rules, **changed}, speed_factor=factor, diameter=d)
+
+    @property
+    def sliding_speed(self) -> RevPerSecond:
+        """Of the journal on its seat."""
+        duty, i_B = self.duty, self.seat.inputs.bush_speed_ratio
+        return f.sliding_speed(n_J=duty.speed, n_B=i_B * duty.speed) if i_B else duty.speed
 
     def smoother(self) -> Iterator["Task"]:
         """The same with its own surfaces, then with ever smoother ones."""

@@ -62,8 +62,7 @@ def tasks(case: Case) -> dict[str, list[Task]]:
             EMPTY,
             Text("search with a hole, then set the grooves"),
         )
-    solved = _solved(case, case.bearings)
-    by_place = {place: [_task(case, case.bearings, solved, place)] for place in PLACES}
+    by_place = {place: [task] for place, task in own_tasks(case).items()}
     free = [place for place in PLACES if not tied(case, place)]
     for share in DIAMETERS if free else ():
         other = _with_diameters(case.bearings, share, free)
@@ -74,6 +73,12 @@ def tasks(case: Case) -> dict[str, list[Task]]:
         for place in free:
             by_place[place].append(_task(case, other, there, place, by_place[place][0]))
     return by_place
+
+
+def own_tasks(case: Case) -> dict[str, Task]:
+    """Each bearing at the design's own diameter.  Raises NoSolution where what it carries can not be known."""
+    solved = _solved(case, case.bearings)
+    return {place: _task(case, case.bearings, solved, place) for place in PLACES}
 
 
 def tied(case: Case, place: str) -> Text:

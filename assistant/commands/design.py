@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`contralbero design`: the whole drive by one command; `--pick N` writes one of its front into the design file."""
+
+import json
+import os
+import sys
+from argparse import Namespace
+from pathlib import Path
+from typing import Any
+
+from assistant.commands.check import changed
+from assistant.plain import print_summary, table_json, table_lines
+from assistant.saving import differences, edited_text, spare, write_asked
+from calc.design_file import Document, read
+from calc.optimise.problem import Problem
+from calc.optimise.run import Found, Table, asked, search
+from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
+from calc.sheet.errors import BadInput, InputError, NoSolution
+from calc.sheet.text import Text
+from calc.solve import solve
+
+SECONDS = 2.0  # a class, about
+
+
+def run(given: Namespace) -> int:
+    document, _ = changed(read(given.file), [])
+    if given.out is None and not given.dry:
+        raise BadInput("contralbero design", [InputError(0, "", "", Text("needs --out FOLDER, where the drives are put; or --dry"))])
+    try:
+        problem, _ = asked(document, own_keys(given))
+        if given.pick is not None:
+            return _pick(given, document, problem)
+        if given.dry:
+            return _dry(problem)
+        return _search(given, problem)
+    except NoSolution as none:
+        print(f"{given.file}: {none}", file=sys.stderr)
+        return 3
+
+
+def own_keys(given: Namespace) -> dict[str, object]:
+    """The keys of [optimise] that stand on the command line."""
+    found: dict[str, object] = {}
+    if given.objectives:
+        found["objectives"] = [one.strip() for one in given.objectives.split(",")]
+    if given.limit:
+        found["limits"] = list(given.limit)
+    if given.rows is not None:
+        found["rows"] = given.rows
+    errors: list[InputError] = []
+    for name in ("most", "least"):
+        if getattr(given, name):
+            found[name] = dict(_bound(one, f"--{name}", errors) for one in getattr(given, name))
+    if given.vary:
+        found["vary"] = dict(_vary(one, errors) for one in given.vary)
+    if given.rows is not None and not 1 <= given.rows <= 2000:
+        errors.append(InputError(0, "--rows", str(given.rows), Text("must be a whole number from 1 to 2000")))
+    if errors:
+        raise BadInput("contralbero design", errors)
+    return found
+
+
+def _bound(text: str, option: str, errors: list[InputError]) -> tuple[str, float]:
+    name, _, number = text.partition("=")
+    try:
+        return name.strip(), float(number)
+    except ValueError:
+        errors.append(InputError(0, option, text, Text("must be NAME=NUMBER, like seat_mm=82")))
+        return name.strip(), 0.0
+
+
+def _vary(text: str, errors: list[InputError]) -> tuple[str, object]:
+    """KEY=LO:HI:STEP, KEY=A,B or KEY=fixed; pairs of fits or surfaces are joined by a stroke: IT6/IT7."""
+    key, _, rest = text.partition("=")
+    key, rest = key.strip(), rest.strip()
+    if rest == "fixed":
+        return key, rest
+    parts = rest.split(":")
+    try:
+        if len(parts) == 3:
+            low, high, step = map(float, parts)
+            return key, {"from": low, "to": high, "step": step}
+    except ValueError:
+        parts = []
+    if not rest or len(parts) != 1:
+        errors.append(InputError(0, "--vary", text, Text("must be KEY=LO:HI:STEP, KEY=VALUE,VALUE,… or KEY=fixed")))
+        return key, ["?"]
+    return key, [_value(one.strip()) for one in rest.split(",")]
+
+
+def _value(text: str) -> Any:
+    if "/" in text:
+        return [_value(one) for one in text.split("/")]
+    try:
+        return int(text) if text.lstrip("+-").isdigit() else float(text)
+    except ValueError:
+        return text
+
+
+def _dry(problem: Problem) -> int:
+    for line in said(problem):
+        print(line)
+    classes = len(problem.classes)
+    print(Text("{classes} classes, about {seconds} s for one process", classes=classes, seconds=f"{SECONDS * classes + 5:.0f}"))
+    return 0
+
+
+def _search(given: Namespace, problem: Problem) -> int:
+    folder = Path(given.out)
+    if folder.exists() and not folder.is_dir():
+        raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
+    quiet = given.json
+    processes = given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
+    if not quiet:
+        print(Text("{n} classes, {processes} processes", n=len(problem.classes), processes=processes), end="; ")
+        print(Text("Ctrl-C keeps what there is by then"), flush=True)
+
+    def told(done: int, known: Table, name: str) -> None:
+        if quiet:
+            return
+        best = _best(problem, known)
+        print(
+            f"  {done}/{len(problem.classes)}  {name}: {power_of_ten(known.combinations)}, {Text('front {n}', n=len(known))}{best}",
+            flush=True,
+        )
+
+    found = search(problem, processes, folder / "parts", told)
+    if not found.drives:
+        return nothing(given, found)
+    write(folder, found)
+    if quiet:
+        print(json.dumps(json.loads(json_text(found)) | {"table": table_json(table(found))}, ensure_ascii=False, indent=1))
+        return 0
+    title, *lines = table_lines(table(found))
+    print(f"\n{title}")
+    print("\n".join(lines))
+    print(f"\n{stood(found)}")
+    check, pick = f"contralbero check {given.out}/001.toml", f"contralbero design {given.file} --out {given.out} --pick 1"
+    print(Text("`{check}` is one of them; `{pick}` writes it into the file.", check=check, pick=pick))
+    return 0
+
+
+def _best(problem: Problem, known: Table) -> str:
+    import numpy as np
+
+    finite = known.objectives[np.isfinite(known.objectives).all(1)]
+    if not len(finite):
+        return ""
+    units = {"power": "W", "mass": "kg", "seat": "mm"}
+    least = finite.min(0)
+    return "; " + " · ".join(f"{least[n]:.4g} {units[name]}" for n, name in enumerate(problem.objectives) if name in units)
+
+
+def write(folder: Path, found: Found) -> None:
+    """Every drive as a design of its own, then the front."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.glob("[0-9][0-9][0-9].toml"):
+        old.unlink()
+    for n, one in enumerate(found.drives, 1):
+        write_asked(folder / f"{n:03d}.toml", drive_text(found.problem, one.document), backup=False)
+    write_asked(folder / "front.csv", csv_text(found), backup=False)
+    write_asked(folder / "front.json", json_text(found), backup=False)
+
+
+def drive_text(problem: Problem, drive: Document) -> str:
+    """A drive as an ordinary design file: the user's own with its keys changed, comments kept."""
+    return edited_text(problem.start.raw.decode("utf-8"), differences(read_data(problem), drive.data))
+
+
+def read_data(problem: Problem) -> dict[str, Any]:
+    import tomllib
+
+    return tomllib.loads(problem.start.raw.decode("utf-8-sig"))
+
+
+def _pick(given: Namespace, document: Document, problem: Problem) -> int:
+    """Drive N of the folder into the file, or into another."""
+    folder, source = Path(given.out or "."), Path(given.file)
+    row = folder / f"{given.pick:03d}.toml"
+    try:
+        about = json.loads((folder / "front.json").read_text("utf-8"))
+        text = row.read_text("utf-8")
+    except (OSError, ValueError):
+        raise BadInput(
+            "--pick", [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))]
+        ) from None
+    if about.get("design") != document.sha256:
+        why = Text("was searched for another version of {file}: run the search again", file=given.file)
+        raise BadInput(str(folder), [InputError(0, "--pick", str(given.pick), why)])
+    target = Path(given.output) if given.output else source
+    if given.output:
+        spare(target, given.file)
+    write_asked(target, text)
+    print(Text("{target} is now drive {n} of {folder}", target=str(target), n=given.pick, folder=str(folder)), end="")
+    print("" if given.output else Text("; as it was before: {file}.bak", file=str(target)))
+    print_summary(solve(changed(read(target), [])[1]))
+    return 0
+
+
+def nothing(given: Namespace, found: Found) -> int:
+    """Exit 3, with what stops the search."""
+    print(Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr)
+    for n, why in found.table.refused:
+        print(f"  {n + 1}: {why}", file=sys.stderr)
+    for one in found.dropped[:5]:
+        print(f"  {', '.join(one.broken[:4])}", file=sys.stderr)
+    return 3

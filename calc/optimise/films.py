@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: Apache-2.0
+"""One journal over diameter, length and clearance: what it rubs, and the slope that its film still bears.
+
+The films and the rules are those of the search for bearings, in its states at the corners of the tolerances.  Only the film at the edge
+knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·h_K.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from ..bearings import formulas as f
+from ..bearings.selection.grid import KEPT, LENGTH_STEP, OF_FILM, clearances, field_over, widest_usual
+from ..bearings.selection.states import Task, judge
+from ..bearings.selection.variants import SUPPLIES, Variant
+from ..journal_rules import SUPPLY_WIDTH
+from ..sheet.arrays import Array, BoolArray
+from ..sheet.record import record
+from ..sheet.search import multiples
+from ..sheet.units import Metre, Number, Radian
+
+ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")  # rules that do not know the slope
+
+
+@record
+class Films:
+    """One journal at one diameter; arrays: clearances down, lengths across.
+
+    `power` as given; `once` and `twice`: thinnest film of all corners, at the load and at twice the load; `kept`: every rule that knows
+    neither slope nor margin.
+    """
+
+    task: Task
+    length: Array  # (n,)
+    clearance: Array  # (m,)
+    power: Array
+    once: Array
+    twice: Array
+    kept: BoolArray
+    double: Metre  # what the film must keep at twice the load
+
+    def bears(self, h_K: Metre, margin: Number, limit: Radian) -> Array:
+        """The slope that each candidate bears with a margin on all its films and on the slope itself; −∞ where it bears none."""
+        slope = np.minimum(2 * (self.once - (1 + margin) * h_K) / self.length, (1 - margin) * limit)
+        bearing: Array = np.where(self.kept & (self.twice >= (1 + margin) * self.double * (1 + KEPT)) & (slope >= 0), slope, -np.inf)
+        return bearing
+
+
+def asked_film(task: Task, surfaces: tuple[Metre, Metre]) -> Metre:
+    """The film that keeps the peaks of both surfaces apart, with what the cubic between lengths may be off."""
+    return f.kreisle_film(k_R=task.seat.inputs.roughness_ratio, Ra_1=surfaces[0], Ra_2=surfaces[1]) * (1 + KEPT)
+
+
+def films(task: Task, variant: Variant, length: Array, advice: Sequence[str]) -> Films | None:
+    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left."""
+    g = clearances(task, widest_usual(task))
+    field = field_over(task, variant, length, g)
+    if field is None:
+        return None
+    states = field.states
+    once = sum(state.times == 1 for state in task.states)
+    wanted = (*ALWAYS, *(key for key in task.rules if key in advice))
+    with np.errstate(all="ignore"):
+        judged = {one.rule.key: one.margin for one in judge(task, states, 0.0) if one.rule.key in wanted}
+    shape = states.film.shape[1:]
+    kept = np.ones(shape, dtype=bool)
+    for key, margin in judged.items():
+        kept &= np.broadcast_to(margin, shape) >= (KEPT if key in OF_FILM else 0.0)
+    if "supply_range" in advice and (width := _supply_width(task)) is not None:
+        kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
+    thin, thin_twice = (np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], states.film[once:]))
+    return Films(task, length, g, np.broadcast_to(states.power, shape), thin, thin_twice, kept, f.trumpler_film(d=task.diameter))
+
+
+def lengths(task: Task, longest: Metre, ratios: tuple[Number, Number]) -> Array:
+    """Whole steps within l/d `ratios` and up to the longest that the sectors leave."""
+    d, width = task.diameter, _supply_width(task) or 0.0
+    return multiples(LENGTH_STEP, max(ratios[0] * d, width + LENGTH_STEP), min(ratios[1] * d, longest))
+
+
+def _supply_width(task: Task) -> Metre | None:
+    """Of hole or pocket; None of a groove."""
+    inputs = task.seat.inputs
+    width: Metre | None = getattr(inputs, SUPPLIES[inputs.supply])
+    return None if inputs.supply == "groove" else width

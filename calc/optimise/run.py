@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The whole search: every class, over processes where asked, their fronts joined, and rows solved whole until enough of them stand for all.
+
+A class is the unit of work: it keeps no state, gives the same rows wherever it runs, and its result may be kept in a file, so that a run
+that was ended goes on where it stood.  Whatever the order in which classes come back, what is offered depends on the problem alone.
+"""
+
+import hashlib
+import json
+import signal
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
+from multiprocessing import get_context
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from ..design_file import Document, design
+from ..gears.result import TrainResult
+from ..sheet.arrays import Array
+from ..sheet.errors import NoSolution
+from ..sheet.record import record
+from ..sheet.text import EMPTY, Text
+from ..solve import Results, solve
+from ..step_inputs import shaft_gear
+from ..version import VERSION
+from .classes import ClassFront, NotClosed, class_of, sized
+from .combine import Rows, joined
+from .front import front, representatives
+from .problem import Problem
+from .problem import problem as problem_of
+from .whole import Sized, Whole, whole
+
+NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
+LOSSES = 2  # of the workers that a class may cost
+Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
+
+
+@record
+class Table:
+    """The front of all classes on arrays, from which whole solutions are chosen.  `objectives`: a column each, to be as small as can be."""
+
+    rows: Rows
+    of: Array  # the class of each row
+    objectives: Array
+    combinations: int
+    refused: tuple[tuple[int, Text], ...]  # classes without rows, and why
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+
+@record
+class Found:
+    """`drives`: those that pass, solved whole, least power first; `dropped`: rows of the tables that did not.  `done`: of the classes."""
+
+    problem: Problem
+    table: Table
+    drives: tuple[Whole, ...]
+    dropped: tuple[Whole, ...]
+    done: int
+
+    @property
+    def whole(self) -> bool:
+        return self.done == len(self.problem.classes)
+
+
+def asked(document: Document, said: dict[str, object]) -> tuple[Problem, Results]:
+    """The problem of a design, and the design solved as it is."""
+    made = design(document)
+    results = solve(made)
+    gear = shaft_gear(made, results.result(TrainResult))
+    return problem_of(document, gear.tip_diameter * 1e3 if gear is not None else None, said), results
+
+
+# --- the classes ------------------------------------------------------------------------------------------------------------
+def one_class(problem: Problem, n: int) -> ClassFront:
+    """One class; why it has no rows where its loads or its envelope have no solution."""
+    try:
+        return class_of(problem, problem.classes[n])
+    except NotClosed:
+        raise
+    except NoSolution as none:
+        return ClassFront(joined([_none()]), 0, (0.0, 1.0), none.text)
+
+
+def _none() -> Rows:
+    return Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
+
+
+def classes(problem: Problem, processes: int = 1, parts: Path | None = None) -> Iterator[tuple[int, ClassFront]]:
+    """Every class as it is done.  `parts`: a folder in which results are kept and looked for."""
+    waiting = []
+    for n in range(len(problem.classes)):
+        if (known := _kept(problem, n, parts)) is not None:
+            yield n, known
+        else:
+            waiting.append(n)
+    done = _serial(problem, waiting) if processes <= 1 or len(waiting) <= 1 else _parallel(problem, waiting, processes)
+    for n, one in done:
+        _keep(problem, n, one, parts)
+        yield n, one
+
+
+def _serial(problem: Problem, waiting: list[int]) -> Iterator[tuple[int, ClassFront]]:
+    return ((n, one_class(problem, n)) for n in waiting)
+
+
+def _parallel(problem: Problem, waiting: list[int], processes: int) -> Iterator[tuple[int, ClassFront]]:
+    """Over processes; what a lost worker had is done again by another."""
+    lost = dict.fromkeys(waiting, 0)
+    left = set(waiting)
+    while left:
+        pool = ProcessPoolExecutor(min(processes, len(left)), get_context("spawn"), signal.signal, (signal.SIGINT, signal.SIG_IGN))
+        running: dict[Future[ClassFront], int] = {}
+        try:
+            running = {pool.submit(one_class, problem, n): n for n in sorted(left)}
+            pending = set(running)
+            while pending:
+                finished, pending = wait(pending, return_when=FIRST_COMPLETED)
+                for future in finished:
+                    result = future.result()
+                    left.discard(running[future])
+                    yield running[future], result
+        except BrokenProcessPool:
+            for n in left:
+                lost[n] += 1
+            if max(lost[n] for n in left) > LOSSES:
+                raise
+        finally:
+            pool.shutdown(wait=False, cancel_futures=True)
+
+
+# --- what is kept ---------------------------------------------------------------------------------------------------------------
+def key(problem: Problem) -> str:
+    """What a kept result holds for: the values of the design, what is varied, the program's version."""
+    what = [VERSION, problem.start.data, problem.sizes, problem.choices, problem.surfaces, problem.margins, problem.limits, problem.waived]
+    return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
+
+
+def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
+    """A result that is whole and of this problem; None: it is to be done."""
+    if parts is None:
+        return None
+    try:
+        with np.load(parts / f"{key(problem)}-{n}.npz", allow_pickle=False) as file:
+            rows = Rows(**{name: file[name] for name in Rows.__dataclass_fields__})
+            if len({len(column) for column in vars(rows).values()}) != 1:
+                return None
+            count, c, a = (float(x) for x in file["about"])
+            return ClassFront(rows, int(count), (c, a), Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
+    except (OSError, ValueError, KeyError, EOFError):
+        return None
+    except Exception as broken:  # a zip file that was cut off, in any of the ways in which numpy says so
+        if type(broken).__name__ in ("BadZipFile", "error"):
+            return None
+        raise
+
+
+def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None:
+    if parts is None:
+        return
+    parts.mkdir(parents=True, exist_ok=True)
+    path = parts / f"{key(problem)}-{n}.npz"
+    draft = path.with_suffix(".new")
+    with open(draft, "wb") as file:
+        np.savez(file, about=np.array([one.combinations, *one.crank]), why=np.array(str(one.why)), **vars(one.rows))
+    draft.replace(path)
+
+
+# --- the front ----------------------------------------------------------------------------------------------------------------
+def table(problem: Problem, done: dict[int, ClassFront]) -> Table:
+    """The rows of all classes that no other beats in the objectives, within their hard ends."""
+    parts, of, columns = [_none()], [np.zeros(0)], [np.zeros((0, len(problem.objectives)))]
+    for n in sorted(done):
+        one = done[n]
+        if len(one.rows):
+            parts.append(one.rows)
+            of.append(np.full(len(one.rows), n))
+            columns.append(_objectives(problem, n, one))
+    rows, which, objectives = joined(parts), np.concatenate(of).astype(int), np.concatenate(columns)
+    kept = front(objectives) if len(rows) else np.zeros(0, dtype=int)
+    refused = tuple((n, one.why) for n, one in sorted(done.items()) if not len(one.rows))
+    return Table(rows.at(kept), which[kept], objectives[kept], sum(one.combinations for one in done.values()), refused)
+
+
+def _objectives(problem: Problem, n: int, one: ClassFront) -> Array:
+    """Column by column, margin with its sign turned; what lies beyond a hard end is infinite."""
+    rows, (c, a), choices = one.rows, one.crank, problem.classes[n]
+    prices = np.array([problem.price(choices, surface) or 0.0 for surface in problem.surfaces])
+    known = {
+        "power": c + a * rows.power, "mass": rows.mass, "seat": rows.seat * 1e3, "price": prices[rows.surface.astype(int)],
+        "margin": -rows.margin * 100,
+    }  # fmt: skip
+    beyond = np.zeros(len(rows), dtype=bool)
+    for name, bound in problem.most.items():
+        beyond |= known[name] > (bound if name != "margin" else -bound) + 1e-6
+    columns: Array = np.stack([known[name] for name in problem.objectives], 1)
+    columns[beyond] = np.inf
+    return columns
+
+
+def _sized(problem: Problem, known: Table, place: int) -> Sized:
+    return sized(problem, problem.classes[int(known.of[place])], known.rows, place)
+
+
+def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None) -> tuple[list[Whole], list[Whole]]:
+    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its nearest neighbours."""
+    units = np.array([problem.units[name] for name in problem.objectives])
+    finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
+    wanted = [int(finite[n]) for n in representatives(known.objectives[finite], units, problem.rows)]
+    drives: dict[int, Whole] = {}
+    dropped: list[Whole] = []
+    tried: set[int] = set()
+    before: Results | None = None
+    for count, first in enumerate(wanted):
+        if told is not None:
+            told(count, len(wanted))
+        far = np.abs((known.objectives[finite] - known.objectives[first]) / units).max(1)
+        nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
+        for place in [first, *(n for n in nearest if n != first and n not in wanted)][: NEIGHBOURS + 1]:
+            if place in tried:
+                continue
+            tried.add(place)
+            one, results = whole(problem, _sized(problem, known, place), before)
+            before = results or before
+            if not one.broken:
+                drives[place] = one
+                break
+            dropped.append(one)
+    return _exact_front(problem, list(drives.values())), dropped
+
+
+def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
+    """Those that no other beats in the numbers of the whole solutions, least power first."""
+    if not drives:
+        return []
+    rows = np.array([[(-1 if name == "margin" else 1) * one.objectives[name] for name in problem.objectives] for one in drives])
+    kept = [drives[int(n)] for n in front(np.round(rows, 9))]
+    return sorted(kept, key=lambda one: (one.objectives["power"], one.objectives["mass"], str(one.changes)))
+
+
+def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
+    solving: Callable[[int, int], None] | None = None) -> Found:  # fmt: skip
+    """The front of whole drives.  A KeyboardInterrupt while classes are done ends them; what is known by then is solved whole and given."""
+    done: dict[int, ClassFront] = {}
+    try:
+        for n, one in classes(problem, processes, parts):
+            done[n] = one
+            if told is not None:
+                told(len(done), table(problem, done), named(problem.classes[n]))
+    except KeyboardInterrupt:
+        if not done:
+            raise
+    known = table(problem, done)
+    drives, dropped = solved(problem, known, solving)
+    return Found(problem, known, tuple(drives), tuple(dropped), len(done))
+
+
+def named(choices: dict[str, Any]) -> str:
+    """A class in a few words: its choices."""
+    return ", ".join("/".join(map(str, value)) if isinstance(value, list) else str(value) for value in choices.values())
