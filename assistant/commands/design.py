@@ -13,7 +13,7 @@ from assistant.plain import print_summary, table_json, table_lines
 from assistant.saving import differences, edited_text, spare, write_asked
 from calc.design_file import Document, read
 from calc.optimise.problem import Problem
-from calc.optimise.run import Found, Table, asked, search
+from calc.optimise.run import Found, Table, asked, named, search
 from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
 from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
@@ -198,10 +198,27 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
 
 
 def nothing(given: Namespace, found: Found) -> int:
-    """Exit 3, with what stops the search."""
-    print(Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr)
-    for n, why in found.table.refused:
-        print(f"  {n + 1}: {why}", file=sys.stderr)
-    for one in found.dropped[:5]:
-        print(f"  {', '.join(one.broken[:4])}", file=sys.stderr)
+    """Exit 3: what stops the search, and what alone would have to give way."""
+    from calc.optimise.relax import refusal
+
+    print(Text("nothing passes: {n} combinations", n=power_of_ten(found.table.combinations)), file=sys.stderr, flush=True)
+    for why, first in {str(why): n for n, why in reversed(found.table.refused)}.items():
+        print(f"  {named(found.problem.classes[first])}: {why}", file=sys.stderr)
+    why_not = refusal(found)
+    if why_not.always:
+        print(Text("every drive that was solved whole breaks {ids}", ids=", ".join(why_not.always)), file=sys.stderr)
+        print(Text("nothing that is varied moves it: `contralbero check {file}` says how to repair it", file=given.file), file=sys.stderr)
+        return 3
+    if why_not.miss is not None:
+        print(Text("the nearest lacks a margin of {miss} % on its films or slopes", miss=f"{why_not.miss * 100:.1f}"), file=sys.stderr)
+    if why_not.lines:
+        print(Text("One requirement alone would have to give way, all else as it is:"), file=sys.stderr)
+    for line in why_not.lines:
+        beside = [str(one) for one in (line.beside,) if one]
+        beside += [str(Text("then breaks {ids}", ids=", ".join(line.broken)))] if line.broken else []
+        print(f"  {line.key:<34} {line.change}" + (f"   ({'; '.join(beside)})" if beside else ""), file=sys.stderr)
+    if why_not.also:
+        print(Text("every one of them then breaks {ids}: repair these first", ids=", ".join(why_not.also)), file=sys.stderr)
+    if why_not.useless:
+        print(Text("No help alone: {ways}.", ways=", ".join(map(str, why_not.useless))), file=sys.stderr)
     return 3

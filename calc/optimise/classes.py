@@ -12,6 +12,7 @@ from ..countershaft.result import CountershaftResult
 from ..design import Design
 from ..design_file import Document, design
 from ..gears.result import TrainResult
+from ..journal_rules import USUAL_LENGTH_RATIO
 from ..lubricant import Lubricant
 from ..selection import bearings_case
 from ..sheet.arrays import Array
@@ -48,7 +49,7 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
     small = "front" if problem.seat == "rear" else "rear"
     diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
-    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, {p: round(0.5 * d, 1) for p, d in diameter.items()},
+    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, {p: round(USUAL_LENGTH_RATIO[0] * d, 1) for p, d in diameter.items()},
         {p: round(1.5 * d, 1) for p, d in diameter.items()}, None)  # fmt: skip
     document, _ = written(problem, sized)
     return document
@@ -66,8 +67,8 @@ def not_closed(made: Design, results: Results) -> Text:
         return Text("further elements stand on the shaft")
     if bearings.supply == "axial_groove":
         return Text("films between axial grooves are not known on arrays")
-    if bearings.slope is not None or any(getattr(bearings, place).load is not None for place in ("front", "rear")):
-        return Text("loads or slopes of the bearings are given")
+    if any(getattr(bearings, place).load is not None for place in ("front", "rear")):
+        return Text("loads of the bearings are given")
     if solved is not None and solved.force * (shaft.bearing_positions[1] - shaft.bearing_positions[0]) > PURE * solved.couple:
         return Text("the shaft takes a force beside the couple")
     return EMPTY
@@ -76,13 +77,22 @@ def not_closed(made: Design, results: Results) -> Text:
 def class_of(problem: Problem, choices: dict[str, Any]) -> ClassFront:
     """The front of one class on arrays.  Raises NoSolution where its loads can not be known, or the closed form does not hold."""
     with untraced():
-        made, results = _solved(problem, choices)
-        drive = drive_of(made, results)
-        sizes = sizes_of(problem, made, results, drive)
+        drive, sizes = _put(problem, choices)
         rows, count = class_front(drive, sizes), combinations(sizes)
         if not len(rows):
             return ClassFront(rows, count, (0.0, 1.0), Text("no combination bears its slopes with its films"))
         return ClassFront(rows, count, _line(problem, choices, rows))
+
+
+def class_with(problem: Problem, choices: dict[str, Any]) -> Rows:
+    """Its rows alone."""
+    return class_front(*_put(problem, choices))
+
+
+def _put(problem: Problem, choices: dict[str, Any]) -> tuple[Drive, Sizes]:
+    made, results = _solved(problem, choices)
+    drive = drive_of(made, results)
+    return drive, sizes_of(problem, made, results, drive)
 
 
 def _solved(problem: Problem, choices: dict[str, Any]) -> tuple[Design, Results]:

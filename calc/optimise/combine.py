@@ -119,7 +119,7 @@ def _of_surface(drive: Drive, sizes: Sizes, surface: int) -> Iterator[Rows]:
 def _table(sizes: Sizes, films: Films, own: Array, surface: int, margin: Number) -> Array:
     """Least power of each length over the steps of the slope; `own`: what the journal's own bending adds, by length."""
     net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - own * TURNING
-    step = np.floor(net / (sizes.limit / STEPS))
+    step = np.minimum(np.floor(net / (sizes.limit / STEPS)), STEPS)
     table = np.full((films.length.size, STEPS + 1), np.inf)
     i, k = np.nonzero(step >= 0)
     np.minimum.at(table, (k, step[i, k].astype(int)), films.power[i, k])

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..bearings import formulas as f
-from ..bearings.selection.grid import KEPT, LENGTH_STEP, OF_FILM, clearances, field_over, widest_usual
+from ..bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, widest_usual
 from ..bearings.selection.states import Task, judge
 from ..bearings.selection.variants import SUPPLIES, Variant
 from ..journal_rules import SUPPLY_WIDTH
@@ -52,8 +52,17 @@ def asked_film(task: Task, surfaces: tuple[Metre, Metre]) -> Metre:
 
 
 def films(task: Task, variant: Variant, length: Array, advice: Sequence[str]) -> Films | None:
-    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left."""
-    g = clearances(task, widest_usual(task))
+    """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left.
+
+    Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for bearings.
+    """
+    usual = _films(task, variant, length, clearances(task, widest_usual(task)), advice)
+    if usual is not None and usual.kept.any():
+        return usual
+    return _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice)
+
+
+def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequence[str]) -> Films | None:
     field = field_over(task, variant, length, g)
     if field is None:
         return None

@@ -32,7 +32,8 @@ def front(rows: Array) -> IndexArray:
 
 def _beaten(rows: Array, others: Array) -> BoolArray:
     """[row, other]: whether the other is nowhere larger."""
-    return np.logical_and.reduce([others[None, :, n] <= rows[:, None, n] for n in range(rows.shape[1])])
+    beaten: BoolArray = np.logical_and.reduce([others[None, :, n] <= rows[:, None, n] for n in range(rows.shape[1])])
+    return beaten
 
 
 def lower_left(x: Array, y: Array) -> IndexArray:

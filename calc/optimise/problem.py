@@ -38,8 +38,9 @@ LIMITS = (
 MARGIN_OF = ("bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.film_edge_standing", "countershaft.slope_*")
 MARGINS = (0.0, 0.05, 0.1, 0.2, 0.3)
 UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("EUR", 3.0), "margin": ("%", 10.0)}
-CORE_SHARE = (0.25, 0.55)  # of the outer radius; rule of this program
-SEAT_REACH = 6.0  # mm about the design's; rule of this program
+CORE_SHARE = (0.25, 0.55)  # of the outer radius, and a tenth of it about the design's own; rule of this program
+SEAT_REACH = 6.0  # mm beyond the design's; rule of this program
+LEAST_SEAT = 0.75  # of the design's; rule of this program
 STEP = 0.5  # mm
 ROOM = 0.1  # mm about the gear's tip in its seat
 LEAST_SHARE = 0.6  # of the design's smaller journal, where no gear goes through its seat; rule of this program
@@ -182,6 +183,9 @@ def _sized(document: Document, made: Design) -> tuple[Document, list[Text]]:
                 start = start.with_value(f"countershaft.{key}", round(number * 1e3, 6))
         start = start.with_value("countershaft.mode", "size")
         said.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
+    if bearings.slope is not None:
+        start = start.with_value("bearings.slope_mrad", None)
+        said.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
     for key in ("journal_fit", "seat_fit"):
         start = start.with_value(f"bearings.{key}", str(getattr(bearings, key)))
     support = shaft.support
@@ -243,13 +247,14 @@ class _Reader:
         small = "front" if self.seat == "rear" else "rear"
         threaded = (THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance) * 1e3
         R = own[self.seat] / 2 - threaded
+        core = (self.shaft.core_radius or 0.0) * 1e3 / R
         most = min(own[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))  # type: ignore[attr-defined]
         through = self.tip if self.tip is not None and small == "front" else None  # the gear goes through the front seat
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * own[small]
-        seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(own[self.seat] - SEAT_REACH, most))
+        seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * own[self.seat], most))
         seats = tuple(d for d in seats if d <= most + 1e-9)
         found: dict[str, tuple[float, ...] | None] = {
-            CORE: self.values(CORE, _steps(CORE_SHARE[0] * R, CORE_SHARE[1] * R)),
+            CORE: self.values(CORE, _steps(max(min(CORE_SHARE[0], core - 0.1), 0.05) * R, min(max(CORE_SHARE[1], core + 0.1), 0.95) * R)),
             f"bearings.{self.seat}.diameter_mm": seats,
             f"bearings.{small}.diameter_mm": self.values(f"bearings.{small}.diameter_mm", _steps(least, max(seats, default=0.0))),
         }

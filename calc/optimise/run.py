@@ -35,6 +35,7 @@ from .whole import Sized, Whole, whole
 
 NEIGHBOURS = 3  # of a row that fails when it is solved whole, are tried in its place
 LOSSES = 2  # of the workers that a class may cost
+HOPELESS = 6  # rows that fail whole by one and the same check: nothing that is varied moves it
 Told = Callable[[int, "Table", str], None]  # classes that are done, what they have given together, and the last one's name
 
 
@@ -220,6 +221,8 @@ def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | No
             told(count, len(wanted))
         far = np.abs((known.objectives[finite] - known.objectives[first]) / units).max(1)
         nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
+        if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
+            break
         for place in [first, *(n for n in nearest if n != first and n not in wanted)][: NEIGHBOURS + 1]:
             if place in tried:
                 continue
