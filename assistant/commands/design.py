@@ -12,6 +12,7 @@ from assistant.commands.check import changed
 from assistant.plain import print_summary, table_json, table_lines
 from assistant.saving import differences, edited_text, spare, write_asked
 from calc.design_file import Document, read
+from calc.optimise.classes import NotClosed
 from calc.optimise.problem import Problem
 from calc.optimise.run import Found, Table, asked, named, search
 from calc.optimise.telling import csv_text, json_text, power_of_ten, said, stood, table
@@ -47,6 +48,8 @@ def own_keys(given: Namespace) -> dict[str, object]:
         found["limits"] = list(given.limit)
     if given.rows is not None:
         found["rows"] = given.rows
+    if given.seed is not None:
+        found["seed"] = given.seed
     errors: list[InputError] = []
     for name in ("most", "least"):
         if getattr(given, name):
@@ -124,7 +127,10 @@ def _search(given: Namespace, problem: Problem) -> int:
             flush=True,
         )
 
-    found = search(problem, processes, folder / "parts", told)
+    try:
+        found = search(problem, processes, folder / "parts", told, scheduler=given.scheduler or "")
+    except NotClosed as why:
+        found = _without_proof(given, problem, why)
     if not found.drives:
         return nothing(given, found)
     write(folder, found)
@@ -138,6 +144,23 @@ def _search(given: Namespace, problem: Problem) -> int:
     check, pick = f"contralbero check {given.out}/001.toml", f"contralbero design {given.file} --out {given.out} --pick 1"
     print(Text("`{check}` is one of them; `{pick}` writes it into the file.", check=check, pick=pick))
     return 0
+
+
+def _without_proof(given: Namespace, problem: Problem, why: NotClosed) -> Found:
+    """Where the closed form does not hold: said at once, with what it means."""
+    from calc.optimise.evolve import EVALUATIONS, evolved
+
+    evaluations = given.evaluations or EVALUATIONS
+    if not given.json:
+        print(
+            Text("{why}: its front can not be proved; a search over {n} whole solutions instead", why=why.text, n=evaluations), flush=True
+        )
+
+    def told(done: int, most: int, passing: int) -> None:
+        if not given.json:
+            print(Text("  {done} of {most} solved, {passing} pass", done=done, most=most, passing=passing), flush=True)
+
+    return evolved(problem, evaluations, problem.seed, told)
 
 
 def _best(problem: Problem, known: Table) -> str:

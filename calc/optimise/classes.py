@@ -26,7 +26,7 @@ from .combine import Rows, Sizes, class_front, combinations
 from .films import Films, films, lengths
 from .problem import CORE, Problem
 from .shafts import Drive
-from .whole import Sized, journals_power, power, whole, written
+from .whole import Sized, journals_power, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
 ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
@@ -155,7 +155,7 @@ def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, 
     for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, longest)
-        if l.size and (one := films(at, variant, l, advice)) is not None and one.kept.any():
+        if l.size and (one := films(at, variant, l, advice, problem.cycle)) is not None and one.kept.any():
             found.append(one)
     return found
 
@@ -179,9 +179,9 @@ def _line(problem: Problem, choices: dict[str, Any], rows: Rows) -> tuple[float,
     """Crank power is a straight line over the power of both journals: through two rows that are solved whole."""
     points = []
     for n in dict.fromkeys([int(rows.power.argmin()), int(rows.power.argmax())]):
-        _, results = whole(problem, sized(problem, choices, rows, n))
-        if results is not None and all(results.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction")):
-            points.append((journals_power(results), power(results)))
+        one, results = whole(problem, sized(problem, choices, rows, n))
+        if results is not None and one.objectives:
+            points.append((float(rows.power[n]) if problem.cycle else journals_power(results), one.objectives["power"]))
     if len(points) == 2 and points[1][0] > points[0][0]:
         slope = (points[1][1] - points[0][1]) / (points[1][0] - points[0][0])
         return points[0][1] - slope * points[0][0], slope

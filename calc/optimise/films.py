@@ -6,6 +6,7 @@ knows the slope, and it does so in closed form: h − θ·l/2 ≥ (1 + margin)·
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -13,6 +14,8 @@ from ..bearings import formulas as f
 from ..bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, widest_usual
 from ..bearings.selection.states import Task, judge
 from ..bearings.selection.variants import SUPPLIES, Variant
+from ..bearings.routes.states import OperatingPoint
+from ..bearings.sweep import at_speeds
 from ..journal_rules import SUPPLY_WIDTH
 from ..sheet.arrays import Array, BoolArray
 from ..sheet.record import record
@@ -51,15 +54,39 @@ def asked_film(task: Task, surfaces: tuple[Metre, Metre]) -> Metre:
     return f.kreisle_film(k_R=task.seat.inputs.roughness_ratio, Ra_1=surfaces[0], Ra_2=surfaces[1]) * (1 + KEPT)
 
 
-def films(task: Task, variant: Variant, length: Array, advice: Sequence[str]) -> Films | None:
+Cycle = Sequence[tuple[float, float]]
+
+
+def films(task: Task, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = ()) -> Films | None:
     """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left.
+
+    `cycle`: speeds over the rated one with their shares, over which the power is a mean.
 
     Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for bearings.
     """
-    usual = _films(task, variant, length, clearances(task, widest_usual(task)), advice)
-    if usual is not None and usual.kept.any():
-        return usual
-    return _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice)
+    found = _films(task, variant, length, clearances(task, widest_usual(task)), advice)
+    if found is None or not found.kept.any():
+        found = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice)
+    return found if found is None or not cycle else replace(found, power=_mean_power(found, variant, cycle))
+
+
+def _mean_power(found: Films, variant: Variant, cycle: Cycle) -> Array:
+    """Over the cycle, with the oil as it is supplied at the rated speed; not a number where a speed has no film."""
+    task, mean = found.task, np.zeros(found.power.shape)
+    for ratio, share in cycle:
+        duty = task.duty
+        at = at_speeds(
+            task.seat, duty.speed, duty, each_of(duty.speed * ratio), each_of(duty.supply_temperature), each_of(duty.supply_pressure)
+        )
+        slower = replace(task, duty=OperatingPoint(**{name: float(np.ravel(x)[0]) for name, x in vars(at).items()}), corners=False)
+        field = field_over(slower, variant, found.length, found.clearance)
+        assert field is not None
+        mean += share * np.broadcast_to(field.states.power, mean.shape)
+    return np.where(np.isnan(mean), np.inf, mean)
+
+
+def each_of(number: float) -> Array:
+    return np.array([number])
 
 
 def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequence[str]) -> Films | None:

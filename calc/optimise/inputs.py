@@ -25,6 +25,14 @@ class Price:
 
 
 @inputs
+class CyclePoint:
+    """How long the machine runs at a speed."""
+
+    speed: float = quantity("Speed", "rpm", above=0, high=30000, symbol="n", help="Of the crank.")
+    hours: float = quantity("Hours", above=0, high=1e9, help="Of a day, a year or a life: only their shares count.")
+
+
+@inputs
 class OptimiseInputs:
     """The search for whole drives: objectives, ranges, requirements and prices, each with a rule of this program where it is left out."""
 
@@ -39,6 +47,8 @@ class OptimiseInputs:
     most: object = open_("Most of an objective", default=None, help="seat_mm, mass_kg, power_W, price_EUR.")
     least: object = open_("Least of an objective", default=None, help="margin_percent.")
     price: tuple[Price, ...] = tables("Prices", Price, default=())
+    cycle: tuple[CyclePoint, ...] = tables("Duty cycle", CyclePoint, default=(),
+        help="Speeds with their hours, over which the power is a mean. Left out: the power at the rated speed.")  # fmt: skip
 
     def problems(self) -> Iterable[tuple[str, Text]]:
         for name in ("objectives", "limits", "waive"):

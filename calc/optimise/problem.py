@@ -76,8 +76,10 @@ class Problem:
     limits: tuple[str, ...]
     waived: tuple[str, ...]
     units: dict[str, float]
+    cycle: tuple[tuple[float, float], ...]  # speed over the rated one, and share of the time; empty: the rated speed alone
     bounded: dict[str, tuple[bool, bool]]  # whether the low and the high end of a range of sizes is a limit of the design itself
     rows: int
+    seed: int
     said: tuple[Text, ...]
 
     @property
@@ -164,8 +166,20 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
     least = (own.least or {}).get("margin_percent", 0.0) / 100  # type: ignore[attr-defined]
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
     return Problem(start, made, sizes, choices, surfaces, reader.seat, objectives, margins, most | {"margin": least * 100},
-        (*LIMITS, *(own.limits or ())), tuple(own.waive or ()), {key: UNITS[key][1] for key in objectives}, reader.bounded(), own.rows,  # type: ignore[misc, arg-type]
+        (*LIMITS, *(own.limits or ())), tuple(own.waive or ()), {key: UNITS[key][1] for key in objectives}, _cycle(made, own), reader.bounded(), own.rows, own.seed,  # type: ignore[misc, arg-type]
         (*began, *reader.said))  # fmt: skip
+
+
+def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]:
+    """Raises BadInput where the speed of the drive is not the engine's to change."""
+    if not own.cycle:
+        return ()
+    bearings, gears, engine = made.bearings, made.gears, made.engine
+    if engine is None or (bearings is not None and bearings.speed is not None) or (gears is not None and gears.speed is not None):
+        why = Text("needs [engine], and no speed of its own in [bearings] or [gears]")
+        raise BadInput("design", [InputError(0, "optimise.cycle", "", why)])
+    hours = sum(point.hours for point in own.cycle)
+    return tuple((point.speed / engine.rated_speed, point.hours / hours) for point in own.cycle)
 
 
 def _sized(document: Document, made: Design) -> tuple[Document, list[Text]]:

@@ -11,6 +11,7 @@ import signal
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from importlib import import_module
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
@@ -55,13 +56,16 @@ class Table:
 
 @record
 class Found:
-    """`drives`: those that pass, solved whole, least power first; `dropped`: rows of the tables that did not.  `done`: of the classes."""
+    """`drives`: those that pass, solved whole, least power first; `dropped`: rows that did not.  `done`: of the classes.
+
+    `proved`: whether the front is that of every combination; else it is what a search came to."""
 
     problem: Problem
     table: Table
     drives: tuple[Whole, ...]
     dropped: tuple[Whole, ...]
     done: int
+    proved: bool = True
 
     @property
     def whole(self) -> bool:
@@ -91,15 +95,20 @@ def _none() -> Rows:
     return Rows(*(np.zeros(0) for _ in Rows.__dataclass_fields__))
 
 
-def classes(problem: Problem, processes: int = 1, parts: Path | None = None) -> Iterator[tuple[int, ClassFront]]:
-    """Every class as it is done.  `parts`: a folder in which results are kept and looked for."""
+def classes(
+    problem: Problem, processes: int = 1, parts: Path | None = None, scheduler: str = ""
+) -> Iterator[tuple[int, ClassFront]]:  # fmt: skip
+    """Every class as it is done.  `parts`: a folder in which results are kept and looked for; `scheduler`: address of a dask one."""
     waiting = []
     for n in range(len(problem.classes)):
         if (known := _kept(problem, n, parts)) is not None:
             yield n, known
         else:
             waiting.append(n)
-    done = _serial(problem, waiting) if processes <= 1 or len(waiting) <= 1 else _parallel(problem, waiting, processes)
+    if scheduler:
+        done = _farmed(problem, waiting, scheduler)
+    else:
+        done = _serial(problem, waiting) if processes <= 1 or len(waiting) <= 1 else _parallel(problem, waiting, processes)
     for n, one in done:
         _keep(problem, n, one, parts)
         yield n, one
@@ -134,10 +143,27 @@ def _parallel(problem: Problem, waiting: list[int], processes: int) -> Iterator[
             pool.shutdown(wait=False, cancel_futures=True)
 
 
+def _farmed(problem: Problem, waiting: list[int], address: str) -> Iterator[tuple[int, ClassFront]]:
+    """Over the workers of a dask scheduler, which does again what a lost one had.  Results come back; no file need be shared."""
+    try:
+        dask: Any = import_module("distributed")
+    except ImportError:
+        raise NoSolution(Text("a scheduler needs dask.distributed, which the extra `contralbero[farm]` installs")) from None
+    try:
+        client = dask.Client(address, timeout=10)
+    except (OSError, ValueError) as error:
+        raise NoSolution(Text("no scheduler answers at {address}", address=address), Text("{why}", why=str(error))) from None
+    with client:
+        futures = {client.submit(one_class, problem, n, retries=LOSSES, pure=False): n for n in waiting}
+        for future in dask.as_completed(list(futures)):
+            yield futures[future], future.result()
+
+
 # --- what is kept ---------------------------------------------------------------------------------------------------------------
 def key(problem: Problem) -> str:
     """What a kept result holds for: the values of the design, what is varied, the program's version."""
-    what = [VERSION, problem.start.data, problem.sizes, problem.choices, problem.surfaces, problem.margins, problem.limits, problem.waived]
+    what = [VERSION, problem.start.data, problem.sizes, problem.choices, problem.surfaces, problem.margins, problem.limits, problem.waived,
+        problem.cycle]  # fmt: skip
     return hashlib.sha256(json.dumps(what, sort_keys=True, default=str).encode()).hexdigest()[:16]
 
 
@@ -246,11 +272,11 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
 
 
 def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
-    solving: Callable[[int, int], None] | None = None) -> Found:  # fmt: skip
+    solving: Callable[[int, int], None] | None = None, scheduler: str = "") -> Found:  # fmt: skip
     """The front of whole drives.  A KeyboardInterrupt while classes are done ends them; what is known by then is solved whole and given."""
     done: dict[int, ClassFront] = {}
     try:
-        for n, one in classes(problem, processes, parts):
+        for n, one in classes(problem, processes, parts, scheduler):
             done[n] = one
             if told is not None:
                 told(len(done), table(problem, done), named(problem.classes[n]))

@@ -25,9 +25,16 @@ CHOICES = {
 END = "⊣"  # a size at the end of its range: beyond it may be better
 
 
-def exhaustive(problem: Problem) -> Text:
+def proof(found: Found) -> Text:
     """What the front is the front of."""
+    if not found.proved:
+        return Text("A search without proof (NSGA-II over {n} whole solutions): better drives may exist.", n=found.table.combinations)
     return Text("Exhaustive over the stated ranges and steps; nothing is said of what lies beyond or between them.")
+
+
+def label(problem: Problem, name: str) -> Text:
+    """The name of an objective: over a duty cycle the power is a mean."""
+    return Text("mean power over the duty cycle") if name == "power" and problem.cycle else LABELS[name]
 
 
 def table(found: Found, drives: Iterable[int] | None = None) -> Table:
@@ -35,7 +42,7 @@ def table(found: Found, drives: Iterable[int] | None = None) -> Table:
     problem = found.problem
     varied = [name for name in problem.choices if len({str(one.sized.choices[name]) for one in found.drives}) > 1]
     surfaces = len({one.sized.surface for one in found.drives}) > 1
-    columns = [(Text("no."), ""), *((LABELS[name], UNIT[name]) for name in problem.objectives)]
+    columns = [(Text("no."), ""), *((label(problem, name), UNIT[name]) for name in problem.objectives)]
     columns += [(CHOICES.get(name, Text("{key}", key=Name(name))), "") for name in varied]
     columns += [(Text("Ra"), "µm")] if surfaces else []
     columns += [(Text("front Ø×l/g"), "mm/µm"), (Text("rear Ø×l/g"), "mm/µm"), (Text("core"), "mm"), (Text("open"), "")]
@@ -50,7 +57,7 @@ def table(found: Found, drives: Iterable[int] | None = None) -> Table:
         cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
         cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, one) else ''}"), float(one.open)]
         rows.append(tuple(cells))
-    note = Text("{proof} Every row was solved whole and keeps every limit.", proof=exhaustive(problem))
+    note = Text("{proof} Every row was solved whole and keeps every limit.", proof=proof(found))
     if any(at_end(problem, one) for one in found.drives):
         note = Text("{note} {end}: at the end of its range, beyond may be better.", note=note, end=Name(END))
     return Table("drives", Text("Front of the whole drive"), tuple(columns), tuple(rows), note)
@@ -92,7 +99,7 @@ def csv_text(found: Found) -> str:
     problem, out = found.problem, io.StringIO()
     for line in said(problem):
         out.write(f"# {line}\n")
-    out.write(f"# {stood(found)}\n")
+    out.write(f"# {proof(found)}\n# {stood(found)}\n")
     writer = csv.writer(out, lineterminator="\n")
     keys = list(dict.fromkeys(k for one in found.drives for k in one.changes))
     writer.writerow(["no", *(f"{name} [{UNIT[name]}]" for name in problem.objectives), "open", "at_end", *keys])
@@ -107,7 +114,7 @@ def json_text(found: Found) -> str:
     """front.json: the problem and the drives, with the keys that make each of them."""
     problem = found.problem
     about = {
-        "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256, "proof": str(exhaustive(problem)),
+        "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256, "proof": str(proof(found)), "proved": found.proved,
         "classes": len(problem.classes), "classes_done": found.done, "combinations": found.table.combinations,
         "front_rows": len(found.table), "objectives": {name: UNIT[name] for name in problem.objectives},
         "sizes_mm": {name: list(values) if values is not None else None for name, values in problem.sizes.items()},
@@ -127,6 +134,8 @@ def json_text(found: Found) -> str:
 def stood(found: Found) -> Text:
     """How far the search came."""
     done, classes = found.done, len(found.problem.classes)
+    if not found.proved:
+        return Text("{n} drives solved whole, {drives} of their front shown", n=found.table.combinations, drives=len(found.drives))
     words = Text("{n} combinations in {classes} classes, front of {rows}, {drives} of them solved whole",
         n=power_of_ten(found.table.combinations), classes=done, rows=len(found.table), drives=len(found.drives))  # fmt: skip
     return words if done == classes else Text("{words}; stopped at {done} of {classes} classes", words=words, done=done, classes=classes)
@@ -168,8 +177,8 @@ def said(problem: Problem) -> list[Text]:
 def _objective(problem: Problem, name: str) -> Text:
     bound = problem.most.get(name)
     if not bound:
-        return LABELS[name]
+        return label(problem, name)
     amount = Amount(bound, UNIT[name], form="g")
     if name == "margin":
-        return Text("{name} of {bound} at least", name=LABELS[name], bound=amount)
-    return Text("{name} of {bound} at most", name=LABELS[name], bound=amount)
+        return Text("{name} of {bound} at least", name=label(problem, name), bound=amount)
+    return Text("{name} of {bound} at most", name=label(problem, name), bound=amount)

@@ -85,7 +85,7 @@ def whole(problem: Problem, sized: Sized, before: Results | None = None) -> tupl
     stopped = tuple(key for key, outcome in results.outcomes.items() if outcome.state in ("no_solution", "blocked"))
     checks = list(results.checks())
     broken = tuple(c.id for c in problem.broken(checks))
-    objectives = {} if stopped else measured(problem, results, checks, sized)
+    objectives = {} if stopped else measured(problem, document, results, checks, sized)
     over = tuple(f"optimise.most.{key}" for key, bound in problem.most.items() if objectives and _beyond(key, objectives.get(key), bound))
     count = sum(c.verdict == "warn" for c in checks)
     return Whole(sized, made, document, objectives, (*stopped, *broken, *over), count), results
@@ -97,15 +97,26 @@ def _beyond(key: str, value: float | None, bound: float) -> bool:
     return value < bound - 1e-9 if key == "margin" else value > bound + 1e-9
 
 
-def measured(problem: Problem, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
+def measured(problem: Problem, document: Document, results: Results, checks: list[Check], sized: Sized) -> dict[str, float]:
     """The objectives that are known, in their units."""
     shaft = results.result(CountershaftResult)
     assert shaft is not None and shaft.mass is not None
     found = {
-        "power": power(results), "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks),
+        "power": mean_power(problem, document, results) if problem.cycle else power(results), "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks),
     }  # fmt: skip
     cost = problem.price(sized.choices, sized.surface)
     return found if cost is None else found | {"price": cost}
+
+
+def mean_power(problem: Problem, document: Document, results: Results) -> Watt:
+    """Over the duty cycle: the drive solved at each of its speeds, which changes no size."""
+    rated = problem.base.engine.rated_speed * 60 if problem.base.engine is not None else 0.0
+    mean, before = 0.0, results
+    for ratio, share in problem.cycle:
+        before = solve(design(document.with_value("engine.rated_speed_rpm", digits(rated * ratio))), before)
+        solved = all(before.outcomes[key].state in ("solved", "not_asked") for key in ("bearings", "friction"))
+        mean += share * power(before) if solved else float("inf")
+    return mean
 
 
 def power(results: Results) -> Watt:
