@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """`contralbero design`: the whole drive by one command; `--pick N` writes one of its front into the design file."""
 
+import hashlib
 import json
 import os
 import sys
@@ -20,6 +21,7 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.solve import solve
 
+DRIVES = "[0-9]*.toml"
 SECONDS = 2.0  # a class, about
 
 
@@ -177,7 +179,7 @@ def _best(problem: Problem, known: Table) -> str:
 def write(folder: Path, found: Found) -> None:
     """Every drive as a design of its own, then the front."""
     folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("[0-9][0-9][0-9].toml"):
+    for old in folder.glob(DRIVES):
         old.unlink()
     for n, one in enumerate(found.drives, 1):
         write_asked(folder / f"{n:03d}.toml", drive_text(found.problem, one.document), backup=False)
@@ -207,7 +209,8 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
         raise BadInput(
             "--pick", [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))]
         ) from None
-    if about.get("design") != document.sha256:
+    drives = {hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.glob(DRIVES)}
+    if document.sha256 not in (about.get("design"), *drives):  # the design that was searched, or one of its drives
         why = Text("was searched for another version of {file}: run the search again", file=given.file)
         raise BadInput(str(folder), [InputError(0, "--pick", str(given.pick), why)])
     target = Path(given.output) if given.output else source

@@ -31,6 +31,7 @@ from .whole import Sized, journals_power, whole, written
 PURE = 1e-6  # of the couple over the span: a force below it is none
 ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
 UM = 1e-6
+PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film with
 
 
 @record
@@ -49,8 +50,9 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
     small = "front" if problem.seat == "rear" else "rear"
     diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
-    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, {p: round(USUAL_LENGTH_RATIO[0] * d, 1) for p, d in diameter.items()},
-        {p: round(1.5 * d, 1) for p, d in diameter.items()}, None)  # fmt: skip
+    length = {place: round(USUAL_LENGTH_RATIO[0] * d, 1) for place, d in diameter.items()}
+    clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
+    sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, length, clearance, None)
     document, _ = written(problem, sized)
     return document
 

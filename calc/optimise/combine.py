@@ -44,7 +44,7 @@ class Sizes:
 
 @record
 class Rows:
-    """Combinations, an array each of one length: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its `surface`."""
+    """Combinations, an array each: sizes in SI, `power` of both journals, `mass` of the shaft, the number of its `surface`."""
 
     core: Array
     front_diameter: Array

@@ -105,7 +105,7 @@ class _Space:
         bearings = self.problem.base.bearings
         assert bearings is not None
         widths = (bearings.hole_diameter, bearings.groove_width, bearings.pocket_width, bearings.axial_groove_length)
-        return dict.fromkeys(("front", "rear"), max((x or 0.0 for x in widths)) * 1e3)
+        return dict.fromkeys(("front", "rear"), max(x or 0.0 for x in widths) * 1e3)
 
     def sized(self, x: Array) -> Sized:
         """The drive at a point: class, surfaces, core, diameters, then of each journal l/d and clearance over diameter."""

@@ -11,10 +11,10 @@ from dataclasses import replace
 import numpy as np
 
 from ..bearings import formulas as f
+from ..bearings.routes.states import OperatingPoint
 from ..bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, widest_usual
 from ..bearings.selection.states import Task, judge
 from ..bearings.selection.variants import SUPPLIES, Variant
-from ..bearings.routes.states import OperatingPoint
 from ..bearings.sweep import at_speeds
 from ..journal_rules import SUPPLY_WIDTH
 from ..sheet.arrays import Array, BoolArray

@@ -30,12 +30,14 @@ from .inputs import OBJECTIVES, OptimiseInputs
 
 LIMITS = (
     "bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.temperature_corner",
-    "bearings.*.clearance_cold_corner",
-    "bearings.*.film_edge_speeds", "bearings.*.film_edge_standing", "bearings.*.film_trumpler", "bearings.*.length_ratio_usual",
-    "bearings.*.supply_range", "countershaft.gear_seat", "countershaft.fillet_room", "countershaft.holes.range",
-    "countershaft.scatter.residual", "gears.*.backlash_chance", "gears.*.contact_ratio_usual", "gears.*.span_width", "gears.*.safety_*_usual",
+    "bearings.*.clearance_cold_corner", "bearings.*.film_edge_speeds", "bearings.*.film_edge_standing", "bearings.*.film_trumpler",
+    "bearings.*.length_ratio_usual", "bearings.*.supply_range", "countershaft.gear_seat", "countershaft.fillet_room",
+    "countershaft.holes.range", "countershaft.scatter.residual", "gears.*.backlash_chance", "gears.*.contact_ratio_usual",
+    "gears.*.span_width", "gears.*.safety_*_usual",
 )  # fmt: skip
-MARGIN_OF = ("bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.film_edge_standing", "countershaft.slope_*")
+MARGIN_OF = (
+    "bearings.*.film_edge_corner", "bearings.*.film_double_load_corner", "bearings.*.film_edge_standing", "countershaft.slope_*",
+)  # fmt: skip
 MARGINS = (0.0, 0.05, 0.1, 0.2, 0.3)
 UNITS = {"power": ("W", 10.0), "mass": ("kg", 0.5), "seat": ("mm", 1.0), "price": ("EUR", 3.0), "margin": ("%", 10.0)}
 CORE_SHARE = (0.25, 0.55)  # of the outer radius, and a tenth of it about the design's own; rule of this program
@@ -144,7 +146,9 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
     """`tip`: diameter of the gear on the shaft in mm, None where there is none; `said`: the command line's own keys of [optimise], which go
     before the file's.  Raises BadInput with everything that is wrong."""
     made = design(document)
-    own: OptimiseInputs = replace(_optimise(made), **said)  # type: ignore[arg-type]
+    file = _optimise(made)
+    merged = {key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()}
+    own: OptimiseInputs = replace(file, **merged)  # type: ignore[arg-type]
     errors = [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key, why in own.problems()]
     errors += [InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings")) for step in ("countershaft", "bearings")
         if getattr(made, step) is None]  # fmt: skip
@@ -165,9 +169,12 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
     most = {key.rpartition("_")[0]: float(bound) for key, bound in (own.most or {}).items()}  # type: ignore[attr-defined]
     least = (own.least or {}).get("margin_percent", 0.0) / 100  # type: ignore[attr-defined]
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
-    return Problem(start, made, sizes, choices, surfaces, reader.seat, objectives, margins, most | {"margin": least * 100},
-        (*LIMITS, *(own.limits or ())), tuple(own.waive or ()), {key: UNITS[key][1] for key in objectives}, _cycle(made, own), reader.bounded(), own.rows, own.seed,  # type: ignore[misc, arg-type]
-        (*began, *reader.said))  # fmt: skip
+    limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())  # type: ignore[misc, arg-type, var-annotated]
+    return Problem(
+        start=start, base=made, sizes=sizes, choices=choices, surfaces=surfaces, seat=reader.seat, objectives=objectives, margins=margins,
+        most=most | {"margin": least * 100}, limits=limits, waived=waived, units={key: UNITS[key][1] for key in objectives},
+        cycle=_cycle(made, own), bounded=reader.bounded(), rows=own.rows, seed=own.seed, said=(*began, *reader.said),
+    )  # fmt: skip
 
 
 def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]:

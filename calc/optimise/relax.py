@@ -154,10 +154,11 @@ def _ways(problem: Problem) -> Iterator[Way]:
     x_o = shaft.overdesign * 100
     yield Text("less couple beyond the required one"), lambda: _stretched(problem, "countershaft.overdesign_percent", 0.05,
         lambda share: round(x_o - share * 100, 2), lambda value: Text("{a} → {b} %", a=Name(f"{x_o:g}"), b=Name(f"{value:g}")))  # fmt: skip
-    if problem.fillet:
-        r = problem.fillet
+    r = problem.fillet
+    if r:
         yield Text("a smaller fillet"), lambda: _stretched(problem, "countershaft.fillet_radius_mm", 0.8,
-            lambda share: round(r * (1 - share), 3), lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")))  # fmt: skip
+            lambda share: round(r * (1 - share), 3),
+            lambda value: Text("{a} → {b} mm", a=Name(f"{r:g}"), b=Name(f"{value:g}")))  # fmt: skip
     yield from _chosen(problem)
 
 

@@ -53,7 +53,7 @@ def table(found: Found, drives: Iterable[int] | None = None) -> Table:
         s = one.sized
         cells: list[str | float | None] = [float(n), *(round(one.objectives[name], DIGITS[name]) for name in problem.objectives)]
         cells += [Name(word(s.choices[name])) for name in varied]
-        cells += [Name("/".join(f"{x:g}" for x in s.surface) if s.surface else "")] if surfaces else []
+        cells += [Name(_surfaces(problem, s.surface))] if surfaces else []
         cells += [Name(_size(problem, s, place)) for place in ("front", "rear")]
         cells += [Name(f"{s.core:g}{END if CORE in at_end(problem, one) else ''}"), float(one.open)]
         rows.append(tuple(cells))
@@ -73,6 +73,15 @@ def word(choice: object) -> str:
 def _size(problem: Problem, s: Any, place: str) -> str:
     end = END if f"bearings.{place}.diameter_mm" in _ends(problem, {f"bearings.{place}.diameter_mm": s.diameter[place]}) else ""
     return f"{s.diameter[place]:g}{end}×{s.length[place]:g}/{s.clearance[place]:g}"
+
+
+def _surfaces(problem: Problem, pair: tuple[float, float] | None) -> str:
+    """Journal and seat; as designed, where both bearings have the same."""
+    own = problem.base.bearings
+    if pair is None and own is not None:
+        pairs = {(b.journal_roughness * 1e6, b.housing_roughness * 1e6) for b in (own.front, own.rear)}
+        pair = pairs.pop() if len(pairs) == 1 else None
+    return "/".join(f"{x:g}" for x in pair) if pair is not None else "–"
 
 
 def at_end(problem: Problem, one: Whole) -> list[str]:
@@ -114,7 +123,8 @@ def json_text(found: Found) -> str:
     """front.json: the problem and the drives, with the keys that make each of them."""
     problem = found.problem
     about = {
-        "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256, "proof": str(proof(found)), "proved": found.proved,
+        "schema": 1, "program": VERSION, "key": key(problem), "design": problem.start.sha256,
+        "proof": str(proof(found)), "proved": found.proved,
         "classes": len(problem.classes), "classes_done": found.done, "combinations": found.table.combinations,
         "front_rows": len(found.table), "objectives": {name: UNIT[name] for name in problem.objectives},
         "sizes_mm": {name: list(values) if values is not None else None for name, values in problem.sizes.items()},

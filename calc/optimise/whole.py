@@ -101,9 +101,8 @@ def measured(problem: Problem, document: Document, results: Results, checks: lis
     """The objectives that are known, in their units."""
     shaft = results.result(CountershaftResult)
     assert shaft is not None and shaft.mass is not None
-    found = {
-        "power": mean_power(problem, document, results) if problem.cycle else power(results), "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks),
-    }  # fmt: skip
+    watts = mean_power(problem, document, results) if problem.cycle else power(results)
+    found = {"power": watts, "mass": float(shaft.mass), "seat": max(sized.diameter.values()), "margin": problem.margin(checks)}
     cost = problem.price(sized.choices, sized.surface)
     return found if cost is None else found | {"price": cost}
 
