@@ -142,6 +142,16 @@ class EditActions:
 
         host.app.push_screen(Choosing(host.session, host.step.key), self._chosen)
 
+    def drive(self) -> None:
+        """The front of whole drives."""
+        host = self._host
+        if not host.session.valid:
+            host.app.tell(Text("First the input has to be valid."), "warning")
+            return
+        from .drive import Driving
+
+        host.app.push_screen(Driving(host.session), self._chosen)
+
     def _chosen(self, changes: tuple[str, ...] | None) -> None:
         host = self._host
         if changes is not None:

@@ -23,11 +23,12 @@ from ..session import Session
 from ..widgets.item_list import Item, ItemList
 from ..widgets.steps import states_of
 from ..widgets.wrap import fit, pad, wrap
+from .edit_actions import EditActions
 from .file_actions import FileActions
 from .host import Host
 from .once import Once
 
-REPORT, EXPORT = "report", "export"  # what the page gives beside the key of a step and the id of a check
+REPORT, EXPORT, DRIVE = "report", "export", "drive"  # what the page gives beside the key of a step and the id of a check
 PICTURE = (90, 14)  # cells of the picture at most
 ASSUMED = "assumed"
 
@@ -177,6 +178,7 @@ class ReadyScreen(Once, Screen[str | None]):
         Binding("escape,q", "give('')", "Close", show=False),
         Binding("f8,p", f"give('{REPORT}')", "Report", show=False),
         Binding("e", f"give('{EXPORT}')", "Export", show=False),
+        Binding("t", f"give('{DRIVE}')", "Whole drive", show=False),
         Binding("enter", "choose", "Go there", show=False),
         Binding("down,j", "move(1)", "Down", show=False),
         Binding("up,k", "move(-1)", "Up", show=False),
@@ -189,7 +191,9 @@ class ReadyScreen(Once, Screen[str | None]):
     def compose(self) -> ComposeResult:
         yield Static(id="ready-title")
         yield Closing(self.session)
-        keys = Text("{report} report · e export · Enter goes there · Esc goes on editing", report=self.app.shown_key("report"))
+        keys = Text(
+            "{report} report · e export · t better drives · Enter goes there · Esc goes on editing", report=self.app.shown_key("report")
+        )
         yield Static(Content.styled(f" {self.app.say(keys)}", "dim"), id="ready-keys")
 
     def on_mount(self) -> None:
@@ -231,8 +235,8 @@ class ReadyScreen(Once, Screen[str | None]):
 class ReadyActions:
     """Show the closing page, and go where it says."""
 
-    def __init__(self, host: Host, files: FileActions) -> None:
-        self._host, self._files = host, files
+    def __init__(self, host: Host, files: FileActions, edits: EditActions) -> None:
+        self._host, self._files, self._edits = host, files, edits
 
     def ready(self) -> None:
         self._host.session.solve()  # the page says what holds of the design as it is now
@@ -244,6 +248,8 @@ class ReadyActions:
             self._files.report()
         elif to == EXPORT:
             self._files.export()
+        elif to == DRIVE:
+            self._edits.drive()
         elif to is not None:
             step, _, check = to.partition(".")
             host.at_pane("checks" if check else "inputs")

@@ -77,7 +77,7 @@ class Workbench(Screen[None]):
         self.curves = CurveActions(self, self.moves)
         self.readings = ReadingActions(self, self.moves, self.background)
         self.slopes = Slopes(self)
-        self.closing = ReadyActions(self, self.files)
+        self.closing = ReadyActions(self, self.files, self.edits)
         self.building = Building(self, self.moves)
         self.results_view = ResultsView(self, self.background, self.slopes)
         self._actions = methods(self.moves, self.edits, self.files, self.curves, self.readings, AcceptActions(self), self.closing)

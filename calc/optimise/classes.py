@@ -25,7 +25,7 @@ from ..step_inputs import shaft_gear
 from .combine import Rows, Sizes, class_front, combinations
 from .films import Films, films, lengths
 from .problem import CORE, Problem
-from .shafts import Drive
+from .shafts import Drive, with_turning
 from .whole import Sized, journals_power, whole, written
 
 PURE = 1e-6  # of the couple over the span: a force below it is none
@@ -120,8 +120,13 @@ def drive_of(made: Design, results: Results) -> Drive:
     gear = shaft_gear(made, results.result(TrainResult))
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
-    return Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
+    drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
         shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, True)  # fmt: skip
+    own = made.bearings
+    if own is None or solved.slope_front is None or solved.slope_rear is None:
+        return drive
+    sizes = (own.front.diameter, own.rear.diameter), (own.front.length, own.rear.length)
+    return with_turning(drive, shaft.core_radius or 0.0, *sizes, (solved.slope_front, solved.slope_rear))
 
 
 def sizes_of(problem: Problem, made: Design, results: Results, drive: Drive) -> Sizes:

@@ -17,9 +17,10 @@ from ..sheet.record import record
 from ..sheet.units import Metre, Number, Radian
 from .films import Films, asked_film
 from .front import front, lower_left
-from .shafts import TURNING, Drive, Shafts, journal_mass, journal_slopes, shafts
+from .shafts import Drive, Shafts, journal_mass, journal_slopes, shafts
 
 STEPS = 1000  # of the slope's limit
+OWN = 1.01  # on what a journal's own bending adds to its slope, while it turns: a part of a hundred of it
 COARSE = 16  # every so-many-th combination makes the first front, which most others can be held against
 
 
@@ -118,7 +119,7 @@ def _of_surface(drive: Drive, sizes: Sizes, surface: int) -> Iterator[Rows]:
 
 def _table(sizes: Sizes, films: Films, own: Array, surface: int, margin: Number) -> Array:
     """Least power of each length over the steps of the slope; `own`: what the journal's own bending adds, by length."""
-    net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - own * TURNING
+    net = films.bears(sizes.asked(films, surface), margin, sizes.limit) - own * OWN
     step = np.minimum(np.floor(net / (sizes.limit / STEPS)), STEPS)
     table = np.full((films.length.size, STEPS + 1), np.inf)
     i, k = np.nonzero(step >= 0)
@@ -162,8 +163,8 @@ def _with_seat(drive: Drive, sizes: Sizes, small: _Small, big: Films, surface: i
     unit = sizes.limit / STEPS
     own, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
     with np.errstate(invalid="ignore"):
-        s_big = np.ceil((shaft.slopes[own] + _along(small.other, not front_is_small)) * TURNING / unit - 1e-9)
-        s_small = np.ceil(shaft.slopes[there] * TURNING / unit - 1e-9)
+        s_big = np.ceil(drive.turning(shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9)
+        s_small = np.ceil(drive.turning(shaft.mass, shaft.slopes[there]) / unit - 1e-9)
         fits = shaft.fits & (s_big <= STEPS) & (s_small <= STEPS)
     if not fits.any():
         return None
@@ -228,7 +229,7 @@ def _rows(
     for d in np.unique(diameter):
         f = by_diameter[float(d)]
         own = journal_slopes(drive, place == "front", f.task.diameter, f.length)[0 if place == "front" else 1]
-        bears = f.bears(sizes.asked(f, surface), margin, sizes.limit) - own * TURNING
+        bears = f.bears(sizes.asked(f, surface), margin, sizes.limit) - own * OWN
         for n in np.flatnonzero(diameter == d).tolist():
             column = int(np.searchsorted(np.round(f.length, 9), round(float(small.length[i_s[n]]), 9)))
             g_small[n] = _clearance(f, bears[:, column], column, slopes[1][n])

@@ -4,6 +4,7 @@
 from collections.abc import Iterable
 from math import isfinite
 from numbers import Real
+from typing import Any
 
 from ..sheet.quantity import choice, inputs, integer, open_, quantity, tables
 from ..sheet.text import Text
@@ -20,7 +21,7 @@ class Price:
     """What one choice adds to the price of a piece."""
 
     what: str = choice("What", *PRICED)
-    value: object = open_("Which", help='["IT6", "IT7"] of fits, [0.4, 0.6] of surfaces (journal, seat, µm), ["20CrNi4"] of materials.')
+    value: list[Any] = open_("Which", help='["IT6", "IT7"] of fits, [0.4, 0.6] of surfaces (journal, seat, µm), ["20CrNi4"] of materials.')
     piece: float = quantity("Added to a piece", "€", low=-1e6, high=1e6, help="What this choice adds to the price of one piece.")
 
 
@@ -36,16 +37,17 @@ class CyclePoint:
 class OptimiseInputs:
     """The search for whole drives: objectives, ranges, requirements and prices, each with a rule of this program where it is left out."""
 
-    objectives: object = open_("Objectives", default=None, help="Any of power, mass, seat, price, margin. Left out: all that are known.")
+    objectives: list[str] | None = open_(
+        "Objectives", default=None, help="Any of power, mass, seat, price, margin. Left out: all that are known."
+    )
     rows: int = integer("Drives that are solved whole and saved", default=60, low=1, high=2000)
     seed: int = integer("Seed", default=1, low=0, high=2**31, help="Of the search without proof; the other has no chance in it.")
-    limits: object = open_("Findings that are limits here", default=None, help='Ids of checks, * for any: "bearings.*_corner".')
-    waive: object = open_("Findings of the usual list that are none here", default=None)
-    vary: object = open_(
-        "What is varied", default=None, help="A list or { from, to, step } by key; a key that is not named keeps its value."
-    )
-    most: object = open_("Most of an objective", default=None, help="seat_mm, mass_kg, power_W, price_EUR.")
-    least: object = open_("Least of an objective", default=None, help="margin_percent.")
+    limits: list[str] | None = open_("Findings that are limits here", default=None, help='Ids of checks, * for any: "bearings.*_corner".')
+    waive: list[str] | None = open_("Findings of the usual list that are none here", default=None)
+    vary: dict[str, Any] | None = open_("What is varied", default=None,
+        help="By key a list, or numbers from, to and step; a key that is not named follows a rule of this program.")  # fmt: skip
+    most: dict[str, float] | None = open_("Most of an objective", default=None, help="seat_mm, mass_kg, power_W, price_EUR.")
+    least: dict[str, float] | None = open_("Least of an objective", default=None, help="margin_percent.")
     price: tuple[Price, ...] = tables("Prices", Price, default=())
     cycle: tuple[CyclePoint, ...] = tables("Duty cycle", CyclePoint, default=(),
         help="Speeds with their hours, over which the power is a mean. Left out: the power at the rated speed.")  # fmt: skip

@@ -60,13 +60,15 @@ TIED = {
 
 @record
 class Problem:
-    """`start`: the document with a shaft that is sized.  `sizes`: the values of every size by its key, mm, None: by the rule of lengths.
+    """`start`: the document with a shaft that is sized, by the changes `began` of the one that is asked about.  `sizes`: the values of
+    every size by its key, mm, None: by the rule of lengths.
 
     `choices`: the values of everything else; `surfaces`: pairs of Ra, journal and seat, µm; None: as designed.  `seat`: the place of the
     largest journal.  `most`: hard ends by objective, in its unit; margin is a least.  `said`: what was chosen here.
     """
 
     start: Document
+    began: Changes
     base: Design
     sizes: dict[str, tuple[float, ...] | None]
     choices: dict[str, tuple[Any, ...]]
@@ -147,33 +149,37 @@ def problem(document: Document, tip: float | None, said: Mapping[str, object] = 
     before the file's.  Raises BadInput with everything that is wrong."""
     made = design(document)
     file = _optimise(made)
-    merged = {key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()}
-    own: OptimiseInputs = replace(file, **merged)  # type: ignore[arg-type]
+    merged: dict[str, Any] = {key: {**(getattr(file, key) or {}), **one} if isinstance(one, dict) else one for key, one in said.items()}
+    own: OptimiseInputs = replace(file, **merged)
     errors = [InputError(document.lines.get(f"optimise.{key}", 0), f"optimise.{key}", "", why) for key, why in own.problems()]
     errors += [InputError(0, step, "", Text("is needed: a drive has a shaft on two bearings")) for step in ("countershaft", "bearings")
         if getattr(made, step) is None]  # fmt: skip
     if errors:
         raise BadInput(document.place, errors)
-    start, began = _sized(document, made)
+    began, words = _sized(made)
+    start = document
+    for key, value in began.items():
+        start = start.with_value(key, value)
     made = design(start)
     assert made.countershaft is not None and made.bearings is not None
     reader = _Reader(start, made, own, tip)
     sizes, choices, surfaces = reader.sizes(), reader.choices(), reader.surfaces()
     if reader.errors:
         raise BadInput(document.place, reader.errors)
-    objectives = tuple(one for one in OBJECTIVES if own.objectives is None or one in own.objectives)  # type: ignore[operator]
+    objectives = tuple(one for one in OBJECTIVES if own.objectives is None or one in own.objectives)
     known = [dict(zip(choices, values)) for values in product(*choices.values())]
     if "price" in objectives and any(price(made, one, None) is None for one in known):
         objectives = tuple(one for one in objectives if one != "price")
         reader.said.append(Text("The price is left out: [countershaft.cost] does not have it of every material."))
-    most = {key.rpartition("_")[0]: float(bound) for key, bound in (own.most or {}).items()}  # type: ignore[attr-defined]
-    least = (own.least or {}).get("margin_percent", 0.0) / 100  # type: ignore[attr-defined]
+    most = {key.rpartition("_")[0]: float(bound) for key, bound in (own.most or {}).items()}
+    least = (own.least or {}).get("margin_percent", 0.0) / 100
     margins = tuple(dict.fromkeys([least, *(m for m in MARGINS if m > least)])) if "margin" in objectives else (least,)
-    limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())  # type: ignore[misc, arg-type, var-annotated]
+    limits, waived = (*LIMITS, *(own.limits or ())), tuple(own.waive or ())
     return Problem(
-        start=start, base=made, sizes=sizes, choices=choices, surfaces=surfaces, seat=reader.seat, objectives=objectives, margins=margins,
-        most=most | {"margin": least * 100}, limits=limits, waived=waived, units={key: UNITS[key][1] for key in objectives},
-        cycle=_cycle(made, own), bounded=reader.bounded(), rows=own.rows, seed=own.seed, said=(*began, *reader.said),
+        start=start, began=began, base=made, sizes=sizes, choices=choices, surfaces=surfaces, seat=reader.seat, objectives=objectives,
+        margins=margins, most=most | {"margin": least * 100}, limits=limits, waived=waived,
+        units={key: UNITS[key][1] for key in objectives}, cycle=_cycle(made, own), bounded=reader.bounded(),
+        rows=own.rows, seed=own.seed, said=(*words, *reader.said),
     )  # fmt: skip
 
 
@@ -189,30 +195,30 @@ def _cycle(made: Design, own: OptimiseInputs) -> tuple[tuple[float, float], ...]
     return tuple((point.speed / engine.rated_speed, point.hours / hours) for point in own.cycle)
 
 
-def _sized(document: Document, made: Design) -> tuple[Document, list[Text]]:
-    """The same with a shaft that is sized, its fits written so that their corners are judged."""
+def _sized(made: Design) -> tuple[Changes, list[Text]]:
+    """What makes of it a design with a shaft that is sized, its fits written so that their corners are judged; and in words."""
     shaft, bearings = made.countershaft, made.bearings
     assert shaft is not None and bearings is not None
     said: list[Text] = []
-    start = document
+    start: Changes = {}
     R = max(bearings.front.diameter, bearings.rear.diameter) / 2 - (THREADED if shaft.radial_clearance is None else shaft.radial_clearance)
     half = min(abs(z) - b.length / 2 for z, b in zip(shaft.bearing_positions, (bearings.front, bearings.rear)))
     given = {"outer_radius_mm": R, "core_radius_mm": 0.4 * R, "half_length_mm": half - 2 * (shaft.fillet_radius or 0.0)}
     if shaft.mode != "size" and not shaft.sections:
         for key, number in given.items():
             if getattr(shaft, key.removesuffix("_mm")) is None or key != "core_radius_mm":
-                start = start.with_value(f"countershaft.{key}", round(number * 1e3, 6))
-        start = start.with_value("countershaft.mode", "size")
+                start[f"countershaft.{key}"] = round(number * 1e3, 6)
+        start["countershaft.mode"] = "size"
         said.append(Text("The masses are sized anew within the envelope of the journals (mode = size)."))
     if bearings.slope is not None:
-        start = start.with_value("bearings.slope_mrad", None)
+        start["bearings.slope_mrad"] = None
         said.append(Text("The slopes that are given are left out: those of each shaft's own bending are taken."))
     for key in ("journal_fit", "seat_fit"):
-        start = start.with_value(f"bearings.{key}", str(getattr(bearings, key)))
+        start[f"bearings.{key}"] = str(getattr(bearings, key))
     support = shaft.support
     if support is not None and support.wall is not None and support.wall_at_seat is None:
         seat = max(bearings.front.diameter, bearings.rear.diameter) * 1e3
-        start = start.with_value("countershaft.support.wall_at_seat_mm", round(seat, 6))
+        start["countershaft.support.wall_at_seat_mm"] = round(seat, 6)
         said.append(Text("The wall beside the largest seat is taken as that of the design's own seat, {seat} mm.", seat=f"{seat:g}"))
     return start, said
 
@@ -269,7 +275,7 @@ class _Reader:
         threaded = (THREADED if self.shaft.radial_clearance is None else self.shaft.radial_clearance) * 1e3
         R = own[self.seat] / 2 - threaded
         core = (self.shaft.core_radius or 0.0) * 1e3 / R
-        most = min(own[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))  # type: ignore[attr-defined]
+        most = min(own[self.seat] + SEAT_REACH, self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
         through = self.tip if self.tip is not None and small == "front" else None  # the gear goes through the front seat
         least = through + 2 * ROOM if through is not None else LEAST_SHARE * own[small]
         seats = self.values(f"bearings.{self.seat}.diameter_mm", _steps(LEAST_SEAT * own[self.seat], most))
@@ -290,7 +296,7 @@ class _Reader:
 
     def bounded(self) -> dict[str, tuple[bool, bool]]:
         small = "front" if self.seat == "rear" else "rear"
-        most = min(self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))  # type: ignore[attr-defined]
+        most = min(self._widest_seat(), (self.own.most or {}).get("seat_mm", float("inf")))
         through = self.tip is not None and small == "front" and f"bearings.{small}.diameter_mm" not in self.vary
         return {CORE: (False, False), f"bearings.{self.seat}.diameter_mm": (False, most < float("inf")),
             f"bearings.{small}.diameter_mm": (through, True)}  # fmt: skip

@@ -8,11 +8,13 @@ that was ended goes on where it stood.  Whatever the order in which classes come
 import hashlib
 import json
 import signal
+import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import redirect_stderr
 from importlib import import_module
-from multiprocessing import get_context
+from multiprocessing import get_context, resource_tracker
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +122,7 @@ def _serial(problem: Problem, waiting: list[int]) -> Iterator[tuple[int, ClassFr
 
 def _parallel(problem: Problem, waiting: list[int], processes: int) -> Iterator[tuple[int, ClassFront]]:
     """Over processes; what a lost worker had is done again by another."""
+    _track()
     lost = dict.fromkeys(waiting, 0)
     left = set(waiting)
     while left:
@@ -141,6 +144,14 @@ def _parallel(problem: Problem, waiting: list[int], processes: int) -> Iterator[
                 raise
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
+
+
+def _track() -> None:
+    """Start the tracker of multiprocessing with a true stderr: a screen's own has no file behind it, and none can then be started."""
+    if sys.__stderr__ is None:
+        return
+    with redirect_stderr(sys.__stderr__):
+        resource_tracker.ensure_running()
 
 
 def _farmed(problem: Problem, waiting: list[int], address: str) -> Iterator[tuple[int, ClassFront]]:
@@ -272,14 +283,17 @@ def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
 
 
 def search(problem: Problem, processes: int = 1, parts: Path | None = None, told: Told | None = None,
-    solving: Callable[[int, int], None] | None = None, scheduler: str = "") -> Found:  # fmt: skip
-    """The front of whole drives.  A KeyboardInterrupt while classes are done ends them; what is known by then is solved whole and given."""
+    solving: Callable[[int, int], None] | None = None, scheduler: str = "", stop: Callable[[], bool] = bool) -> Found:  # fmt: skip
+    """The front of whole drives.  `stop`, asked after each class, or a KeyboardInterrupt ends the classes; what is known by then is solved
+    whole and given."""
     done: dict[int, ClassFront] = {}
     try:
         for n, one in classes(problem, processes, parts, scheduler):
             done[n] = one
             if told is not None:
                 told(len(done), table(problem, done), named(problem.classes[n]))
+            if stop():
+                break
     except KeyboardInterrupt:
         if not done:
             raise

@@ -3,13 +3,14 @@
 
 A pure couple on two journals: the sectors have a closed form (countershaft/sizing), the bending moment depends on no stiffness, and a slope
 is the integral of M·m/(E·I) + Q·q/(κ·G·A) over the pieces (principle of virtual work; m, q of a unit couple at the journal).  M is at most
-quadratic and m linear on each piece, so that two points of Gauss are exact.  The shaft's own inertia, which adds less than a thousandth
-while it turns, is a factor; whatever is offered is bent whole (countershaft/bending).
+quadratic and m linear on each piece, so that two points of Gauss are exact.  What the shaft's own mass adds while it turns is a share
+that goes with mass and slope; whatever is offered is bent whole (countershaft/bending).
 
 z from mid-shaft, + towards the flywheel; SI throughout.
 """
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -20,9 +21,10 @@ from ..countershaft.outline import TOUCH
 from ..countershaft.sizing import formulas as z
 from ..sheet.arrays import Array, BoolArray, each, many
 from ..sheet.record import record
-from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, RadPerSecond
+from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
-TURNING = 1.001  # on a slope: what the mass of the bent shaft adds as it turns, at most, of shafts that are rigid at their speed
+TURNING = 0.05  # of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the middle
+SAFE = 1.5  # on that of one shaft of a class, where it is more; rule of this program
 GAUSS = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
 
 
@@ -42,6 +44,7 @@ class Drive:
     effectiveness: Number
     gear: tuple[Metre, Metre] | None
     close_gap: bool  # whether a gap between the sectors must hold two fillets
+    added: Number = TURNING
 
     @property
     def span(self) -> Metre:
@@ -52,6 +55,11 @@ class Drive:
         """κ·G."""
         m = self.material
         return b.shear_coefficient(nu=m.poisson) * b.shear_modulus(E=m.E, nu=m.poisson)
+
+    def turning(self, mass: Array, slope: Array) -> Array:
+        """A slope as the shaft turns."""
+        turned: Array = slope * (1 + self.added * mass * self.omega**2 * self.span**2 * np.abs(slope) / self.couple)
+        return turned
 
     def longest(self, R: Metre, r_0: Metre) -> Metre:
         """The longest journal that leaves the sectors the room that the couple needs, with that outer and core radius."""
@@ -106,6 +114,19 @@ def _virtual(drive: Drive, n: int, at: Array, M: Array, Q: Array | float, EI: Ar
     m, q = (1 - x if n == 0 else -x), -1 / drive.span
     integrand: Array = M * m / EI + Q * q / GA
     return integrand
+
+
+def with_turning(drive: Drive, core: Metre, d: tuple[Metre, Metre], l: tuple[Metre, Metre], turning: tuple[Radian, Radian]) -> Drive:
+    """The same with what its mass adds to slopes, from one shaft of it that was bent whole as it turns."""
+    l_f, l_r = (np.array([x]) for x in l)
+    still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
+    mass = float(still.mass[0, 0, 0] + journal_mass(drive, d[0], l_f)[0])
+    shares = [drive.added]
+    for n, own in enumerate(journal_slopes(drive, True, d[0], l_f)):
+        slope = float(still.slopes[n][0, 0, 0] + own[0])
+        if slope > 0:
+            shares.append(SAFE * (turning[n] / slope - 1) * drive.couple / (mass * drive.omega**2 * drive.span**2 * slope))
+    return replace(drive, added=max(shares))
 
 
 def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear: Metre) -> Shafts:

@@ -41,6 +41,7 @@ FIELDS = {
     "integers",
     "table",
     "tables",
+    "open_",
 }  # calls whose first argument is a label
 SENTENCES = {"help", "source"}  # their keywords that are texts
 PLURALS = ("Plural-Forms", "nplurals=2; plural=(n != 1);")  # for one and for many: babel's own rules differ from version to version

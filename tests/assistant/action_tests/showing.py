@@ -7,6 +7,7 @@ from functools import partial
 from textual.pilot import Pilot
 
 from assistant.screens.ask import Ask
+from assistant.screens.drive import Driving
 from assistant.screens.explain import Explain
 from assistant.screens.help import HelpScreen
 from assistant.screens.palette import Palette
@@ -154,6 +155,17 @@ async def ready(pilot: Pilot[int], do: Do) -> None:
     await over(pilot, ReadyScreen)
     await strike(pilot, "enter")
     await until(pilot, lambda: isinstance(pilot.app.screen, Workbench) and work(pilot).number == 3)
+
+
+@deed
+async def drive(pilot: Pilot[int], do: Do) -> None:
+    """A design without bearings has no drive: said where the search would stand, and Esc goes back."""
+    await do()
+    shown = await over(pilot, Driving)
+    await until(pilot, lambda: not shown.searching)
+    assert "a drive has a shaft on two bearings" in text(pilot)
+    await strike(pilot, "escape")
+    await until(pilot, lambda: isinstance(pilot.app.screen, Workbench))
 
 
 @deed

@@ -1,0 +1,245 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The whole drive: the front of all combinations that pass, as points and as a table, to walk along; the row under the cursor is solved and
+may be taken as one step of the undo."""
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, ClassVar
+
+from textual.app import ComposeResult
+from textual.binding import Binding, BindingType
+from textual.containers import Vertical
+from textual.content import Content
+from textual.widgets import Static
+
+from calc.sheet.changes import Changes
+from calc.sheet.errors import NoSolution
+from calc.sheet.progress import Progress
+from calc.sheet.step import Table
+from calc.sheet.text import SEMICOLON, Name, Text
+
+from ..offers.offer import Offer
+from ..session import Session
+from ..widgets.item_list import ItemList
+from ..widgets.offer_list import OfferList
+from ..widgets.scatter import Points, Scatter
+from .searching import Searching
+from .selection import Choosing
+
+if TYPE_CHECKING:
+    from calc.optimise.run import Found
+
+SHARE = 0.85  # of the progress, until all classes are done
+PROCESSES = 2
+TALL = 30  # rows of a screen with room for points and table
+HINT = Text("Enter takes the drive (undo takes it back) · x y axes · s sort · v points · < > largest seat · i what is searched · Esc back")
+STOPS = Text("Esc keeps the front so far")
+
+
+class Driving(Choosing):
+    """Gives the changes of the drive that was taken, as KEY=VALUE."""
+
+    BEHIND = STOPS
+    BINDINGS: ClassVar[list[BindingType]] = [
+        Binding("x", "axis(0)", "Another objective across", show=False),
+        Binding("y", "axis(1)", "Another objective up", show=False),
+        Binding("s", "sort", "Sort by the next objective", show=False),
+        Binding("less_than_sign", "narrow(-1)", "Only smaller seats", show=False),
+        Binding("greater_than_sign", "narrow(1)", "Larger seats again", show=False),
+        Binding("i", "about", "What is searched", show=False),
+        Binding("v", "view", "Points or table", show=False),
+    ]
+
+    def __init__(self, session: Session) -> None:
+        super().__init__(session, "drive")
+        self.front: Found | None = None
+        self.axes = [0, 1]  # of the objectives
+        self.sorted = 0
+        self.widest: float | None = None  # seat up to which drives are shown
+        self.about = False
+        self.points = False  # on a low screen: they stand in the place of the table
+        self._enough = False
+
+    def compose(self) -> ComposeResult:
+        with Vertical(classes="dialog -tall -whole"):
+            yield Static(Content.styled(self.app.say(Text("Whole drive")), "bold"), id="choosing-title")
+            yield Static(id="choosing-state")
+            yield Scatter()
+            yield OfferList()
+            yield Static(id="choosing-preview")
+            yield Static(Content.styled(self.app.say(HINT), "dim"))
+
+    def on_resize(self) -> None:
+        """Points and table below each other where there is room for both, else one of them."""
+        low = self.app.size.height < TALL
+        self.query_one(Scatter).display = not low or self.points
+        self.query_one(Scatter).set_class(low, "-alone")
+        self.query_one(OfferList).display = not (low and self.points)
+
+    # --- searching
+    def search(self, progress: Progress) -> Iterator[Offer]:
+        from calc.optimise.classes import NotClosed
+        from calc.optimise.evolve import EVALUATIONS, evolved
+        from calc.optimise.run import Table as Known
+        from calc.optimise.run import asked, search
+
+        problem, _ = asked(self.session.document, {})
+        count = len(problem.classes)
+
+        def told(done: int, known: Known, name: str) -> None:
+            progress(SHARE * done / count, Text("{name}: front {n}", name=Name(name), n=len(known)))
+
+        def solving(done: int, of: int) -> None:
+            progress(SHARE + (1 - SHARE) * done / of, Text("{n} of {of} drives solved whole", n=done, of=of))
+
+        def evolving(done: int, most: int, passing: int) -> None:
+            progress(done / most, Text("{done} of {most} solved, {passing} pass", done=done, most=most, passing=passing))
+
+        try:
+            found = search(problem, PROCESSES, None, told, solving, stop=lambda: self._enough)
+        except NotClosed:
+            found = evolved(problem, EVALUATIONS, problem.seed, evolving)
+        if not found.drives:
+            raise NoSolution(self._nothing(found, progress))
+        self.front = found
+        yield self.offered()
+
+    def _nothing(self, found: "Found", progress: Progress) -> Text:
+        """What alone would have to give way."""
+        from calc.optimise.relax import refusal
+
+        why = refusal(found, progress)
+        if why.always:
+            return Text("every drive that was solved whole breaks {ids}", ids=", ".join(why.always))
+        if why.lines:
+            ways = SEMICOLON.join([Text("{key} {change}", key=Name(line.key), change=line.change) for line in why.lines])
+            return Text("nothing passes; one of these alone would have to give way: {ways}", ways=ways)
+        return Text("nothing passes")
+
+    def offered(self) -> Offer:
+        """The drives that are shown, in the order that is asked for."""
+        from calc.optimise.telling import table
+
+        front = self.front
+        assert front is not None
+        numbers = self.shown
+        whole = table(front, numbers)
+        rows = sorted(whole.rows, key=lambda row: self._key(int(row[0])))  # type: ignore[arg-type]
+        return Offer(
+            count=len(front.drives), table=lambda top: Table(whole.id, whole.title, whole.columns, tuple(rows[:top]), whole.note),
+            keys=self._changes, said=lambda n: Text("drive {n}", n=n), hint=HINT, summary=self._summary(),
+        )  # fmt: skip
+
+    @property
+    def shown(self) -> list[int]:
+        front = self.front
+        drives = front.drives if front is not None else ()
+        return [n for n, one in enumerate(drives, 1) if self.widest is None or one.objectives["seat"] <= self.widest + 1e-9]
+
+    def _key(self, n: int) -> tuple[float, int]:
+        assert self.front is not None
+        name = self.front.problem.objectives[self.sorted]
+        value = self.front.drives[n - 1].objectives[name]
+        return (-value if name == "margin" else value), n
+
+    def _changes(self, n: int) -> Changes:
+        assert self.front is not None
+        return {**self.front.problem.began, **self.front.drives[n - 1].changes}
+
+    def _summary(self) -> tuple[Text, ...]:
+        from calc.optimise.telling import label, said, stood
+
+        front = self.front
+        assert front is not None
+        by = Text("sorted by {name}", name=label(front.problem, front.problem.objectives[self.sorted]))
+        if self.widest is not None:
+            by = Text("{by}; seats up to {seat} mm", by=by, seat=Name(f"{self.widest:g}"))
+        return (stood(front), by, *(said(front.problem) if self.about else ()))
+
+    def show_found(self, found: Offer) -> None:
+        super().show_found(found)
+        self._draw()
+
+    def show_end(self, failure: Text) -> None:
+        self.show_state(self.app.say(failure) if failure else "")
+
+    # --- the points
+    def _draw(self) -> None:
+        from calc.optimise.telling import UNIT, label
+
+        front = self.front
+        if front is None:
+            return
+        names = [front.problem.objectives[n % len(front.problem.objectives)] for n in self.axes]
+        across, up = (f"{self.app.say(label(front.problem, name))}, {UNIT[name]}" for name in names)
+        drives = {n: (front.drives[n - 1].objectives[names[0]], front.drives[n - 1].objectives[names[1]]) for n in self.shown}
+        now, fails = self._now(names)
+        self.query_one(Scatter).show(Points(across, up, drives, now, fails), self.number)
+
+    def _now(self, names: list[str]) -> tuple[tuple[float, float] | None, bool]:
+        """The design as it is, and whether a limit of it fails."""
+        from calc.countershaft.result import CountershaftResult
+        from calc.optimise.whole import power
+
+        results, bearings, front = self.session.results, self.session.design.bearings, self.front
+        shaft = results.result(CountershaftResult) if results is not None else None
+        if results is None or bearings is None or front is None or shaft is None or shaft.mass is None:
+            return None, False
+        if results.outcomes["bearings"].state != "solved" or front.problem.cycle:
+            return None, False
+        checks = list(results.checks())
+        known = {
+            "power": power(results), "mass": float(shaft.mass), "margin": front.problem.margin(checks),
+            "seat": max(bearings.front.diameter, bearings.rear.diameter) * 1e3, "price": front.problem.price({}, None),
+        }  # fmt: skip
+        x, y = known[names[0]], known[names[1]]
+        return ((x, y) if x is not None and y is not None else None), any(c.verdict == "fail" for c in checks)
+
+    def on_item_list_moved(self, event: ItemList.Moved) -> None:
+        super().on_item_list_moved(event)
+        self._draw()
+
+    # --- what the keys do
+    def action_axis(self, which: int) -> None:
+        if self.front is not None:
+            count, other = len(self.front.problem.objectives), self.axes[1 - which]
+            following = ((self.axes[which] + by) % count for by in (1, 2))
+            self.axes[which] = next((n for n in following if n != other), self.axes[which])
+            self._draw()
+
+    def action_sort(self) -> None:
+        if self.front is not None:
+            self.sorted = (self.sorted + 1) % len(self.front.problem.objectives)
+            self._again()
+
+    def action_narrow(self, way: int) -> None:
+        """The largest seat that is still shown, one step of those there are down or up."""
+        if self.front is None:
+            return
+        seats = sorted({one.objectives["seat"] for one in self.front.drives})
+        at = len(seats) - 1 if self.widest is None else seats.index(self.widest)
+        at = max(0, at + way)
+        self.widest = None if at >= len(seats) - 1 else seats[at]
+        self._again()
+
+    def action_view(self) -> None:
+        self.points = not self.points
+        self.on_resize()
+        if self.query_one(OfferList).display:
+            self.query_one(OfferList).focus()
+
+    def action_about(self) -> None:
+        self.about = not self.about
+        if self.front is not None:
+            self._again()
+
+    def _again(self) -> None:
+        self.offer = self.offered()
+        self.query_one(OfferList).show(self.offer)
+        self._draw()
+
+    def action_leave(self) -> None:
+        """While classes are searched: keep what there is; else close."""
+        if self.searching and not self._enough:
+            self._enough = True
+            return
+        Searching.action_leave(self)

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A search that is small enough for a test: few values of each size, everything else as in the shipped design."""
+
+import pytest
+
+from calc.design_file import read
+from calc.optimise.run import asked
+
+from ...conftest import DESIGNS
+
+FEW = {
+    "countershaft.core_radius_mm": {"from": 13.0, "to": 17.0, "step": 1.0},
+    "bearings.rear.diameter_mm": [84.0, 85.0, 86.0],
+    "bearings.front.diameter_mm": [58.5, 62.0, 66.0],
+    "countershaft.material": ["20CrNi4"],
+    "bearings.supply": ["hole"],
+}
+
+
+@pytest.fixture(scope="package")
+def sized():
+    return read(DESIGNS / "r753ie4_sized.toml")
+
+
+@pytest.fixture(scope="package")
+def few(sized):
+    problem, _ = asked(sized, {"vary": FEW, "rows": 8})
+    return problem

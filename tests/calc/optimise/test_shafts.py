@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Shafts on arrays against the same shafts solved by the step."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from calc.countershaft.result import CountershaftResult
+from calc.design_file import design, read
+from calc.optimise.classes import drive_of
+from calc.optimise.shafts import journal_mass, journal_slopes, shafts
+from calc.solve import solve
+
+from ...conftest import DESIGNS
+
+SIZED = read(DESIGNS / "r753ie4_sized.toml")  # no fixture: a failure would print it whole
+SIZES = st.fixed_dictionaries({
+    "core": st.floats(12, 22), "seat": st.floats(84, 90), "other": st.floats(58.5, 84), "l_f": st.floats(20, 44), "l_r": st.floats(20, 44),
+    "eta": st.sampled_from([0.1, 0.2, 1.0]), "off": st.floats(-3, 3), "front_is_seat": st.booleans(),
+})  # fmt: skip
+
+
+def _solved(x):
+    """The sized design with these sizes, its shaft alone, and what its arrays are made of."""
+    d_f, d_r = (x["seat"], x["other"]) if x["front_is_seat"] else (x["other"], x["seat"])
+    z = (-167.5 + x["off"], 167.5 + x["off"])
+    half = min(abs(z[0]) - x["l_f"] / 2, abs(z[1]) - x["l_r"] / 2) - 3.0
+    document = SIZED
+    for key, value in {
+        "countershaft.core_radius_mm": x["core"], "countershaft.outer_radius_mm": x["seat"] / 2 - 0.2,
+        "countershaft.half_length_mm": half, "countershaft.sector_effectiveness": x["eta"],
+        "countershaft.bearing_positions_mm": list(z), "bearings.front.diameter_mm": d_f, "bearings.rear.diameter_mm": d_r,
+        "bearings.front.length_mm": x["l_f"], "bearings.rear.length_mm": x["l_r"],
+    }.items():  # fmt: skip
+        document = document.with_value(key, value)
+    made = design(document)
+    return made, solve(made, enough=lambda outcome: outcome.key == "countershaft"), (d_f * 1e-3, d_r * 1e-3)
+
+
+@settings(max_examples=25, deadline=None)
+@given(SIZES)
+def test_slopes_and_mass_are_those_of_the_step(x):
+    made, results, (d_f, d_r) = _solved(x)
+    solved = results.result(CountershaftResult)
+    if solved is None or solved.slope_front is None:  # the envelope is too small, or the pieces cross
+        return
+    drive = replace(drive_of(made, results), close_gap=False)
+    l_f, l_r = np.array([x["l_f"] * 1e-3]), np.array([x["l_r"] * 1e-3])
+    found = shafts(drive, np.array([x["core"] * 1e-3]), l_f, l_r, max(d_f, d_r), d_r)
+    own = journal_slopes(drive, True, d_f, l_f)
+    mass = float(found.mass[0, 0, 0] + journal_mass(drive, d_f, l_f)[0])
+    slopes = [float(found.slopes[n][0, 0, 0] + own[n][0]) for n in (0, 1)]
+    assert found.fits[0, 0, 0]
+    for still, turning in zip(slopes, (solved.slope_front, solved.slope_rear)):
+        assert still == pytest.approx(turning, rel=0.02)
+        assert turning <= drive.turning(mass, still) * (1 + 1e-9)  # which the tables take
+    assert mass == pytest.approx(solved.mass, rel=1e-7)
+    assert found.face[0, 0, 0] == pytest.approx(made.countershaft.half_length, abs=1e-9)
+
+
+def test_an_envelope_that_does_not_hold_the_couple_does_not_fit():
+    made, results, _ = _solved({"core": 14, "seat": 86, "other": 60, "l_f": 30, "l_r": 30, "eta": 0.2, "off": 0,
+        "front_is_seat": False})  # fmt: skip
+    drive = drive_of(made, results)
+    long = np.array([0.03, 0.12])  # a journal that leaves the sectors no room
+    found = shafts(drive, np.array([0.014]), np.array([0.03]), long, 0.086, 0.086)
+    assert found.fits[0, 0].tolist() == [True, False]
+    assert drive.longest(0.086 / 2 - drive.clearance, 0.014) < long[1]
