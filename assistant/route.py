@@ -43,7 +43,7 @@ ROUTE: dict[str, Leg] = {
     ),
     "countershaft": Leg(
         Text("Which shaft: given masses, or sized in an envelope?"),
-        ("mode", "material", "outer_radius_mm", "core_radius_mm", "half_length_mm", "bearing_positions_mm", "masses"),
+        ("mode", "bearing_positions_mm", "outer_radius_mm", "core_radius_mm", "half_length_mm", "masses"),
         ((MORE, ()), (Text("Support, drain, cost"),
                       ("bolts", "support", "oil_drain", "further_drains", "cost", "parts", "scatter", "balance_grade", "holes"))),
         Text("build it by rules: a shaft sized for the balancing that was chosen"),

@@ -1,4 +1,4 @@
-"""The program as a library: what the README's table says of it, and what its packages offer."""
+"""The program as a library: what the table of docs/python.md says of it, and what its packages offer."""
 
 import re
 from importlib import import_module
@@ -11,8 +11,7 @@ import calc
 from .conftest import ROOT
 from .test_imports import loaded
 
-README = (ROOT / "README.md").read_text(encoding="utf-8")
-SECTION = README.split("## In Python\n")[1].split("\n## ")[0]
+SECTION = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
 BLOCKS = [
     re.sub("^    ", "", block, flags=re.MULTILINE) for block in re.findall(r"(?:^    .*\n|^\n(?=    ))+", SECTION, flags=re.MULTILINE)
 ]
@@ -28,7 +27,7 @@ def names():
 
 
 @pytest.mark.parametrize("call, number", ROWS, ids=[row[0].split("(")[0] for row in ROWS])
-def test_a_row_of_the_readme_runs(names, call, number):
+def test_a_row_of_the_page_runs(names, call, number):
     got = eval(call, names)
     assert str(got)
     if number:

@@ -117,6 +117,8 @@ async def compare(pilot: Pilot[int], do: Do) -> None:
     assert "light.toml as it is saved" in text(pilot) and "another design file" in text(pilot)
     await strike(pilot, "enter")
     await over(pilot, CompareScreen)
+    await until(pilot, lambda: "Conclusion" in text(pilot))
+    await strike(pilot, "right")  # the inputs, which on a narrow screen stand below
     await until(pilot, lambda: re.search(r"Share balanced on the crank.* 0\.5 +0\.4", text(pilot)) is not None)
     assert "1 input" in text(pilot)
     await back(pilot)
