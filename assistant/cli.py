@@ -34,6 +34,8 @@ COMMANDS = {
     "validate": "values printed, worked out or measured by others beside ours; what is not met, and why",
     "errata": "what is wrong in the documents behind this program, with the right values",
     "oils": "the oils a design may name, or one with the source and confidence of every value",
+    "schema": "the JSON Schema of a design file, by which editors complete and check it",
+    "completion": "the script by which bash or zsh completes commands and options",
     "sources": "the publications behind the program: title, edition, status, and how we know what each says",
 }
 KEY_VALUE = "KEY=VALUE"
@@ -188,6 +190,9 @@ def parser() -> argparse.ArgumentParser:
     add["oils"].add_argument("--json", action="store_true", help="print one JSON object")
     add["sources"].add_argument("name", nargs="?", metavar="NAME", help="a publication, or a word of its name or title; left out: all")
     add["sources"].add_argument("--json", action="store_true", help="print one JSON object")
+
+    add["schema"].add_argument("-o", "--output", metavar="OUT.json", help="default: to the terminal")
+    add["completion"].add_argument("shell", choices=("bash", "zsh", "tcsh"))
 
     session = commands.add_parser(
         "session", help="the guided session (the same as no command)", description="The guided session.", formatter_class=Help

@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The JSON Schema of a design: every shipped design keeps it, it refuses what the program refuses of one key, and docs has it as it is."""
+
+import json
+import tomllib
+
+import pytest
+
+from .command import run
+from .conftest import DESIGNS, ROOT
+
+jsonschema = pytest.importorskip("jsonschema")
+
+
+@pytest.fixture(scope="module")
+def judge():
+    return jsonschema.Draft7Validator(json.loads(run("schema").stdout))
+
+
+def data(text):
+    return json.loads(json.dumps(tomllib.loads(text), default=str))  # a date of TOML is a word to JSON
+
+
+@pytest.mark.parametrize("path", sorted(DESIGNS.glob("*.toml")), ids=lambda path: path.stem)
+def test_every_shipped_design_keeps_it(judge, path):
+    assert not list(judge.iter_errors(data(path.read_text(encoding="utf-8"))))
+
+
+@pytest.mark.parametrize(
+    "old, new, key",
+    [
+        ("bore_mm = 94.0", "bore_mm = -94.0", "engine.bore_mm"),
+        ("bore_mm = 94.0", 'bore_mm = "94"', "engine.bore_mm"),
+        ("bore_mm = 94.0", "boer_mm = 94.0", "engine"),
+        ("cylinders = 3", "cylinders = 3.5", "engine.cylinders"),
+        ('supply = "hole"', 'supply = "holes"', "bearings.supply"),
+        ("schema = 1", "schema = 2", "schema"),
+    ],
+)
+def test_it_refuses_what_the_program_refuses(judge, tmp_path, old, new, key):
+    text = (DESIGNS / "r753ie4_gamma.toml").read_text(encoding="utf-8")
+    assert old in text
+    wrong = text.replace(old, new, 1)
+    (tmp_path / "x.toml").write_text(wrong, encoding="utf-8")
+    assert run("check", tmp_path / "x.toml").returncode == 2
+    assert any(".".join(map(str, error.path)) == key for error in judge.iter_errors(data(wrong)))
+
+
+def test_docs_has_it_as_it_is():
+    assert (ROOT / "docs" / "contralbero.schema.json").read_text(encoding="utf-8") == run("schema").stdout
+
+
+def test_every_key_says_what_it_means(judge):
+    bore = judge.schema["properties"]["engine"]["properties"]["bore_mm"]
+    assert bore["type"] == "number" and bore["exclusiveMinimum"] == 0 and bore["description"].startswith("Bore, mm")
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh"])
+def test_the_script_of_a_shell_knows_every_command(shell):
+    pytest.importorskip("shtab")
+    done = run("completion", shell)
+    assert done.returncode == 0 and all(word in done.stdout for word in ("design", "--scheduler", "verify"))
