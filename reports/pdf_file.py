@@ -263,7 +263,7 @@ class Pdf:
             case "name":
                 return _name(found["name"]), end
             case "hex":
-                digits = b"".join(found["hex"].split())
+                digits = found["hex"].translate(None, b"\0\t\n\f\r ")
                 return bytes.fromhex((digits + b"0" * (len(digits) % 2)).decode()), end
             case "text":
                 return _text(data, end)

@@ -38,7 +38,7 @@ def test_what_could_be_read_in_two_ways_is_refused(body: bytes, reason: str) -> 
 
 
 def test_values_are_what_they_say() -> None:
-    body = rb"[/A#42c (a\(b\)\n\101\\) <414> -.5 +7 1 0 R true null (a(b)c) <<>>]"
+    body = b"[/A#42c (a\\(b\\)\\n\\101\\\\) <4\0 14> -.5 +7 1 0 R true null (a(b)c) <<>>]"
     pdf = Pdf(file_of(body))
     name, text, hexed, half, seven, reference, true, null, nested, empty = pdf.items(pdf.trailer["Root"])
     assert (name, text, hexed, half, seven, true, null, nested, empty) == ("ABc", b"a(b)\nA\\", b"A@", -0.5, 7, True, None, b"a(b)c", {})
