@@ -13,11 +13,12 @@ from typing import Any
 from calc.version import VERSION
 
 from .pdf_file import Malformed, Pdf, Reference, Stream, words
+from .pdf_metadata import same
 from .printed import contents, printed
 
 OF_THE_PROGRAM = {"Producer", "CreationDate", "ModDate"}  # what a program that saves a document says about itself
 TOLD = ("Title", "Author", "Subject")  # of a document of any version
-APART = {"Pages", "StructTreeRoot", "Type"}  # of the catalogue, what is compared by itself
+APART = {"Pages", "StructTreeRoot", "Metadata", "Type"}  # of the catalogue, what is compared by itself
 PACKED = {"Length", "Filter", "DecodeParms", "Parent", "P"}  # how a stream is packed, and the ways back up
 INHERITED = ("Resources", "MediaBox", "CropBox", "Rotate")  # by a page from what it stands in
 PROGRAM = "Contralbero"
@@ -77,6 +78,10 @@ def about(old: Pdf, new: Pdf, version: str) -> list[Difference]:
     found = [Difference(f"the document's {key.lower()}", a or "–", b or "–") for key, a, b in told if a != b]
     if version != VERSION:
         return found
+    try:
+        same(old.data(old.root.get("Metadata")), new.data(new.root.get("Metadata")))
+    except Malformed as error:
+        found.append(Difference("the document's metadata", str(error), "as this program has them"))
     compared = _Compared(old, new)
     if not compared.alike(old.root.get("StructTreeRoot"), new.root.get("StructTreeRoot")):
         found.append(Difference("the document's structure", "otherwise", "as this program has it"))

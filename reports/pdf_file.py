@@ -75,7 +75,8 @@ class Section:
     places: dict[int, int] = field(default_factory=dict)
     table: dict[int, int | None] = field(default_factory=dict)
     trailer: dict[str, Any] = field(default_factory=dict)
-    at: int = -1  # of its table
+    at: int = -1  # of its table, the last if there are more
+    tables: int = 0
     start: int = -1  # where it says that the table is
     end: int = -1  # after its last sign
     remarks: int = 0  # comments in it
@@ -161,7 +162,8 @@ class Pdf:
                 section.remarks += 1
                 at = found.end()
             elif found := TABLE.match(raw, at):
-                self._once(section, at)
+                section.at = at
+                section.tables += 1
                 section.table |= _entries(found[1])
                 trailer, at = self._value(raw, found.end())
                 if not isinstance(trailer, dict):
@@ -194,19 +196,14 @@ class Pdf:
         if isinstance(made, Stream) and made.entries.get("Type") == "ObjStm":
             self._unfold(made)
         if isinstance(made, Stream) and made.entries.get("Type") == "XRef":
-            self._once(section, found.start())
+            section.at = found.start()
+            section.tables += 1
             section.table |= self._table(made)
             section.trailer |= made.entries
         ends = OBJECT_END.match(self.raw, at)
         if ends is None:
             raise Malformed(f"object {number} has no end")
         return ends.end()
-
-    @staticmethod
-    def _once(section: Section, at: int) -> None:
-        if section.at >= 0:
-            raise Malformed(f"a second table of objects stands at byte {at}")
-        section.at = at
 
     def _unfold(self, stream: Stream) -> None:
         """The objects of a stream; each is read when it is asked for."""

@@ -738,6 +738,13 @@ many(
     ("structure", lambda u: u.entry(u.root, b"StructTreeRoot", b"<< /K %d 0 R >>" % doubled(u, b"<< /S /P >>", b"<< /S /P /K [@] >>"))),
     ("forms", lambda u: painted(u, after=b"\n/X Do", resources=b"/XObject << /X %d 0 R >>" % doubled(u, streamed(b""), b"<< /Length 0 /Resources << /XObject << /A [@] >> >> >>\nstream\n\nendstream"))),
     ("outline", lambda u: u.entry(u.at("/Outlines", "/First"), b"Next", b"%d 0 R" % u.at("/Outlines", "/First"))),
+    (
+        "metadata",
+        lambda u: u.put(
+            u.at("/Metadata"),
+            streamed(u.reader.root_object["/Metadata"].get_data().replace(b"</rdf:Description>", b"<a>" * 100_000 + b"</a>" * 100_000 + b"</rdf:Description>")),
+        ),
+    ),
     ("arrays", lambda u: u.last(u.root, b"/Deep " + b"[" * 100_000 + b"]" * 100_000)),
     ("an object that is itself", lambda u: u.put(u.at("/Pages"), b"%d 0 R" % u.at("/Pages"))),
     ("contents", lambda u: u.entry(u.page(), b"Contents", b"%d 0 R" % u.stream(zlib.compress(b"\0" * 400_000_000, 1), b"/Filter /FlateDecode"))),

@@ -3,10 +3,11 @@
 
 import io
 from collections.abc import Iterator
+from random import Random
 
 import pypdfium2
 import pytest
-from pypdf import PdfReader
+from pypdf import PdfReader, PdfWriter
 
 from calc.design_file import Document
 from calc.sheet.errors import BadInput
@@ -14,6 +15,7 @@ from calc.solve import Results
 from reports import verify as verifying
 from reports.pdf_diff import page_references
 from reports.pdf_file import Pdf
+from reports.pdf_signature import fields
 from reports.printed import printed
 from reports.report import render
 from reports.verify import Verdict, verify
@@ -77,6 +79,29 @@ def test_without_what_is_forged_it_is_accepted(made: bytes) -> None:
     assert verdict(update.written()) is Verdict.SIGNED
 
 
+def saved_by(program: str, raw: bytes) -> bytes:
+    out = io.BytesIO()
+    if program.startswith("qpdf"):
+        pikepdf = pytest.importorskip("pikepdf")
+    match program:
+        case "pypdf":
+            PdfWriter(clone_from=io.BytesIO(raw)).write(out)
+        case "pdfium":
+            pypdfium2.PdfDocument(raw).save(out)
+        case "qpdf, linear":
+            pikepdf.open(io.BytesIO(raw)).save(out, linearize=True)
+        case "qpdf, plain":
+            pikepdf.open(io.BytesIO(raw)).save(out, object_stream_mode=pikepdf.ObjectStreamMode.disable)
+    return out.getvalue()
+
+
+@pytest.mark.parametrize("program", ["pypdf", "pdfium", "qpdf, linear", "qpdf, plain"])
+def test_what_any_program_saves_anew_is_said_to_be_that(made: bytes, signed: bytes, program: str) -> None:
+    """And with a signature it is no signed report any more: the bytes that were signed are gone."""
+    assert verdict(saved_by(program, made)) is Verdict.SAVED_ANEW
+    assert verdict(saved_by(program, signed)) is Verdict.DIFFERS
+
+
 # --- a second engine
 @pytest.fixture(scope="module")
 def signed(made: bytes) -> bytes:
@@ -86,6 +111,38 @@ def signed(made: bytes) -> bytes:
     raw = update.written()
     assert verdict(raw) is Verdict.SIGNED
     return raw
+
+
+def mutant(raw: bytes, start: int, random: Random) -> bytes:
+    """A file with some of what was appended to it lost, doubled, or another byte."""
+    tail = bytearray(raw[start:])
+    at = random.randrange(len(tail))
+    to = at + random.randrange(1, 40)
+    match random.randrange(3):
+        case 0:
+            tail[at] = random.randrange(256)
+        case 1:
+            del tail[at:to]
+        case _:
+            tail[at:at] = tail[at:to]
+    return raw[:start] + bytes(tail)
+
+
+def test_a_mutant_that_is_accepted_is_drawn_as_the_report(made: bytes, signed: bytes) -> None:
+    """Whatever is accepted has the text of the report, and other colours only under its field."""
+    random = Random(7)
+    before = drawn(made)
+    accepted = 0
+    for _ in range(150):
+        raw = mutant(signed, len(made), random)
+        if verdict(raw) is Verdict.SIGNED:
+            accepted += 1
+            after = drawn(raw)
+            assert [text for text, _, _ in before] == [text for text, _, _ in after]
+            sheets = page_references(Pdf(made))
+            places = [place for _, place in fields(made, raw, sheets)]
+            assert all(any(within(point, place) for place in places) for point in other_points(before, after))
+    assert accepted, "what a field shows may be anything"
 
 
 def drawn(raw: bytes) -> list[tuple[str, bytes, tuple[int, int]]]:
@@ -103,14 +160,27 @@ def test_a_second_engine_sees_a_signature_in_its_place_and_nowhere_else(made: by
     before, after = drawn(made), drawn(signed)
     assert [text for text, _, _ in before] == [text for text, _, _ in after]
     assert [size for _, _, size in before] == [size for _, _, size in after]
-    (_, old, (wide, high)), (_, new, _) = before[0], after[0]
-    other = [n // 3 for n in range(0, len(old), 3) if old[n : n + 3] != new[n : n + 3]]
+    other = other_points(before, after)
     assert other, "the field is drawn"
-    left, low, right, top = EMPTY
-    for n in other:
-        x, y = n % wide, high - n // wide
-        assert left - 1 <= x <= right + 1 and low - 1 <= y <= top + 1
-    assert before[1:] == after[1:]
+    assert all(within(point, EMPTY) for point in other)
+
+
+def other_points(
+    before: list[tuple[str, bytes, tuple[int, int]]], after: list[tuple[str, bytes, tuple[int, int]]]
+) -> list[tuple[int, int]]:
+    """Where the pages of two documents have other colours."""
+    found = []
+    for (_, old, (wide, high)), (_, new, size) in zip(before, after, strict=True):
+        assert size == (wide, high)
+        if old != new:
+            found += [(n // 3 % wide, high - n // 3 // wide) for n in range(0, len(old), 3) if old[n : n + 3] != new[n : n + 3]]
+    return found
+
+
+def within(point: tuple[int, int], place: tuple[float, float, float, float]) -> bool:
+    """Whether a pixel touches a rectangle."""
+    (x, y), (left, low, right, top) = point, place
+    return left - 1 <= x <= right + 1 and low - 1 <= y <= top + 1
 
 
 def test_a_second_engine_reads_the_same_keys_and_files(made: bytes, signed: bytes) -> None:

@@ -275,7 +275,7 @@ def retitled(writer: PdfWriter) -> None:
         (lambda w: laid(w, rect=(0, 0, 5, 5), Subtype="Stamp", FT="Sig"), "page 1, laid over it"),
         (lambda w: laid(w, rect=(0, 0, 5, 5), Subtype="Widget", FT="Sig", AA="Bl"), "page 1, laid over it"),
         (spoken, "the document's structure"),
-        (retitled, "the document as a whole"),
+        (retitled, "the document's metadata"),
         (another_file, "attachment design.toml"),
         (opened, "the document as a whole"),
         (lambda w: w.add_metadata({"/Title": "all checks pass"}), "the document's title"),
