@@ -278,8 +278,7 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
     async with browser(tmp_path) as page:
         await page.open(address)
         await page.until(lambda text: "my design.toml" in text and "solved in" in text and "Bore" in text)
-        for _ in range(2):  # design, note: bore
-            await page.press("Tab")
+        await page.press("Tab")  # from the engine of the catalogue to the bore
         await page.type("95,5")
         await page.until(lambda text: "[95,5 " in text and "= 95.5" in text and "edited" in text)
         await page.press("Enter")
@@ -296,6 +295,27 @@ async def test_a_design_is_edited_and_saved_in_a_browser(served: tuple[subproces
         assert await asyncio.to_thread(process.wait, 30) == 0
     told = (tmp_path / "told").read_text(encoding="utf-8")
     assert told.splitlines() == [f"The guided session is at {address} (Ctrl+C ends it)"]
+
+
+@posix
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium on this machine")
+async def test_a_session_that_was_left_begins_again_from_its_page(served: tuple[subprocess.Popen[str], str], tmp_path: Path) -> None:
+    """Its button works, and nothing of the page is against its own policy; what somebody puts into the page is."""
+    _, address = served
+    async with browser(tmp_path) as page:
+        await page.open(address)
+        await page.until(lambda text: "my design.toml" in text and "solved in" in text)
+        await page.press("q", ctrl=True)
+        async with asyncio.timeout(60):
+            while not await page.value("document.body.classList.contains('-closed')"):
+                await asyncio.sleep(0.05)
+        assert await page.value("JSON.stringify(refused)") == "[]"
+        await page.value("caught = null; document.querySelector('.closed-dialog button').click()")
+        await page.until(lambda text: "my design.toml" in text and "solved in" in text)
+        await page.value("document.body.insertAdjacentHTML('beforeend', '<img src=x onerror=alert(1)>')")
+        async with asyncio.timeout(60):
+            while "script-src" not in await page.value("JSON.stringify(refused)"):
+                await asyncio.sleep(0.05)
 
 
 def _filled(box: list[float], size: tuple[int, int]) -> bool:
