@@ -186,7 +186,7 @@ class Pdf:
         made, at = self._value(self.raw, found.end())
         if isinstance(made, dict) and (data := DATA.match(self.raw, at)):
             length = made.get("Length")
-            if not isinstance(length, int) or not 0 <= length <= len(self.raw):
+            if type(length) is not int or not 0 <= length <= len(self.raw):
                 raise Malformed(f"object {number} does not say how long it is")
             ends = DATA_END.match(self.raw, data.end() + length)
             if ends is None:

@@ -50,10 +50,10 @@ def _layout(old: Pdf, new: Pdf) -> None:
         _demand(section.start == section.at >= at, "its end does not lead to its table")
         _demand(section.places == {**table, **{n: section.at for n in stream}}, "its table is not that of its objects")
         _demand(set(trailer) <= (TRAILER | TABLE if stream else TRAILER), "its trailer holds more than a trailer")
-        _demand(trailer.get("Prev") == before.start, "its table does not lead to the one before")
+        _demand(_equal(trailer.get("Prev"), before.start), "its table does not lead to the one before")
         _demand(trailer.get("Root") == old.trailer["Root"], "it has another catalogue")
         _demand(trailer.get("Info", old.trailer["Info"]) == old.trailer["Info"], "it says something else about the document")
-        _demand(trailer.get("Size") == size, "its trailer has another number of objects")
+        _demand(_equal(trailer.get("Size"), size), "its trailer has another number of objects")
         before, at = section, section.end
     _demand(new.raw[at:] in (b"", b"\n", b"\r\n"), "something stands after its end")
     appended, said = new.raw[old.sections[-1].end :], sum(len(section.places) for section in new.sections)
@@ -74,6 +74,7 @@ class _Appended:
             _demand(kind != "ObjStm", "there are objects in a stream")
 
     def fields(self, pages: list[Reference]) -> list[tuple[int, Rectangle]]:
+        _demand(self.old.trailer["Root"].number in self.new.objects, "there is no field of a signature")
         root, info = self.old.trailer["Root"], self.old.trailer["Info"]
         metadata = self.old.root["Metadata"]
         others = {n for n in self.new.objects if n < self.size} - {one.number for one in (root, info, metadata, *pages)}
@@ -83,7 +84,7 @@ class _Appended:
         if metadata.number in self.new.objects:
             self._metadata(metadata)
         catalogue = self.new.entries(root)
-        self._same(self.old.root, catalogue or self.old.root, CATALOGUE, "the catalogue")
+        self._same(self.old.root, catalogue, CATALOGUE, "the catalogue")
         _demand(set(self._entries(catalogue.get("Perms"))) <= {"DocMDP"}, "it gives permissions")
         form = self._entries(catalogue.get("AcroForm"))
         _demand(set(form) <= FORM, "it has a form that does more than to be signed")
@@ -156,13 +157,12 @@ class _Appended:
 
 
 def _equal(a: Any, b: Any) -> bool:
-    """A number is no truth value, and a name is no text."""
+    """A number is no truth value, 1 is not 1.0, and a name is no text."""
     if isinstance(a, dict) and isinstance(b, dict):
         return set(a) == set(b) and all(_equal(a[key], b[key]) for key in a)
     if isinstance(a, list) and isinstance(b, list):
         return len(a) == len(b) and all(map(_equal, a, b))
-    numbers = {type(a), type(b)} <= {int, float}
-    return (numbers or type(a) is type(b)) and bool(a == b)
+    return type(a) is type(b) and bool(a == b)
 
 
 def _rectangle(of: Any) -> Rectangle:
