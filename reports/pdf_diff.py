@@ -1,25 +1,28 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Two documents side by side: what they say about themselves, what their pages show, and the files inside them."""
+"""Where two documents differ: what they say about themselves, what their pages show, and the files inside them.
+
+This is for whoever has a report that is not, byte for byte, what its design gives: it says where to look, and vouches for nothing.
+"""
+
+from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from pypdf import PageObject, PdfReader
-from pypdf.generic import DictionaryObject, IndirectObject, StreamObject
-
 from calc.version import VERSION
 
-from .printed import covered
+from .pdf_file import Malformed, Pdf, Reference, Stream, words
+from .pdf_metadata import same
+from .printed import contents, printed
 
-# What a link of a report has, and nothing that is seen
-LINK = {"/Type", "/Subtype", "/Rect", "/Border", "/Contents", "/Dest", "/P", "/F", "/StructParent"}
-SIGNED = {"/AcroForm", "/Perms", "/DSS", "/Extensions"}  # what a program that signs adds to a document
-SPOKEN = ("/S", "/Alt", "/ActualText", "/E", "/Lang", "/MCID")  # of an element, what a machine reads out, and where
-PACKED = {"/Length", "/Filter", "/DecodeParms", "/Parent"}  # how a stream is packed, and the way back up
-ACTIONS = ("/AA", "/Group", "/Trans", "/VP")  # what a page of a report does not have
+OF_THE_PROGRAM = {"Producer", "CreationDate", "ModDate"}  # what a program that saves a document says about itself
+TOLD = ("Title", "Author", "Subject")  # of a document of any version
+APART = {"Pages", "StructTreeRoot", "Metadata", "Type"}  # of the catalogue, what is compared by itself
+PACKED = {"Length", "Filter", "DecodeParms", "Parent", "P"}  # how a stream is packed, and the ways back up
+INHERITED = ("Resources", "MediaBox", "CropBox", "Rotate")  # by a page from what it stands in
 PROGRAM = "Contralbero"
-Same = dict[tuple[int, int], bool]  # objects of both documents by their numbers → whether they are the same
+MOST = 1_000_000  # pairs of values that are compared at most
 
 
 @dataclass(frozen=True)
@@ -31,141 +34,151 @@ class Difference:
     now: str
 
 
-def attachments(reader: PdfReader) -> dict[str, list[bytes]]:
+def attachments(pdf: Pdf) -> dict[str, list[bytes]]:
     """Every file inside the document, by any way that a reader may take to it: a specification can name two."""
-    root = reader.root_object
-    names = _resolved(_resolved(root.get("/Names", {})).get("/EmbeddedFiles", {}))
+    names = _leaves(pdf, pdf.entries(pdf.root.get("Names")).get("EmbeddedFiles"), "Names")
+    listed = [one for node in names for one in pdf.items(node.get("Names"))[1::2]]
     found: dict[str, list[bytes]] = {}
-    for specification in map(_resolved, [*_leaves(names), *_resolved(root.get("/AF", []))]):
-        contents = [_resolved(stream).get_data() for stream in _resolved(specification["/EF"]).values()]
-        for name in {str(specification[key]) for key in ("/F", "/UF") if key in specification}:
-            found.setdefault(name, []).extend(contents)
-    return dict(sorted(found.items()))
+    for specification in map(pdf.entries, [*listed, *pdf.items(pdf.root.get("AF"))]):
+        files = [pdf.data(stream) for stream in pdf.entries(specification.get("EF")).values()]
+        for name in {words(specification[key]) for key in ("F", "UF") if key in specification}:
+            found.setdefault(name, []).extend(files)
+    return dict(sorted((name, files) for name, files in found.items() if files))
 
 
-def _leaves(node: Any) -> Iterator[Any]:
-    """The values of a tree of names."""
-    yield from list(_resolved(node.get("/Names", [])))[1::2]
-    for kid in _resolved(node.get("/Kids", [])):
-        yield from _leaves(_resolved(kid))
+def page_references(pdf: Pdf) -> list[Reference]:
+    """The pages of a document, each once."""
+    return [Reference(number) for number in _numbered(pdf, pdf.root.get("Pages"), "Contents")]
 
 
-def about(old: PdfReader, new: PdfReader, version: str) -> list[Difference]:
-    """What the document says and does as a whole, where that is another thing; what a program has left out of a copy does no harm."""
-    said = {name: [str(getattr(reader.metadata, name, None) or "") for reader in (old, new)] for name in ("title", "author", "subject")}
-    found = [Difference(f"the document's {name}", was, now) for name, (was, now) in said.items() if was and was != now]
-    found += [Difference(*one) for one in _described(old, new)]
-    if version == VERSION and _spoken(old) not in ([], _spoken(new)):
-        found.append(Difference("the document's structure", "otherwise", "as this program has it"))
-    more = [key for key in old.root_object if key not in new.root_object and key not in SIGNED]
-    found += [Difference("the document as a whole", key.removeprefix("/"), "nothing of that kind") for key in more]
-    fields = _resolved(_resolved(old.root_object.get("/AcroForm", {})).get("/Fields", []))
-    found += [Difference("the document as a whole", "a form", "no form") for field in fields if not signs(_resolved(field))]
-    scripts = [key for key in _resolved(old.root_object.get("/Names", {})) if key not in _resolved(new.root_object.get("/Names", {}))]
-    return found + [Difference("the document as a whole", key.removeprefix("/"), "nothing of that kind") for key in scripts]
+def _leaves(pdf: Pdf, top: Any, key: str) -> list[dict[str, Any]]:
+    return [pdf.entries(top), *(pdf.entries(Reference(number)) for number in _numbered(pdf, top, key))]
 
 
-def _described(old: PdfReader, new: PdfReader) -> list[tuple[str, str, str]]:
-    """What the XMP of a document says that its information dictionary should not say; readers show either."""
-    meta, now = old.xmp_metadata, new.metadata
-    if meta is None or now is None:
-        return []
-    said = {
-        "title": ([*(meta.dc_title or {}).values()], now.title), "author": (meta.dc_creator or [], now.author),
-        "subject": ([*(meta.dc_description or {}).values()], now.subject),
-    }  # fmt: skip
-    return [(f"the document's {name}", one, is_now or "") for name, (all, is_now) in said.items() for one in all if one != is_now]
-
-
-def _spoken(reader: PdfReader) -> list[Any]:
-    """The tree of what the parts of the pages are, as a machine reads it out; empty where a copy has left it out."""
-    found: list[Any] = []
-    waiting = [reader.root_object.get("/StructTreeRoot")]
-    met: set[int] = set()
+def _numbered(pdf: Pdf, top: Any, key: str) -> Iterator[int]:
+    """The objects of a tree that have a key, each object once, however often the tree names it."""
+    waiting, met = [top], set()
     while waiting:
         one = waiting.pop()
-        if isinstance(one, IndirectObject):
-            if one.idnum in met:
+        if isinstance(one, Reference):
+            if one.number in met:
                 continue
-            met.add(one.idnum)
-        one = _resolved(one)
-        if isinstance(one, DictionaryObject):
-            found += [str(one.get(key, "")) for key in SPOKEN]
-            kids = _resolved(one.get("/K", []))
-            waiting += reversed(kids if isinstance(kids, list) else [kids])
-        elif one is not None:
-            found.append(one)
+            met.add(one.number)
+        entries = pdf.entries(one)
+        if isinstance(one, Reference) and key in entries:
+            yield one.number
+        waiting += reversed(pdf.items(entries.get("Kids")))
+
+
+def about(old: Pdf, new: Pdf, version: str) -> list[Difference]:
+    """What the document says and does as a whole, where that is another thing."""
+    was, is_now = old.info, new.info
+    keys = dict.fromkeys([*was, *is_now]) if version == VERSION else TOLD
+    told = [(key, words(was.get(key)), words(is_now.get(key))) for key in keys if key not in OF_THE_PROGRAM]
+    found = [Difference(f"the document's {key.lower()}", a or "–", b or "–") for key, a, b in told if a != b]
+    if version != VERSION:
+        return found
+    try:
+        same(old.data(old.root.get("Metadata")), new.data(new.root.get("Metadata")))
+    except Malformed as error:
+        found.append(Difference("the document's metadata", str(error), "as this program has them"))
+    compared = _Compared(old, new)
+    if not compared.alike(old.root.get("StructTreeRoot"), new.root.get("StructTreeRoot")):
+        found.append(Difference("the document's structure", "otherwise", "as this program has it"))
+    for key in dict.fromkeys([*new.root, *old.root]):
+        if key not in APART and not compared.alike(old.root.get(key), new.root.get(key)):
+            now = "as this program has it" if key in new.root else "nothing of that kind"
+            found.append(Difference("the document as a whole", key if key in old.root else f"no {key}", now))
     return found
 
 
-def pages(before: PdfReader, now: PdfReader, version: str) -> list[Difference]:
+def pages(old: Pdf, new: Pdf, version: str) -> list[Difference]:
     """The pages whose text or drawing is another one, and what was laid over them."""
-    if len(before.pages) != len(now.pages):
-        return [Difference("pages", str(len(before.pages)), str(len(now.pages)))]
+    compared = _Compared(old, new)
+    before, after = compared.pages
+    if len(before) != len(after):
+        return [Difference("pages", str(len(before)), str(len(after)))]
     found = []
-    same: Same = {}
-    for number, (old, new) in enumerate(zip(before.pages, now.pages), 1):
+    for number, (was, now) in enumerate(zip(before, after), 1):
         name = f"page {number}"
-        was = old.extract_text().replace(f"{PROGRAM} {version}", f"{PROGRAM} {VERSION}").split()
-        is_now = new.extract_text().split()
-        if was != is_now:
-            first = next((n for n, (a, b) in enumerate(zip(was, is_now)) if a != b), min(len(was), len(is_now)))
-            found.append(Difference(name, *(" ".join(words[max(0, first - 3) : first + 4]) for words in (was, is_now))))
-        elif version == VERSION and not _drawn_alike(old, new, same):
+        texts = _text(old, was).replace(f"{PROGRAM} {version}", f"{PROGRAM} {VERSION}").split(), _text(new, now).split()
+        if texts[0] != texts[1]:
+            first = next((n for n, (a, b) in enumerate(zip(*texts)) if a != b), min(map(len, texts)))
+            found.append(Difference(name, *(" ".join(some[max(0, first - 3) : first + 4]) for some in texts)))
+        elif version == VERSION and not compared.drawn_alike(number - 1):
             found.append(Difference(f"{name}, what is drawn on it", "otherwise", "as this program draws it"))
-        links = {_place(one) for one in annotations(new)}
-        laid = [one for one in annotations(old) if not (set(one) <= LINK and (_place(one) in links or version != VERSION))]
-        over = [one for one in laid if not signs(one)]
-        hidden = [words for one in laid if signs(one) and (words := covered(old, one))]
-        found += [Difference(f"{name}, laid over it", str(one.get("/Subtype", "")).removeprefix("/"), "nothing") for one in over]
-        found += [Difference(f"{name}, under the field of a signature", "covered", f"“{words}”") for words in hidden]
+        laid, links = (pdf.items(pdf.entries(page).get("Annots")) for pdf, page in ((old, was), (new, now)))
+        if version == VERSION and len(laid) < len(links):
+            found.append(Difference(f"{name}, laid over it", f"{len(laid)} links", f"{len(links)} links"))
+        for n, one in enumerate(laid if version == VERSION else ()):
+            if not (n < len(links) and compared.alike(one, links[n])):
+                found.append(Difference(f"{name}, laid over it", words(old.entries(one).get("Subtype")), "nothing, or something else"))
     return found
 
 
-def _drawn_alike(old: PageObject, new: PageObject, same: Same) -> bool:
-    """Whether two pages look the same: their marks, the fonts and pictures that these use, and the part of the sheet that is shown."""
-    marks = [contents.get_data().strip() if (contents := page.get_contents()) is not None else b"" for page in (old, new)]
-    shown = [(*page.mediabox, *page.cropbox, page.rotation, page.user_unit) for page in (old, new)]
-    more = [key for key in old if key not in new and key in ACTIONS]
-    used = [page.get("/Resources", {}) for page in (old, new)]
-    return marks[0] == marks[1] and shown[0] == shown[1] and not more and _alike(used[0], used[1], same)
+def _text(pdf: Pdf, page: Reference) -> str:
+    try:
+        return " ".join(said for _, said in printed(pdf, page))
+    except (ValueError, TypeError, IndexError):  # in another program's way, or in none
+        return ""
 
 
-def _alike(a: Any, b: Any, same: Same) -> bool:
-    """Whether two objects hold the same, whatever their numbers and however their streams are packed."""
-    key = (a.idnum, b.idnum) if isinstance(a, IndirectObject) and isinstance(b, IndirectObject) else None
-    if key in same:
-        return same[key]
-    if key is not None:
-        same[key] = True  # on the way to itself
-    a, b = _resolved(a), _resolved(b)
-    if isinstance(a, DictionaryObject) and isinstance(b, DictionaryObject):
-        mine, other = ({k: v for k, v in x.items() if k not in PACKED} for x in (a, b))
-        found = set(mine) == set(other) and all(_alike(mine[k], other[k], same) for k in mine)
-        if isinstance(a, StreamObject) or isinstance(b, StreamObject):
-            found = found and isinstance(a, StreamObject) and isinstance(b, StreamObject) and a.get_data() == b.get_data()
-    elif isinstance(a, list) and isinstance(b, list):
-        found = len(a) == len(b) and all(_alike(x, y, same) for x, y in zip(a, b))
-    else:
-        found = bool(a == b)
-    if key is not None:
-        same[key] = found
+class _Compared:
+    """Whether parts of two documents hold the same, whatever their numbers and however their streams are packed."""
+
+    def __init__(self, old: Pdf, new: Pdf) -> None:
+        self.old, self.new = old, new
+        self.pages = page_references(old), page_references(new)
+        self.numbers = [{page.number: n for n, page in enumerate(some)} for some in self.pages]
+        self.left = MOST
+
+    def drawn_alike(self, number: int) -> bool:
+        """Whether a page looks the same: its marks, and all that it says of itself but what is laid over it."""
+        old, new = self.old, self.new
+        was, now = _whole(old, self.pages[0][number]), _whole(new, self.pages[1][number])
+        marks = contents(old, was).strip() == contents(new, now).strip()
+        return marks and self.alike(*({key: page[key] for key in page if key not in ("Contents", "Annots")} for page in (was, now)))
+
+    def alike(self, first: Any, second: Any) -> bool:
+        waiting, met = [(first, second)], set()
+        while waiting:
+            a, b = waiting.pop()
+            self.left -= 1
+            if self.left < 0:
+                raise Malformed(f"it holds more than {MOST:,} values that must be compared")
+            if isinstance(a, Reference) and isinstance(b, Reference):
+                pair = a.number, b.number
+                places = [numbers.get(n, -1) for numbers, n in zip(self.numbers, pair)]
+                if places != [-1, -1] or pair in met:
+                    if places[0] != places[1]:
+                        return False
+                    continue
+                met.add(pair)
+            a, b = self.old.value(a), self.new.value(b)
+            if isinstance(a, Stream) and isinstance(b, Stream):
+                if (a.packed, a.entries.get("Filter")) != (b.packed, b.entries.get("Filter")) and self.old.data(a) != self.new.data(b):
+                    return False
+                a, b = a.entries, b.entries
+            if isinstance(a, dict) and isinstance(b, dict):
+                keys = set(a) - PACKED
+                if keys != set(b) - PACKED:
+                    return False
+                waiting += [(a[key], b[key]) for key in keys]
+            elif isinstance(a, list) and isinstance(b, list):
+                if len(a) != len(b):
+                    return False
+                waiting += zip(a, b)
+            elif a != b:
+                return False
+        return True
+
+
+def _whole(pdf: Pdf, page: Reference) -> dict[str, Any]:
+    """A page with what it inherits."""
+    found, above = dict(pdf.entries(page)), pdf.entries(page)
+    for _ in range(len(pdf.objects)):
+        above = pdf.entries(above.get("Parent"))
+        if not above:
+            break
+        found = {**{key: above[key] for key in INHERITED if key in above}, **found}
     return found
-
-
-def _resolved(x: Any) -> Any:
-    return x.get_object() if isinstance(x, IndirectObject) else x
-
-
-def annotations(page: PageObject) -> list[Any]:
-    return [_resolved(one) for one in _resolved(page.get("/Annots")) or []]
-
-
-def _place(annotation: Any) -> tuple[float, ...]:
-    return tuple(round(float(x), 2) for x in annotation.get("/Rect", ()))
-
-
-def signs(annotation: Any) -> bool:
-    """Whether it is the field of a signature, and does nothing when it is touched."""
-    kind = annotation.get("/FT") or _resolved(annotation.get("/Parent", {})).get("/FT")
-    return bool(kind == "/Sig" and annotation.get("/Subtype", "/Widget") == "/Widget" and not {"/A", "/AA"} & set(annotation))

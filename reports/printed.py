@@ -1,75 +1,88 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where on a page of a report something is printed, so that what is laid over it can be told from what covers nothing.
 
-Text counts wherever it stands, and a figure as a whole; rules, frames and panels say nothing by themselves.
+Text counts wherever it stands, figures and formulas as a whole, with the bars between their letters; rules, frames and panels say
+nothing by themselves.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
-from pypdf import PageObject
-
+from .pdf_file import Malformed, Pdf
 from .tags import FIGURE
 
 Rectangle = tuple[float, float, float, float]  # left, lower, right, upper
 ABOVE, BELOW = 0.72, 0.20  # of the size: how far letters reach from their base line
-NEAR = 1.0  # points that two things may overlap before one covers the other
+NEAR = 1.0  # points at its edges in which something printed may be overlapped
+SPAN = "Span"  # of a formula: its letters with what is read out for them
+WHOLE = {FIGURE: "figure", SPAN: "formula"}
+PARTS = 100  # of the contents of a page
 MOST = 60  # letters that are quoted of what is covered
-NUMBER = rb"-?[\d.]+"
+NUMBER = rb"-?[\d.]{1,30}"
 TOKEN = re.compile(
-    rb"(?P<matrix>(?:" + NUMBER + rb" ){6})Tm|/(?P<font>\S+) (?P<size>[\d.]+) Tf|<(?P<codes>[0-9a-fA-F]*)> Tj"
-    rb"|/(?P<role>\w+) (?:<<(?:[^<>]|<[^<>]*>)*>> BDC|BMC)|(?P<end>EMC)|(?P<image>(?:" + NUMBER + rb" ){6})cm"
+    rb"(?P<matrix>(?:" + NUMBER + rb" ){6})Tm|/(?P<font>\S{1,60}) (?P<size>[\d.]{1,30}) Tf|<(?P<codes>[0-9a-fA-F]*)> Tj"
+    rb"|/(?P<role>\w{1,60}) (?:<<(?:[^<>]|<[^<>]*>)*>> BDC|BMC)|(?P<end>EMC)|(?P<image>(?:" + NUMBER + rb" ){6})cm"
     rb"|(?P<area>(?:" + NUMBER + rb" ){4})re\b|(?P<points>(?:" + NUMBER + rb" ){2,6})[mlc]\b",
     re.S,
 )  # fmt: skip
 CODE = re.compile(rb"<([0-9A-F]{2})> <([0-9A-F]{4,})>")
 
 
-def covered(page: PageObject, annotation: Any) -> str:
-    """What an annotation covers of what is printed on its page; empty where it is nothing."""
-    x, y, x_2, y_2 = (float(end) for end in annotation["/Rect"])
-    left, right, low, top = min(x, x_2), max(x, x_2), min(y, y_2), max(y, y_2)
-    under = [
-        words
-        for (a, b, c, d), words in printed(page)
-        if min(right, c) - max(left, a) > NEAR and min(top, d) - max(low, b) > NEAR
-    ]  # fmt: skip
-    said = " ".join(under)
+def covered(rectangle: Rectangle, under: Iterable[tuple[Rectangle, str]]) -> str:
+    """What a rectangle covers of what is printed on a page; empty where it is nothing."""
+    left, low, right, top = rectangle
+    found = [text for (a, b, c, d), text in under if _reaches(left, right, a, c) and _reaches(low, top, b, d)]
+    said = " ".join(found)
     return said if len(said) <= MOST else f"{said[:MOST]} …"
 
 
-def printed(page: PageObject) -> Iterator[tuple[Rectangle, str]]:
-    """Every piece of text and every figure of a page with its place."""
-    contents = page.get_contents()
-    if contents is None:
-        return
-    resources: Any = page["/Resources"]
-    fonts = {name: _font(reference.get_object()) for name, reference in resources.get("/Font", {}).items()}
+def _reaches(start: float, end: float, low: float, high: float) -> bool:
+    """Whether one stretch reaches into another beyond its edges; what is thinner than both edges has still a middle."""
+    return start < max(high - NEAR, (low + high) / 2) and end > min(low + NEAR, (low + high) / 2)
+
+
+def printed(pdf: Pdf, page: Any) -> Iterator[tuple[Rectangle, str]]:
+    """Every piece of text, every formula and every figure of a page with its place."""
+    known = pdf.entries(pdf.entries(pdf.entries(page).get("Resources")).get("Font"))
+    fonts = {name: _font(pdf, pdf.entries(reference)) for name, reference in known.items()}
     matrix, x, size, font = (1.0, 0.0, 0.0, 1.0, 0.0, 0.0), 0.0, 0.0, ""
     roles: list[str] = []
     drawn: list[tuple[float, float]] = []
-    for token in TOKEN.finditer(contents.get_data()):
+    for token in TOKEN.finditer(contents(pdf, page)):
         if token["matrix"]:
             matrix, x = _six(token["matrix"]), 0.0
         elif token["font"]:
-            font, size = "/" + token["font"].decode("latin-1"), float(token["size"])
+            font, size = token["font"].decode("latin-1"), float(token["size"])
         elif token["codes"] is not None:
-            wide, words = _set(fonts.get(font), bytes.fromhex(token["codes"].decode()))
-            if words.strip():
-                yield _box(matrix, x, x + wide * size, size), words
+            wide, text = _set(fonts.get(font), bytes.fromhex(token["codes"].decode()))
+            if text.strip():
+                place = _box(matrix, x, x + wide * size, size)
+                yield place, text
+                if SPAN in roles:
+                    drawn += [place[:2], place[2:]]
             x += wide * size
         elif token["role"]:
             roles.append(token["role"].decode())
         elif token["end"]:
-            if roles and roles.pop() == FIGURE and drawn:
+            role = roles.pop() if roles else ""
+            if role in WHOLE and drawn:
                 xs, ys = zip(*drawn)
-                yield (min(xs), min(ys), max(xs), max(ys)), FIGURE.lower()
+                yield (min(xs), min(ys), max(xs), max(ys)), WHOLE[role]
                 drawn = []
         elif FIGURE in roles:
             drawn += _corners(token)
+
+
+def contents(pdf: Pdf, page: Any) -> bytes:
+    """The operators of a page."""
+    found = pdf.entries(page).get("Contents")
+    parts = pdf.items(found) or [found]
+    if len(parts) > PARTS:
+        raise Malformed(f"a page has {len(parts):,} contents; at most {PARTS} are read")
+    return b"\n".join(pdf.data(one) for one in parts)
 
 
 def _corners(token: re.Match[bytes]) -> list[tuple[float, float]]:
@@ -100,10 +113,9 @@ def _box(matrix: tuple[float, float, float, float, float, float], start: float, 
 Font = tuple[int, list[float], dict[int, str]]  # its first code, widths from there, letters
 
 
-def _font(font: Any) -> Font:
-    letters = CODE.findall(font["/ToUnicode"].get_object().get_data()) if "/ToUnicode" in font else []
-    widths = [float(one) for one in font.get("/Widths", [])]
-    return int(font.get("/FirstChar", 0)), widths, {int(code, 16): bytes.fromhex(to.decode()).decode("utf-16-be") for code, to in letters}
+def _font(pdf: Pdf, font: dict[str, Any]) -> Font:
+    letters = {int(code, 16): bytes.fromhex(to.decode()).decode("utf-16-be") for code, to in CODE.findall(pdf.data(font.get("ToUnicode")))}
+    return int(font.get("FirstChar", 0)), [float(one) for one in pdf.items(font.get("Widths"))], letters
 
 
 def _set(font: Font | None, codes: bytes) -> tuple[float, str]:

@@ -1,19 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether a report still says what its design gives: the attached design is solved again, and the pages are set again.
 
-What is attached says how: one design is a report, two are a comparison.
+Identical is only what has the same bytes; whatever else a file may be is another verdict.  What is attached says how the pages are set: one
+design is a report, two are a comparison.
 """
 
+from __future__ import annotations
+
 import hashlib
-import io
 import json
-import logging
 import re
 from dataclasses import dataclass, replace
+from enum import Enum
 from typing import Any
-
-from pypdf import PdfReader
-from pypdf.errors import DependencyError, PyPdfError
 
 from calc.compare import SAME, compare, relative, size_of_nothing
 from calc.design_file import design, parse
@@ -26,65 +25,84 @@ from calc.version import VERSION
 from .attach import NAME, PAIR, RESULTS, pair_bytes, results_bytes
 from .comparison import render as render_comparison
 from .context import DEPTHS
-from .pdf_diff import Difference, about, annotations, attachments, pages, signs
+from .pdf_diff import Difference, about, attachments, page_references, pages
+from .pdf_file import Malformed, Pdf, words
+from .pdf_signature import fields
+from .printed import covered, printed
 from .report import render
 
-logging.getLogger("pypdf").setLevel(logging.CRITICAL)  # what it finds wrong with a file is said once, by the error
-UNREADABLE = (
-    PyPdfError, DependencyError, NotImplementedError, ValueError, OSError, KeyError, IndexError, TypeError, AttributeError,
-    RecursionError, AssertionError,
-)  # what a damaged or forged file makes the reader raise  # fmt: skip
 KEYWORD = re.compile(r"(\w+):([0-9a-z]+)")
 PARTS = ("steps", "checks", "values")  # of the results inside a report
+BROKEN = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError)  # what results of any shape raise
+
+
+class Verdict(Enum):
+    """What a report is; only the first two speak for it."""
+
+    IDENTICAL = "identical"  # byte for byte what this program writes
+    SIGNED = "signed"  # that, and after it nothing but fields of signatures, which cover nothing of it
+    COVERED = "covered"  # that, but a field covers something that is printed
+    OTHER_VERSION = "another version"  # of the program has written it; its texts and values are the same
+    SAVED_ANEW = "saved anew"  # by another program: other bytes, in which nothing different was found
+    DIFFERS = "differs"
 
 
 @dataclass(frozen=True)
 class Verification:
     """`changed`: the attachments that are not those which the report was written with.  `version`: of the program that wrote it.
 
-    `same_bytes`: the file is, byte for byte, what this program writes.  `signed`: the pages that carry the field of a signature; what
-    that shows is not the report's, and one that covers what is printed is a difference.
+    `signed`: the pages that carry the field of a signature; what that shows is not the report's.
     """
 
     design: str
     version: str
-    changed: tuple[str, ...]
-    differences: tuple[Difference, ...]
-    same_bytes: bool
+    verdict: Verdict
+    changed: tuple[str, ...] = ()
+    differences: tuple[Difference, ...] = ()
     signed: tuple[int, ...] = ()
 
     @property
-    def same_version(self) -> bool:
-        return self.version == VERSION
-
-    @property
-    def kept(self) -> bool:
-        """Whether everything is as the program writes it, whatever fields of signatures there are that cover none of it."""
-        return not self.changed and not self.differences
-
-    @property
     def identical(self) -> bool:
-        return self.kept and not self.signed
+        return self.verdict is Verdict.IDENTICAL
 
 
 def verify(raw: bytes, place: str) -> Verification:
-    """Solve the design that is attached to a report, or the two of a comparison, again, and compare values, verdicts and pages.
+    """Solve the design that is attached to a report, or the two of a comparison, again, and compare it with the report that they give.
 
-    `place`: the name of the file, for messages.  A report of another version is compared in its texts, not in how they are drawn.
-    Raises BadInput for a file that is no report of this program, or whose design this version does not accept.
+    `place`: the name of the file, for messages.  Raises BadInput for a file that is no report of this program, or whose design this version
+    does not accept.
     """
-    reader, said, attached = _read(raw, place)
+    pdf, said, attached = _read(raw, place)
     made = (_comparison if "other" in said else _report)(place, said, attached)
+    version = said["version"]
+    if raw == made.raw:
+        return Verification(made.name, version, Verdict.IDENTICAL)
     differences = list(made.differences)
-    signed: list[int] = []
-    if raw != made.raw:
+    fresh = Pdf(made.raw)
+    if raw.startswith(made.raw):
         try:
-            fresh = PdfReader(io.BytesIO(made.raw))
-            differences += [*about(reader, fresh, said["version"]), *pages(reader, fresh, said["version"])]
-            signed = [n for n, page in enumerate(reader.pages, 1) if any(map(signs, annotations(page)))]
-        except UNREADABLE as error:
-            raise _refused(place, Text("has pages that can not be read ({error}); the report was damaged", error=str(error))) from None
-    return Verification(made.name, said["version"], tuple(made.changed), tuple(differences), raw == made.raw, tuple(signed))
+            return _signed(made, fresh, raw, version)
+        except Malformed as error:
+            differences.append(Difference("what was appended to the report", str(error), "nothing, or fields of signatures alone"))
+    try:
+        differences += [*about(pdf, fresh, version), *pages(pdf, fresh, version)]
+    except Malformed as error:
+        raise _unreadable(place, error) from None
+    verdict = Verdict.SAVED_ANEW if version == VERSION else Verdict.OTHER_VERSION
+    if made.changed or differences:
+        verdict = Verdict.DIFFERS
+    return Verification(made.name, version, verdict, tuple(made.changed), tuple(differences))
+
+
+def _signed(made: _Again, fresh: Pdf, raw: bytes, version: str) -> Verification:
+    """A report to which fields of signatures were appended.  Raises Malformed for anything else."""
+    sheets = page_references(fresh)
+    laid = fields(made.raw, raw, sheets)
+    under = {n: list(printed(fresh, sheets[n - 1])) for n, _ in laid}
+    found = [(n, covered(place, under[n])) for n, place in laid]
+    hidden = tuple(Difference(f"page {n}, under the field of a signature", "covered", f"“{text}”") for n, text in found if text)
+    numbers = tuple(sorted({n for n, _ in found}))
+    return Verification(made.name, version, Verdict.COVERED if hidden else Verdict.SIGNED, differences=hidden, signed=numbers)
 
 
 @dataclass(frozen=True)
@@ -113,7 +131,7 @@ def _report(place: str, said: dict[str, str], attached: dict[str, list[bytes]]) 
     try:
         before = json.loads(attached[RESULTS][0])
         differences = _values(before, json.loads(results_bytes(results)), results)
-    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+    except BROKEN:
         raise _unread(place) from None
     picture = _one_with(attached[name], wanted[name]) if name else None
     again = render(document, results, first, depth=said["depth"], lang=said["lang"], logo_file=picture)
@@ -131,7 +149,7 @@ def _comparison(place: str, said: dict[str, str], attached: dict[str, list[bytes
         names = (str(before["names"][0]), str(before["names"][1]))
         now = json.loads(pair_bytes(names, (first[1], second[1])))
         both = [_values(before[side], now[side], results) for side, (_, results) in zip("ab", (first, second))]
-    except UNREADABLE:
+    except BROKEN:
         raise _unread(place) from None
     differences = [replace(one, what=f"{name}: {one.what}") for name, found in zip(PAIR, both) for one in found]
     compared = compare(first[0].data, second[0].data, first[1], second[1])
@@ -152,24 +170,22 @@ def _changed(attached: dict[str, list[bytes]], wanted: dict[str, str]) -> list[s
     return found + [name for name in attached if name not in wanted]
 
 
-def _read(raw: bytes, place: str) -> tuple[PdfReader, dict[str, str], dict[str, list[bytes]]]:
+def _read(raw: bytes, place: str) -> tuple[Pdf, dict[str, str], dict[str, list[bytes]]]:
     """The document, what it says about itself, and the files inside it."""
     try:
-        reader = PdfReader(io.BytesIO(raw))
-        if reader.is_encrypted:
+        pdf = Pdf(raw)
+        if any("Encrypt" in section.trailer for section in pdf.sections):
             raise _refused(place, Text("is encrypted; give the report as it was written"))
-        keywords = str(reader.metadata.keywords or "") if reader.metadata is not None else ""
-        attached = attachments(reader)
-    except UNREADABLE as error:
-        raise _refused(
-            place, Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error))
-        ) from None
+        keywords = words(pdf.info.get("Keywords"))
+        attached = attachments(pdf)
+    except Malformed as error:
+        raise _unreadable(place, error) from None
     said = dict(reversed(KEYWORD.findall(keywords)))  # of one that stands twice the first
     version = re.match(r"Contralbero (\S+?)(?:,|$)", keywords)
     known = said.get("depth") in DEPTHS and said.get("lang") in LANGUAGES and {"sha256", "results"} <= set(said)
     if version is None or not known:
         raise _refused(place, Text("is no report of this program, or was written before reports could be verified; write it anew"))
-    return reader, {**said, "version": version[1]}, attached
+    return pdf, {**said, "version": version[1]}, attached
 
 
 def _one_with(files: list[bytes], sum: str) -> bytes:
@@ -179,6 +195,10 @@ def _one_with(files: list[bytes], sum: str) -> bytes:
 
 def _unread(place: str) -> BadInput:
     return _refused(place, Text("has an attachment {name} that can not be read; the report was damaged", name=RESULTS))
+
+
+def _unreadable(place: str, error: Malformed) -> BadInput:
+    return _refused(place, Text("can not be read as a PDF ({error}); give a report that `contralbero report` wrote", error=str(error)))
 
 
 def _refused(place: str, reason: Text) -> BadInput:

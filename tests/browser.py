@@ -22,7 +22,9 @@ SWITCHES = """--headless --no-sandbox --disable-gpu --no-first-run --disable-bac
 # The page keeps its terminal to itself; it is caught as it takes on its first part, and read by its own buffer.
 CATCH = """Object.defineProperty(Object.prototype, "fitAddon", {configurable: true, set(part) {
   Object.defineProperty(this, "fitAddon", {value: part, writable: true}); window.caught = this.terminal;
-}});"""
+}});
+window.refused = [];
+addEventListener("securitypolicyviolation", (event) => refused.push(`${event.violatedDirective} ${event.blockedURI} ${event.lineNumber}`));"""
 READ = """(() => { const b = window.caught && window.caught.buffer.active, lines = [];
   for (let i = 0; b && i < b.length; i++) lines.push(b.getLine(i).translateToString(true));
   return lines.join("\\n"); })()"""

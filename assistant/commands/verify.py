@@ -1,32 +1,38 @@
 # SPDX-License-Identifier: Apache-2.0
-"""`contralbero verify`: solves the design inside a report again and says identical, signed, or what differs."""
+"""`contralbero verify`: solves the design inside a report again and says identical, signed, or what else the file is."""
 
+import stat
 from argparse import Namespace
 from pathlib import Path
 
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.version import VERSION
-from reports.verify import verify
+from reports.pdf_file import MOST_BYTES
+from reports.verify import Verdict, verify
 
 MOST = 20  # differences that are listed
+LAST = {
+    Verdict.IDENTICAL: "identical, byte for byte",
+    Verdict.SIGNED: "signed, or prepared for it: what this program writes, byte for byte, and after it fields that cover nothing",
+    Verdict.COVERED: "covered: the field of a signature lies over what is printed",
+    Verdict.OTHER_VERSION: "another version: the same values, verdicts and texts; only the version that wrote it can call it identical",
+    Verdict.SAVED_ANEW: "saved anew: no difference was found, but the bytes are not this program's; ask for the report as it was written",
+    Verdict.DIFFERS: "differs",
+}
+TRUSTED = (Verdict.IDENTICAL, Verdict.SIGNED)
 
 
 def run(asked: Namespace) -> int:
     path = Path(asked.file)
-    try:
-        raw = path.read_bytes()
-    except OSError as error:
-        reason = Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=error.strerror or str(error))
-        raise BadInput(str(path), [InputError(0, "", "", reason)]) from None
-    found = verify(raw, str(path))
+    found = verify(_bytes(path), str(path))
 
     def say(text: str) -> None:
         """What stands in the file may hold anything; a terminal must not obey it."""
         print("".join(c if c.isprintable() else f"\\x{ord(c):02x}" for c in text))
 
     say(f"{path}: {found.design}")
-    if not found.same_version:
+    if found.version != VERSION:
         say(f"written by version {found.version}; this is version {VERSION}: texts are compared, and what differs may come from that")
     for name in found.changed:
         say(f"the attachment {name} is not the one that the report was written with")
@@ -36,11 +42,24 @@ def run(asked: Namespace) -> int:
         print(f"and {len(found.differences) - MOST} more; --all lists them")
     for number in found.signed:
         print(f"page {number} carries the field of a signature; what that shows is not the report's")
-    if not found.kept:
-        print("differs")
-        return 1
-    if found.signed:
-        print("signed, or prepared for it: nothing that is printed is covered, and all values, verdicts and pages are identical")
-        return 0
-    print("identical, byte for byte" if found.same_bytes else "identical in all values, verdicts and pages; other bytes")
-    return 0
+    print(LAST[found.verdict])
+    return 0 if found.verdict in TRUSTED else 1
+
+
+def _bytes(path: Path) -> bytes:
+    """What stands in the file.  Raises BadInput for one that is none, or too large: a pipe would never end."""
+    try:
+        about = path.stat()
+        if not stat.S_ISREG(about.st_mode):
+            raise _refused(path, Text("is no regular file; give a report that `contralbero report` wrote"))
+        if about.st_size > MOST_BYTES:
+            raise _refused(path, Text("has {size} bytes; a report has at most {most}", size=about.st_size, most=MOST_BYTES))
+        with path.open("rb") as file:
+            return file.read(MOST_BYTES + 1)
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise _refused(path, Text("cannot be read: {reason}; give a report that `contralbero report` wrote", reason=reason)) from None
+
+
+def _refused(path: Path, reason: Text) -> BadInput:
+    return BadInput(str(path), [InputError(0, "", "", reason)])
