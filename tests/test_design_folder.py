@@ -138,3 +138,18 @@ def test_a_worker_that_is_killed_costs_nothing_but_time(tmp_path):
     assert (out / "front.csv").read_bytes() == (tmp_path / "e" / "front.csv").read_bytes()
     time.sleep(0.2)
     assert not [pid for pid in workers if os.path.exists(f"/proc/{pid}/cmdline") and open(f"/proc/{pid}/cmdline", "rb").read()]
+
+
+@pytest.mark.slow
+def test_every_drive_of_the_shipped_search_passes_in_a_process_of_its_own(tmp_path):
+    own, out = tmp_path / "own.toml", tmp_path / "d"
+    own.write_text((DESIGNS / "r753ie4_drive.toml").read_text(encoding="utf-8"), encoding="utf-8")
+    done = run("design", own, "--out", out, "--processes", 2)
+    assert done.returncode == 0, done.stderr
+    drives = sorted(out.glob("[0-9]*.toml"))
+    about = json.loads((out / "front.json").read_text(encoding="utf-8"))
+    assert len(drives) == len(about["drives"]) >= 40 and len(about["dropped"]) <= 1
+    for one in drives:
+        checked = run_apart("check", one)
+        assert checked.returncode == 0, (one.name, checked.stdout)
+        assert "# engine manual" in one.read_text(encoding="utf-8")

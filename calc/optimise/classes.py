@@ -129,7 +129,7 @@ def drive_of(made: Design, results: Results) -> Drive:
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
     drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
         shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, True,
-        gear_z=shaft.gear_z)  # fmt: skip
+        gear_z=shaft.gear_z, holes=shaft.holes)  # fmt: skip
     own = made.bearings
     if own is None or solved.slope_front is None or solved.slope_rear is None:
         return drive

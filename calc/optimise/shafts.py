@@ -17,6 +17,7 @@ import numpy as np
 from ..catalogue import Material
 from ..countershaft import sector as s
 from ..countershaft.bending import formulas as b
+from ..countershaft.inputs import Holes
 from ..countershaft.outline import TOUCH
 from ..countershaft.sizing import formulas as z
 from ..sheet.arrays import Array, BoolArray, each, many
@@ -49,6 +50,7 @@ class Drive:
     close_gap: bool  # whether a gap between the sectors must hold two fillets
     added: tuple[Number, Number] = (TURNING, TURNING)
     gear_z: Metre | None = None
+    holes: Holes | None = None  # that are to end within the sectors
 
     @property
     def span(self) -> Metre:
@@ -162,6 +164,8 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         I = s.sector_inertia(R=R, r_0=each(r), gamma=gamma, A_tot=area, y=s.whole_centre(S=S, A_tot=area))
         whole = many(area)
         gap = 2 * (f - length)
+        if drive.holes is not None:
+            fits &= _drilled(drive.holes, R, r, length, many(gamma))
         if drive.close_gap and drive.fillet:
             fits &= _filleted(drive, gap)
         I_0 = math.pi / 4 * r**4
@@ -206,6 +210,14 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         free = (stub >= -TOUCH) & (_filleted(drive, stub) if drive.close_gap and drive.fillet else True)
         weight = mass[:, place] + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back) + drive.gear_mass()
     return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place] & free)
+
+
+def _drilled(holes: Holes, R: Metre, r: Array, length: Array, gamma: Array) -> BoolArray:
+    """Whether the calibration holes end in two sectors, side by side within them (countershaft/making/holes)."""
+    row = math.ceil(holes.count / 2) * holes.diameter
+    chord = 2 * max(R - holes.depth, 0.0) * np.sin(np.minimum(gamma, math.pi / 2))
+    inside: BoolArray = (holes.depth <= R - r + NEAR) & (row <= length) & (holes.diameter <= chord)
+    return inside
 
 
 def _filleted(drive: Drive, gap: Array) -> BoolArray:

@@ -64,11 +64,15 @@ def test_without_any_choice_but_the_clearance_the_front_is_that_of_all(sized):
 
 
 @pytest.mark.slow
-def test_no_drive_of_a_large_grid_beats_the_front(sized):
-    """Some hundred whole solutions, no margin asked; and the other way the front is not better than the grid's own by more than its steps."""
-    whole, shown = _against(sized, LARGE, {"front": [70, 80, 90], "rear": [90, 100, 110]})
+def test_the_front_of_a_grid_is_that_of_all_its_drives_solved_whole(sized, monkeypatch):
+    """864 whole solutions; the tables have the same clearances and no others, so that neither front is better than the other."""
+    import calc.optimise.films as tables
+
+    steps = {"front": [70, 80, 85], "rear": [90, 95, 100, 105]}
+    monkeypatch.setattr(tables, "clearances", lambda task, *_: np.array(steps[task.place]) * 1e-6)
+    whole, shown = _against(sized, LARGE, steps)
     gap = max(((whole - row) / UNITS).max(1).min() for row in shown)
-    assert len(whole) >= 50 and gap <= 8  # clearances of the grid are three, those of the front all
+    assert len(whole) >= 40 and len(shown) >= 3 and gap <= 0.01
 
 
 def test_a_mutated_rule_shows(sized, monkeypatch):

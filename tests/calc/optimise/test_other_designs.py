@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Designs that are not the shipped ones: engines of the table, starts that fail, envelopes that hold one drive or none, ends of ranges."""
+
+import pytest
+
+from calc.design_file import read
+from calc.optimise.run import asked, search
+from calc.optimise.telling import at_end
+
+from ...command import run
+from .points import Class, compared
+from .test_brute_force import GRID
+from .test_verdict import SOME, changed
+
+
+def written(engine, folder):
+    """The design that `contralbero new` begins an engine with."""
+    path = folder / f"{engine}.toml"
+    assert run("new", path, "--engine", engine).returncode == 0
+    return read(path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ["inline-3", "two-stroke-3", "v6-90", "inline-5", "twin-180"])
+def test_tables_and_whole_solutions_agree_on_every_engine_with_a_couple(engine, tmp_path):
+    _, misses, power, mass, (least, most) = compared(Class(written(engine, tmp_path), {}), 20, 1)
+    assert misses == [] and power <= 0.05 and mass <= 1e-6 and -1e-9 <= least and most <= 0.006
+
+
+def test_an_inline_three_of_ones_own_comes_to_drives(tmp_path):
+    """From `new` alone, a few values of its sizes about the start."""
+    document = written("inline-3", tmp_path)
+    own = document.data
+    vary = {f"bearings.{p}.diameter_mm": [own["bearings"][p]["diameter_mm"]] for p in ("front", "rear")}
+    vary |= {"bearings.oil": "fixed", "bearings.supply": "fixed", "countershaft.material": "fixed"}
+    problem, _ = asked(document, {"vary": vary, "rows": 3, "objectives": ["power", "mass"]})
+    found = search(problem)
+    assert found.drives and found.dropped == ()
+    assert all(one.sized.diameter == {p: own["bearings"][p]["diameter_mm"] for p in ("front", "rear")} for one in found.drives)
+
+
+def test_holes_that_would_run_into_the_core_or_out_of_the_sector(sized):
+    """Sizes of holes are limits that change with core, seat and length: what breaks them is not offered, and hides nothing."""
+    deep = changed(sized, {"countershaft.holes.depth_mm": 27.5})
+    _, misses, *_ = compared(Class(deep, {"vary": SOME}), 14, 4)
+    assert [broken for passes, broken, _ in misses if passes] == []
+    problem, _ = asked(deep, {"vary": SOME, "rows": 5, "objectives": ["power", "mass"]})
+    found = search(problem)
+    assert found.dropped == () and all(d.sized.diameter["rear"] / 2 - 0.2 - d.sized.core >= 27.5 for d in found.drives)
+
+
+def test_a_range_that_holds_one_drive_and_one_that_holds_none(sized):
+    one = GRID | {"countershaft.core_radius_mm": [15.0], "bearings.front.length_mm": [37.0], "bearings.rear.length_mm": [31.0]}
+    problem, _ = asked(sized, {"vary": one, "rows": 9, "objectives": ["power", "mass", "seat"]})
+    (only,) = search(problem).drives
+    assert only.sized.core == 15.0 and set(at_end(problem, only)) == set()  # a single value is no end of a range
+    for key, value in (("bearings.front.length_mm", [20.0]), ("countershaft.core_radius_mm", [8.0]), ("bearings.rear.length_mm", [90.0])):
+        problem, _ = asked(sized, {"vary": one | {key: value}})
+        assert search(problem).drives == ()
+
+
+def test_a_start_that_fails_and_has_no_film_is_as_good_as_any(sized):
+    vary = {"vary": GRID | {"bearings.rear.diameter_mm": [85.0, 86.0]}, "rows": 4, "objectives": ["power", "mass"]}
+    broken = changed(sized, {
+        "bearings.rear.clearance_factor": None, "bearings.rear.clearance_um": 900.0, "bearings.front.length_mm": 16.0,
+        "countershaft.core_radius_mm": 8.0,
+    })  # fmt: skip
+    one, other = (search(asked(d, vary)[0]) for d in (sized, broken))
+    assert one.drives and [d.changes for d in one.drives] == [d.changes for d in other.drives]
+
+
+def test_bounds_hold_in_what_is_solved_whole(sized):
+    bounds = {"most": {"mass_kg": 9.0, "power_W": 275.0}, "least": {"margin_percent": 2.0}}
+    problem, _ = asked(sized, {"vary": SOME, "rows": 6, **bounds})
+    found = search(problem)
+    assert found.drives
+    for one in found.drives:
+        assert one.objectives["mass"] <= 9.0 and one.objectives["power"] <= 275.0 and one.objectives["margin"] >= 2.0
+
+
+def test_a_length_off_the_usual_steps_and_values_out_of_order(sized):
+    vary = GRID | {"bearings.front.length_mm": [38.0, 37.3, 36.9], "countershaft.core_radius_mm": [16.0, 14.25, 15.1]}
+    problem, _ = asked(sized, {"vary": vary, "rows": 5, "objectives": ["power", "mass"]})
+    found = search(problem)
+    assert found.drives and {one.sized.core for one in found.drives} <= {14.25, 15.1, 16.0}
+    assert {one.sized.length["front"] for one in found.drives} <= {36.9, 37.3, 38.0}
