@@ -4,6 +4,7 @@
 import hashlib
 import json
 import os
+import re
 import sys
 from argparse import Namespace
 from pathlib import Path
@@ -21,7 +22,7 @@ from calc.sheet.errors import BadInput, InputError, NoSolution
 from calc.sheet.text import Text
 from calc.solve import solve
 
-DRIVES = "[0-9]*.toml"
+DRIVE = r"\d{3,4}\.toml"  # names of drives
 SECONDS = 2.0  # a class, about
 
 
@@ -114,6 +115,7 @@ def _search(given: Namespace, problem: Problem) -> int:
     folder = Path(given.out)
     if folder.exists() and not folder.is_dir():
         raise BadInput(str(folder), [InputError(0, "--out", "", Text("is a file; give the name of a folder"))])
+    _spare_others(folder, Path(given.file))
     quiet = given.json
     processes = given.processes if given.processes is not None else min(os.cpu_count() or 1, max(1, len(problem.classes)))
     if not quiet:
@@ -176,10 +178,29 @@ def _best(problem: Problem, known: Table) -> str:
     return "; " + " · ".join(f"{least[n]:.4g} {units[name]}" for n, name in enumerate(problem.objectives) if name in units)
 
 
+def _drives(folder: Path) -> list[Path]:
+    """The drives of the front that lies in a folder, and no other file of it."""
+    try:
+        about = json.loads((folder / "front.json").read_text("utf-8"))
+        count = len(about["drives"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return []
+    return [path for n in range(1, count + 1) if (path := folder / f"{n:03d}.toml").exists()]
+
+
+def _spare_others(folder: Path, source: Path) -> None:
+    """Raises BadInput where drives would be written over a file that is not of an earlier front, or over the design itself."""
+    known = {path.name for path in _drives(folder) if not (source.exists() and path.samefile(source))}
+    others = [path.name for path in sorted(folder.glob("*.toml")) if re.fullmatch(DRIVE, path.name) and path.name not in known]
+    if others:
+        why = Text("exists already and is left alone; choose another name")
+        raise BadInput(str(folder), [InputError(0, "--out", name, why) for name in others])
+
+
 def write(folder: Path, found: Found) -> None:
     """Every drive as a design of its own, then the front."""
     folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob(DRIVES):
+    for old in _drives(folder):
         old.unlink()
     for n, one in enumerate(found.drives, 1):
         write_asked(folder / f"{n:03d}.toml", drive_text(found.problem, one.document), backup=False)
@@ -209,7 +230,7 @@ def _pick(given: Namespace, document: Document, problem: Problem) -> int:
         raise BadInput(
             "--pick", [InputError(0, "", str(given.pick), Text("there is no such drive in {folder}", folder=str(folder)))]
         ) from None
-    drives = {hashlib.sha256(path.read_bytes()).hexdigest() for path in folder.glob(DRIVES)}
+    drives = {hashlib.sha256(path.read_bytes()).hexdigest() for path in _drives(folder)}
     if document.sha256 not in (about.get("design"), *drives):  # the design that was searched, or one of its drives
         why = Text("was searched for another version of {file}: run the search again", file=given.file)
         raise BadInput(str(folder), [InputError(0, "--pick", str(given.pick), why)])

@@ -189,12 +189,8 @@ def _kept(problem: Problem, n: int, parts: Path | None) -> ClassFront | None:
                 return None
             count, c, a = (float(x) for x in file["about"])
             return ClassFront(rows, int(count), (c, a), Text("{why}", why=str(file["why"])) if str(file["why"]) else EMPTY)
-    except (OSError, ValueError, KeyError, EOFError):
+    except Exception:  # a file that was cut off or written over, in any of the ways in which zipfile, zlib and numpy say so
         return None
-    except Exception as broken:  # a zip file that was cut off, in any of the ways in which numpy says so
-        if type(broken).__name__ in ("BadZipFile", "error"):
-            return None
-        raise
 
 
 def _keep(problem: Problem, n: int, one: ClassFront, parts: Path | None) -> None:
@@ -245,7 +241,9 @@ def _sized(problem: Problem, known: Table, place: int) -> Sized:
 
 
 def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | None = None) -> tuple[list[Whole], list[Whole]]:
-    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its nearest neighbours."""
+    """Rows that stand for all, solved whole, and those that were dropped.  A row that fails gives its place to its nearest neighbours.
+
+    A KeyboardInterrupt ends it with the drives that there are by then."""
     units = np.array([problem.units[name] for name in problem.objectives])
     finite = np.flatnonzero(np.isfinite(known.objectives).all(1))
     wanted = [int(finite[n]) for n in representatives(known.objectives[finite], units, problem.rows)]
@@ -253,24 +251,33 @@ def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | No
     dropped: list[Whole] = []
     tried: set[int] = set()
     before: Results | None = None
-    for count, first in enumerate(wanted):
-        if told is not None:
-            told(count, len(wanted))
-        far = np.abs((known.objectives[finite] - known.objectives[first]) / units).max(1)
-        nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
-        if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
-            break
-        for place in [first, *(n for n in nearest if n != first and n not in wanted)][: NEIGHBOURS + 1]:
-            if place in tried:
-                continue
-            tried.add(place)
-            one, results = whole(problem, _sized(problem, known, place), before)
-            before = results or before
-            if not one.broken:
-                drives[place] = one
+    try:
+        for count, first in enumerate(wanted):
+            if told is not None:
+                told(count, len(wanted))
+            if not drives and len(dropped) >= HOPELESS and set.intersection(*(set(one.broken) for one in dropped)):
                 break
-            dropped.append(one)
+            for place in _instead(known.objectives / units, finite, first, set(wanted)):
+                if place in tried:
+                    continue
+                tried.add(place)
+                one, results = whole(problem, _sized(problem, known, place), before)
+                before = results or before
+                if not one.broken:
+                    drives[place] = one
+                    break
+                dropped.append(one)
+    except KeyboardInterrupt:
+        if not drives:
+            raise
     return _exact_front(problem, list(drives.values())), dropped
+
+
+def _instead(scaled: Array, finite: Array, first: int, wanted: set[int]) -> list[int]:
+    """A row, then those nearest to it that are not wanted themselves."""
+    far = np.abs(scaled[finite] - scaled[first]).max(1)
+    nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
+    return [first, *(n for n in nearest if n not in wanted)][: NEIGHBOURS + 1]
 
 
 def _exact_front(problem: Problem, drives: list[Whole]) -> list[Whole]:
