@@ -22,7 +22,7 @@ import numpy as np
 
 from ..design_file import Document, design
 from ..gears.result import TrainResult
-from ..sheet.arrays import Array
+from ..sheet.arrays import Array, IndexArray
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
 from ..sheet.text import EMPTY, Text
@@ -273,7 +273,7 @@ def solved(problem: Problem, known: Table, told: Callable[[int, int], None] | No
     return _exact_front(problem, list(drives.values())), dropped
 
 
-def _instead(scaled: Array, finite: Array, first: int, wanted: set[int]) -> list[int]:
+def _instead(scaled: Array, finite: IndexArray, first: int, wanted: set[int]) -> list[int]:
     """A row, then those nearest to it that are not wanted themselves."""
     far = np.abs(scaled[finite] - scaled[first]).max(1)
     nearest = [int(n) for n in finite[np.argsort(far, kind="stable")[: 4 * (NEIGHBOURS + 1)]]]
