@@ -72,11 +72,13 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._back = False  # the focus was on a part that goes
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
-        self._side = side(min(WIDE, self.app.size.width - 1))
+        self._side = 1
         self._parts = FormParts(step, session, self.app.say)
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
+        room = self.parent.size.width if isinstance(self.parent, Widget) else 0  # known where another form stands
+        self._side = side(room or min(WIDE, self.app.size.width - 1))
         for part, make in self._parts.parts(self._rows()):
             yield self._made(part, make)
 
