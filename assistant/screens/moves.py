@@ -13,7 +13,7 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.radio import Radio
-from ..widgets.steps import states_of
+from ..widgets.steps import nothing_left, states_of
 from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
 from .host import Host
@@ -59,9 +59,7 @@ class Moves:
     @property
     def _done(self) -> bool:
         """Whether nothing is left to do in the step, or what is waits for a later one."""
-        n, states = self._host.number, states_of(self._host.session)
-        here = states[n - 1]
-        return here.done or (here.state == "not_verified" and any(later.state == "todo" for later in states[n:]))
+        return nothing_left(states_of(self._host.session), self._host.step.key)
 
     async def trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""

@@ -136,6 +136,21 @@ async def test_a_balancing_is_taken_as_one_step(screen: Screen, light: Session) 
         assert light.undo() is not None and light.data == before and "locked" not in told(pilot)
 
 
+async def test_a_step_that_was_built_is_left_by_the_next_enter(screen: Screen, light: Session) -> None:
+    """Also where it can not be judged before the one after it is built: the line below says so."""
+    assert not light.ask("bearings")
+    async with screen(size=(120, 40)) as pilot:
+        bench = work(pilot)
+        await bench.moves.to_step(5)
+        bench.form.focus_place(None, at_once=True)
+        bench.building._built(light, "gears", light.plan("gears"))
+        assert bench.focused is bench.form  # at once: keys may be waiting
+        await until(pilot, lambda: "Enter goes on: 6 Friction is to do." in rows(pilot))
+        await settled(pilot)
+        await strike(pilot, "enter")
+        await until(pilot, lambda: bench.number == 6)
+
+
 async def test_leaving_a_step_out_asks_for_the_reason(screen: Screen, light: Session) -> None:
     async with screen() as pilot:
         await work(pilot).open_step(STEPS[5])
