@@ -77,8 +77,9 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
-        room = self.parent.size.width if isinstance(self.parent, Widget) else 0  # known where another form stands
-        self._side = side(room or min(WIDE, self.app.size.width - 1))
+        known = self.parent.size.width if isinstance(self.parent, Widget) else 0  # where another form has stood before
+        alone = not self.screen.has_class("-wide") and not self.screen.has_class("-huge")
+        self._side = side(known or (self.app.size.width if alone else WIDE))
         for part, make in self._parts.parts(self._rows()):
             yield self._made(part, make)
 
