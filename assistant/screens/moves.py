@@ -54,7 +54,7 @@ class Moves:
         before = host.step
         await self.turn_step(1)
         if host.step is not before and self._done:
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
 
     @property
     def _done(self) -> bool:
@@ -83,7 +83,7 @@ class Moves:
             step, check = next((f for f in faults if f[0] is host.step and f[1].verdict == faults[0][1].verdict), faults[0])
         host.at_pane("checks")
         await host.open_step(step, stay=True)
-        checks.focus()
+        host.set_focus(checks)
         host.call_after_refresh(checks.go_to, check.id)
 
     def line(self) -> None:
@@ -106,7 +106,7 @@ class Moves:
             host.app.tell(Text("No single line of the calculation gives this value."))
             return
         host.at_pane("calculation")
-        calculation.focus()
+        host.set_focus(calculation)
         host.call_after_refresh(calculation.go_to, calculation.sheet.entries[index].number, top=True)
 
     async def to_value(self, id: str) -> None:
@@ -165,9 +165,9 @@ class Moves:
         host = self._host
         host.at_pane(name)
         if name == "inputs":
-            host.form.focus_place(None)
+            host.form.focus_place(None, at_once=True)
         else:
-            host.pane_named(name).target.focus()
+            host.set_focus(host.pane_named(name).target)
 
     def leave(self) -> None:
         """Out of the field; the cursor off the curve; out of a large pane; back to the form."""
@@ -175,7 +175,7 @@ class Moves:
         if host.form.restore():
             pass
         elif host.focused in host.form.stops():
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
         elif host.pane_layout.pane == "curve" and host.curve_pane.put_away():
             pass
         elif host.pane_layout.large:
@@ -183,7 +183,7 @@ class Moves:
             host.set_out()
         elif host.pane_layout.pane != "inputs":
             host.at_pane("inputs")
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
 
     async def go_on(self) -> None:
         """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to the next."""

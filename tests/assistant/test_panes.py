@@ -215,6 +215,17 @@ async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
             assert shown == [view]
 
 
+async def test_the_pane_that_is_turned_to_has_the_focus_at_once(screen: Screen) -> None:
+    """Else what is hidden would take it away again, where keys come quickly."""
+    async with screen(size=(80, 24)) as pilot:
+        moves = work(pilot).moves
+        for name in ("picture", "checks", "calculation"):
+            moves.to_view(name)
+            assert work(pilot).focused is work(pilot).pane_named(name).target
+        await settled(pilot)
+        assert work(pilot).focused is work(pilot).calculation
+
+
 async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")

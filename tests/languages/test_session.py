@@ -115,7 +115,6 @@ class Reader(Ear):
         self.hear((row.plain for shown in screen.query(ItemList) for item in shown.items for row in item.rows), where)
         self.hear(told(self.pilot).splitlines(), where)
 
-
     def read_list(self, where: str, until: tuple[str, ...]) -> None:
         """The rows of the list that is open, to the first that begins so."""
         rows = [row.plain for item in self.pilot.app.screen.query_one(ItemList).items for row in item.rows]
