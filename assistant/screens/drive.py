@@ -32,7 +32,8 @@ SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
 HINT = Text(
-    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i what is searched · Esc back"
+    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i what is searched · "
+    "Esc back"
 )
 STOPS = Text("Esc keeps the front so far")
 

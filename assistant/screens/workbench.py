@@ -330,7 +330,7 @@ class Workbench(Screen[None]):
                     if not self.stands:  # the end came before the form
                         return
             if inside and idle:
-                self.form.focus(scroll_visible=False)
+                self.set_focus(self.form, scroll_visible=False)
             elif inside:
                 self.form.focus_place(focus, at_once=True)  # before the picture, in which its field is lit
             if step is not before:
