@@ -224,6 +224,9 @@ async def test_the_pane_that_is_turned_to_has_the_focus_at_once(screen: Screen) 
             assert work(pilot).focused is work(pilot).pane_named(name).target
         await settled(pilot)
         assert work(pilot).focused is work(pilot).calculation
+        work(pilot).calculation.blur()
+        await settled(pilot)
+        assert work(pilot).focused is work(pilot).calculation
 
 
 async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
