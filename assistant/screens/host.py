@@ -61,7 +61,7 @@ class Host(Protocol):
     @property
     def curve_pane(self) -> CurvePane: ...
     def set_focus(self, widget: Widget | None, scroll_visible: bool = True) -> None:
-        """At once, before the keys that wait, and before what is hidden loses it."""
+        """At once, before the keys that wait."""
 
     def query_one(self, kind: type[W], /) -> W:
         """The one widget of a kind."""
