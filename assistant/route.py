@@ -80,7 +80,8 @@ ROUTE: dict[str, Leg] = {
         Text("nothing is known of masses and mounts: write them into the file"),
     ),
 }  # fmt: skip
-NAME, NOTE, DOCUMENT = ("name",), ("note",), ("document",)  # of the design itself: in a fold behind those of its first step
+NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
+NOTE, DOCUMENT = ("note",), ("document",)  # in a fold behind those of its first step
 FIRST = "engine"
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
@@ -125,11 +126,11 @@ def idle(place: Place, data: Table) -> bool:
 
 def step_of(place: Place) -> str:
     """The step whose form asks for an input."""
-    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else str(place[0]) if place else ""
+    return FIRST if place[:1] in (DOCUMENT, NOTE) else str(place[0]) if place else ""
 
 
 def document_fold() -> int:
-    """The number of the fold of name, note and document control, behind those of the step."""
+    """The number of the fold of note and document control, behind those of the step."""
     return len(ROUTE[FIRST].folds)
 
 

@@ -65,7 +65,8 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
             deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
         else:
             in_fold[n].append(row)
-    made = [row for group in deciding for row in group]
+    made = [_of_design(NAME, required=True)] if step.key == FIRST else []
+    made += [row for group in deciding for row in group]
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
             made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
@@ -79,11 +80,10 @@ def _of_design(place: Place, *, required: bool = False) -> Row:
 
 
 def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
-    """The fold of the document control, which every design may have, with its name and note."""
+    """The fold of the document control, which every design may have, with its note."""
     about = keys(Design)[str(DOCUMENT[0])].about
     assert about.table is not None
     inside = (
-        _of_design(NAME, required=True),
         _of_design(NOTE),
         *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False),
     )
