@@ -6,8 +6,9 @@ from typing import Any
 
 import numpy as np
 
+from ..bearings.selection.grid import LENGTH_STEP
 from ..bearings.selection.states import Task
-from ..bearings.selection.variants import Variant, own_tasks
+from ..bearings.selection.variants import SUPPLIES, Variant, own_tasks
 from ..countershaft.result import CountershaftResult
 from ..design import Design
 from ..design_file import Document, design
@@ -23,7 +24,7 @@ from ..sheet.trace import untraced
 from ..solve import Results, solve
 from ..step_inputs import shaft_gear
 from .combine import Rows, Sizes, class_front, combinations
-from .films import Films, films, lengths
+from .films import Films, films, least_length, lengths
 from .problem import CORE, Problem
 from .shafts import Drive, with_turning
 from .whole import Sized, journals_power, whole, written
@@ -50,7 +51,10 @@ def based(problem: Problem, choices: dict[str, Any]) -> Document:
     seat = problem.sizes[f"bearings.{problem.seat}.diameter_mm"]
     small = "front" if problem.seat == "rear" else "rear"
     diameter = {problem.seat: max(seat or (0.0,)), small: max(problem.sizes[f"bearings.{small}.diameter_mm"] or (0.0,))}
-    length = {place: round(USUAL_LENGTH_RATIO[0] * d, 1) for place, d in diameter.items()}
+    own = problem.base.bearings
+    assert own is not None
+    wide = max(getattr(own, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) * 1e3
+    length = {place: round(max(USUAL_LENGTH_RATIO[0] * d, wide + 1.0), 1) for place, d in diameter.items()}
     clearance = {place: round(PROBED * d, 1) for place, d in diameter.items()}
     sized = Sized(choices, min(problem.sizes[CORE] or (0.0,)), diameter, length, clearance, None)
     document, _ = written(problem, sized)
@@ -65,7 +69,7 @@ def not_closed(made: Design, results: Results) -> Text:
         return Text("the shaft has more than two supports")
     if shaft.sections:
         return Text("the sections of the shaft are given")
-    if shaft.extras:
+    if shaft.extras or (shaft.gear_z is not None and shaft.bearing_positions[0] < shaft.gear_z < shaft.bearing_positions[1]):
         return Text("further elements stand on the shaft")
     if bearings.supply == "axial_groove":
         return Text("films between axial grooves are not known on arrays")
@@ -121,7 +125,8 @@ def drive_of(made: Design, results: Results) -> Drive:
     z_1, z_2 = shaft.bearing_positions
     clearance = max(made.bearings.front.diameter, made.bearings.rear.diameter) / 2 - (shaft.outer_radius or 0.0)  # type: ignore[union-attr]
     drive = Drive(made.materials[shaft.material], float(solved.couple), abs(float(solved.omega)), (z_1, z_2), clearance,
-        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, True)  # fmt: skip
+        shaft.fillet_radius or 0.0, shaft.sector_effectiveness, (gear.diameter, gear.face_width) if gear else None, True,
+        gear_z=shaft.gear_z)  # fmt: skip
     own = made.bearings
     if own is None or solved.slope_front is None or solved.slope_rear is None:
         return drive
@@ -136,8 +141,9 @@ def sizes_of(problem: Problem, made: Design, results: Results, drive: Drive) -> 
     variant = Variant(own.oil, own.supply, Lubricant(own.in_bearings(made.oils[own.oil]), own.viscosity_law))
     seats = np.array(problem.sizes[f"bearings.{problem.seat}.diameter_mm"] or (0.0,)) * 1e-3
     core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
-    longest = drive.longest(float(seats.max()) / 2 - drive.clearance, float(core.min()))
-    found = {place: _over_diameters(problem, place, tasks[place], variant, longest) for place in tasks}
+    R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
+    longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
+    found = {place: _over_diameters(problem, place, tasks[place], variant, longest[place]) for place in tasks}
     limit = next(c.limit for c in results.checks() if c.id == "countershaft.slope_front")
     assert isinstance(limit, float)
     surfaces = tuple(_surface(one, made) for one in problem.surfaces)
@@ -161,14 +167,14 @@ def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, 
     found: list[Films] = []
     for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
-        l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, longest)
+        l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
         if l.size and (one := films(at, variant, l, advice, problem.cycle)) is not None and one.kept.any():
             found.append(one)
     return found
 
 
-def _within(length: Array, longest: float) -> Array:
-    return length[length <= longest]
+def _within(length: Array, above: float, longest: float) -> Array:
+    return length[(length > above) & (length <= longest + 1e-9)]
 
 
 def sized(problem: Problem, choices: dict[str, Any], rows: Rows, n: int) -> Sized:

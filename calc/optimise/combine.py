@@ -163,8 +163,8 @@ def _with_seat(drive: Drive, sizes: Sizes, small: _Small, big: Films, surface: i
     unit = sizes.limit / STEPS
     own, there = (1, 0) if front_is_small else (0, 1)  # places of the big and of the small journal among the slopes
     with np.errstate(invalid="ignore"):
-        s_big = np.ceil(drive.turning(shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9)
-        s_small = np.ceil(drive.turning(shaft.mass, shaft.slopes[there]) / unit - 1e-9)
+        s_big = np.ceil(drive.turning(own, shaft.mass, shaft.slopes[own] + _along(small.other, not front_is_small)) / unit - 1e-9)
+        s_small = np.ceil(drive.turning(there, shaft.mass, shaft.slopes[there]) / unit - 1e-9)
         fits = shaft.fits & (s_big <= STEPS) & (s_small <= STEPS)
     if not fits.any():
         return None

@@ -11,6 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from ..bearings import formulas as f
+from ..bearings.routes import supply
 from ..bearings.routes.states import OperatingPoint
 from ..bearings.selection.grid import FEW, KEPT, LENGTH_STEP, OF_FILM, WIDEST, clearances, field_over, widest_usual
 from ..bearings.selection.states import Task, judge
@@ -109,9 +110,18 @@ def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequen
 
 
 def lengths(task: Task, longest: Metre, ratios: tuple[Number, Number]) -> Array:
-    """Whole steps within l/d `ratios` and up to the longest that the sectors leave."""
-    d, width = task.diameter, _supply_width(task) or 0.0
-    return multiples(LENGTH_STEP, max(ratios[0] * d, width + LENGTH_STEP), min(ratios[1] * d, longest))
+    """Whole steps within l/d `ratios`, those of each land where a groove parts the film, and up to the longest that the sectors leave."""
+    inputs, d, shortest = task.seat.inputs, task.diameter, least_length(task)
+    lands = supply.lands(inputs)
+    lost = (inputs.groove_width or 0.0) if lands == 2 else 0.0
+    low, high = (lands * ratio * d + lost for ratio in ratios)
+    return multiples(LENGTH_STEP, max(low, shortest), min(high, longest))
+
+
+def least_length(task: Task) -> Metre:
+    """A step more than whatever the design has the width of."""
+    inputs = task.seat.inputs
+    return max(getattr(inputs, name) or 0.0 for name in (*SUPPLIES.values(), "axial_groove_length")) + LENGTH_STEP
 
 
 def _supply_width(task: Task) -> Metre | None:

@@ -24,7 +24,8 @@ from ..sheet.record import record
 from ..sheet.units import Kilogram, Metre, NewtonMetre, Number, Radian, RadPerSecond
 
 TURNING = 0.05  # of m·ω²·L²·θ/C: the share that the mass of a bent shaft adds to a slope as it turns; by trying, bearings about the middle
-SAFE = 1.5  # on that of one shaft of a class, where it is more; rule of this program
+SAFE = 1.25  # on that of the softest shaft of a class, where it is more; rule of this program
+NEAR = 1e-9  # m: what sums of lengths are off
 GAUSS = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
 
 
@@ -33,6 +34,8 @@ class Drive:
     """What all shafts of a class have in common.  `couple` that the sectors give; `gear`: diameter and width of its wheel.
 
     `clearance`: for threading; `fillet` 0: none is asked; `effectiveness`: share of the sectors' stiffness.
+    `added`: to the slope of the front and of the rear journal while the shaft turns, as TURNING.
+    `gear_z`: middle of its wheel where that is given, ahead of both journals or behind them; None: it stands against the front one.
     """
 
     material: Material
@@ -44,7 +47,8 @@ class Drive:
     effectiveness: Number
     gear: tuple[Metre, Metre] | None
     close_gap: bool  # whether a gap between the sectors must hold two fillets
-    added: Number = TURNING
+    added: tuple[Number, Number] = (TURNING, TURNING)
+    gear_z: Metre | None = None
 
     @property
     def span(self) -> Metre:
@@ -56,15 +60,24 @@ class Drive:
         m = self.material
         return b.shear_coefficient(nu=m.poisson) * b.shear_modulus(E=m.E, nu=m.poisson)
 
-    def turning(self, mass: Array, slope: Array) -> Array:
-        """A slope as the shaft turns."""
-        turned: Array = slope * (1 + self.added * mass * self.omega**2 * self.span**2 * np.abs(slope) / self.couple)
+    def turning(self, n: int, mass: Array, slope: Array) -> Array:
+        """The slope of journal n (0 front, 1 rear) as the shaft turns."""
+        turned: Array = slope * (1 + self.added[n] * mass * self.omega**2 * self.span**2 * np.abs(slope) / self.couple)
         return turned
 
-    def longest(self, R: Metre, r_0: Metre) -> Metre:
-        """The longest journal that leaves the sectors the room that the couple needs, with that outer and core radius."""
+    def longest(self, n: int, R: Metre, r_0: Metre) -> Metre:
+        """The longest journal n that leaves the sectors the room that the couple needs, with that outer and core radius."""
         K = z.couple_number(C=self.couple, rho=self.material.density, omega=self.omega, R=R, r_0=r_0)
-        return 2 * (min(map(abs, self.positions)) - math.sqrt(2 * K) - 2 * self.fillet)
+        return 2 * (abs(self.positions[n]) - math.sqrt(2 * K) - 2 * self.fillet)
+
+    def stub(self, l_f: Array, l_r: Array) -> Array:
+        """The core between the wheel and the journal beside it; 0 where it stands against the front one, below it where they cross."""
+        if self.gear is None or self.gear_z is None:
+            return 0 * l_f + 0 * l_r
+        half = self.gear[1] / 2
+        ahead = self.gear_z < self.positions[0]
+        room: Array = self.positions[0] - l_f / 2 - self.gear_z if ahead else self.gear_z - self.positions[1] - l_r / 2
+        return room - half + 0 * l_f + 0 * l_r
 
     def face(self, l_f: Array, l_r: Array) -> Array:
         """Half-length: where the sectors' outer faces stand, two fillets from the longer journal (in reach)."""
@@ -121,12 +134,13 @@ def with_turning(drive: Drive, core: Metre, d: tuple[Metre, Metre], l: tuple[Met
     l_f, l_r = (np.array([x]) for x in l)
     still = shafts(drive, np.array([core]), l_f, l_r, max(d), d[1])
     mass = float(still.mass[0, 0, 0] + journal_mass(drive, d[0], l_f)[0])
-    shares = [drive.added]
+    added = list(drive.added)
     for n, own in enumerate(journal_slopes(drive, True, d[0], l_f)):
         slope = float(still.slopes[n][0, 0, 0] + own[0])
         if slope > 0:
-            shares.append(SAFE * (turning[n] / slope - 1) * drive.couple / (mass * drive.omega**2 * drive.span**2 * slope))
-    return replace(drive, added=max(shares))
+            share = (turning[n] / slope - 1) * drive.couple / (mass * drive.omega**2 * drive.span**2 * slope)
+            added[n] = max(added[n], SAFE * share)
+    return replace(drive, added=(added[0], added[1]))
 
 
 def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear: Metre) -> Shafts:
@@ -149,7 +163,7 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         whole = many(area)
         gap = 2 * (f - length)
         if drive.close_gap and drive.fillet:
-            fits &= (gap < TOUCH) | (gap >= 2 * drive.fillet)
+            fits &= _filleted(drive, gap)
         I_0 = math.pi / 4 * r**4
         EI = material.E * many(b.shared_inertia(I_0=each(I_0), eta=drive.effectiveness, I=I))
         EI_0, GA, GA_0 = material.E * I_0, drive.shear * whole, drive.shear * math.pi * r**2
@@ -187,8 +201,17 @@ def shafts(drive: Drive, core: Array, l_f: Array, l_r: Array, seat: Metre, rear:
         for n, own in enumerate(journal_slopes(drive, False, rear, l_r)):
             slopes[n] = slopes[n] + own[None, None, :]
         beside = (-F - z_1 - front / 2) + (drive.positions[1] - back / 2 - F)
+        stub = drive.stub(front, back)
+        beside = beside + np.where(stub > TOUCH, stub, 0.0)
+        free = (stub >= -TOUCH) & (_filleted(drive, stub) if drive.close_gap and drive.fillet else True)
         weight = mass[:, place] + material.density * (math.pi * r_0**2 * beside + math.pi / 4 * rear**2 * back) + drive.gear_mass()
-    return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place])
+    return Shafts(np.broadcast_to(F, slopes[0].shape), (slopes[0], slopes[1]), weight, fits[:, place] & free)
+
+
+def _filleted(drive: Drive, gap: Array) -> BoolArray:
+    """Whether a stretch of the core between two shoulders is none, or holds two fillets."""
+    enough: BoolArray = (gap < TOUCH) | (gap >= 2 * drive.fillet - NEAR)
+    return enough
 
 
 def journal_mass(drive: Drive, d: Metre | Array, l: Array) -> Array:
