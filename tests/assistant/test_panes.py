@@ -216,16 +216,6 @@ async def test_narrow_shows_one_view_after_the_other(screen: Screen) -> None:
             assert shown == [view]
 
 
-async def test_the_pane_that_is_shown_never_stays_without_the_focus(screen: Screen) -> None:
-    async with screen(size=(80, 24)) as pilot:
-        await strike(pilot, "f4", "f4", "f4")
-        await settled(pilot)
-        calculation = work(pilot).calculation
-        await until(pilot, lambda: calculation.has_focus)
-        work(pilot).set_focus(None)  # as when a list is hidden and shown between two frames
-        await until(pilot, lambda: calculation.has_focus)
-
-
 async def test_resizing_keeps_the_focus_and_the_text(screen: Screen) -> None:
     async with screen() as pilot:
         box = await go_to(pilot, "engine.bore_mm")
