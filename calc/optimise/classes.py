@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from ..bearings.result import BearingsResult
 from ..bearings.selection.grid import LENGTH_STEP
 from ..bearings.selection.states import Task
 from ..bearings.selection.variants import SUPPLIES, Variant, own_tasks
@@ -25,6 +26,7 @@ from ..solve import Results, solve
 from ..step_inputs import shaft_gear
 from .combine import Rows, Sizes, class_front, combinations
 from .films import Films, films, least_length, lengths
+from .other_films import Beside, Stands
 from .problem import CORE, Problem
 from .shafts import Drive, with_turning
 from .whole import Sized, journals_power, whole, written
@@ -32,6 +34,7 @@ from .whole import Sized, journals_power, whole, written
 PURE = 1e-6  # of the couple over the span: a force below it is none
 ADVICE = ("length_ratio_usual", "supply_range")  # findings on a bearing that the tables know by name
 UM = 1e-6
+TINY = 1e-9
 PROBED = 1.5  # ‰ of the diameter: a clearance that most journals have a film with
 
 
@@ -143,11 +146,29 @@ def sizes_of(problem: Problem, made: Design, results: Results, drive: Drive) -> 
     core = np.array(problem.sizes[CORE] or (0.0,)) * 1e-3
     R, r_0 = float(seats.max()) / 2 - drive.clearance, float(core.min())
     longest = {place: drive.longest(n, R, r_0) for n, place in enumerate(("front", "rear"))}
-    found = {place: _over_diameters(problem, place, tasks[place], variant, longest[place]) for place in tasks}
+    found = {
+        place: _over_diameters(problem, place, tasks[place], variant, longest[place], _beside(problem, place, made, results))
+        for place in tasks
+    }
+    gear = shaft_gear(made, results.result(TrainResult))
+    if gear is not None and problem.binds("countershaft.gear_seat"):  # it goes through the front seat
+        found["front"] = [films for films in found["front"] if films.task.diameter > gear.tip_diameter + TINY]
     limit = next(c.limit for c in results.checks() if c.id == "countershaft.slope_front")
     assert isinstance(limit, float)
     surfaces = tuple(_surface(one, made) for one in problem.surfaces)
     return Sizes(core, surfaces, problem.margins, limit * 1e-3, problem.seat, found)
+
+
+def _beside(problem: Problem, place: str, made: Design, results: Results) -> Beside:
+    """The films that are limits beside those of the corners; what stands still is that of the class's own start."""
+    bench = made.engine.bench if made.engine is not None else ()
+    over = bench if problem.binds(f"bearings.{place}.film_edge_speeds") else None
+    bearings, shaft = results.result(BearingsResult), results.result(CountershaftResult)
+    part = bearings.bearings[place].standing if bearings is not None else None
+    if bearings is None or part is None or shaft is None or not problem.binds(f"bearings.{place}.film_edge_standing"):
+        return Beside(over)
+    weight = (getattr(shaft.standing, f"weight_{place}") if shaft.standing is not None else None) or 0.0
+    return Beside(over, Stands(weight, part.standing_load - weight, bearings.bearings[place].friction_power))
 
 
 def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float, float], tuple[float, float]]:
@@ -159,7 +180,7 @@ def _surface(one: tuple[float, float] | None, made: Design) -> tuple[tuple[float
     return front, rear
 
 
-def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, longest: float) -> list[Films]:
+def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, longest: float, beside: Beside) -> list[Films]:
     advice = [name for name in ADVICE if problem.binds(f"bearings.{place}.{name}")]
     ratios = task.rules["length_ratio_usual" if "length_ratio_usual" in advice else "length_ratio"].check.limit
     assert isinstance(ratios, tuple)
@@ -168,7 +189,7 @@ def _over_diameters(problem: Problem, place: str, task: Task, variant: Variant, 
     for d in problem.sizes[f"bearings.{place}.diameter_mm"] or ():
         at = replace(task.at_diameter(d * 1e-3), clearance=0.0)  # the design's own is not one of the steps
         l = lengths(at, longest, ratios) if given is None else _within(np.array(given) * 1e-3, least_length(at) - LENGTH_STEP, longest)
-        if l.size and (one := films(at, variant, l, advice, problem.cycle)) is not None and one.kept.any():
+        if l.size and (one := films(at, variant, l, advice, problem.cycle, beside)) is not None and one.kept.any():
             found.append(one)
     return found
 

@@ -22,6 +22,7 @@ from ..sheet.arrays import Array, BoolArray
 from ..sheet.record import record
 from ..sheet.search import multiples
 from ..sheet.units import Metre, Number, Radian
+from .other_films import Beside, over_a_turn, over_speeds
 
 ALWAYS = ("temperature", "specific_load", "heat_index", "length_ratio", "transition")  # rules that do not know the slope
 
@@ -42,10 +43,15 @@ class Films:
     twice: Array
     kept: BoolArray
     double: Metre  # what the film must keep at twice the load
+    turn: Array | None = None  # thinnest film over a turn with what stands still; None: it binds nothing
+    speeds: Array | None = None  # the same over the speeds, which margins are not counted of
 
     def bears(self, h_K: Metre, margin: Number, limit: Radian) -> Array:
         """The slope that each candidate bears with a margin on all its films and on the slope itself; −∞ where it bears none."""
-        slope = np.minimum(2 * (self.once - (1 + margin) * h_K) / self.length, (1 - margin) * limit)
+        thinnest = self.once if self.turn is None else np.minimum(self.once, self.turn)
+        slope = np.minimum(2 * (thinnest - (1 + margin) * h_K) / self.length, (1 - margin) * limit)
+        if self.speeds is not None:
+            slope = np.minimum(slope, 2 * (self.speeds - h_K) / self.length)
         bearing: Array = np.where(self.kept & (self.twice >= (1 + margin) * self.double * (1 + KEPT)) & (slope >= 0), slope, -np.inf)
         return bearing
 
@@ -56,18 +62,19 @@ def asked_film(task: Task, surfaces: tuple[Metre, Metre]) -> Metre:
 
 
 Cycle = Sequence[tuple[float, float]]
+NOTHING = Beside()
 
 
-def films(task: Task, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = ()) -> Films | None:
+def films(task: Task, variant: Variant, length: Array, advice: Sequence[str], cycle: Cycle = (), beside: Beside = NOTHING) -> Films | None:
     """`task` at its diameter with its oil, supply and fits; `advice`: names of findings that are limits.  None: no candidate is left.
 
-    `cycle`: speeds over the rated one with their shares, over which the power is a mean.
+    `cycle`: speeds over the rated one with their shares, over which the power is a mean; `beside`: films that are limits beside.
 
     Clearances up to the usual factor; where none of these has a film that passes, up to the widest of the search for bearings.
     """
-    found = _films(task, variant, length, clearances(task, widest_usual(task)), advice)
+    found = _films(task, variant, length, clearances(task, widest_usual(task)), advice, beside)
     if found is None or not found.kept.any():
-        found = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice)
+        found = _films(task, variant, length, clearances(task, WIDEST * task.diameter, FEW), advice, beside)
     return found if found is None or not cycle else replace(found, power=_mean_power(found, variant, cycle))
 
 
@@ -90,7 +97,7 @@ def each_of(number: float) -> Array:
     return np.array([number])
 
 
-def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequence[str]) -> Films | None:
+def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequence[str], beside: Beside) -> Films | None:
     field = field_over(task, variant, length, g)
     if field is None:
         return None
@@ -106,7 +113,14 @@ def _films(task: Task, variant: Variant, length: Array, g: Array, advice: Sequen
     if "supply_range" in advice and (width := _supply_width(task)) is not None:
         kept &= (width / length >= SUPPLY_WIDTH[0]) & (width / length <= SUPPLY_WIDTH[1])
     thin, thin_twice = (np.where(np.isnan(x), -np.inf, x).min(axis=0) for x in (states.film[:once], states.film[once:]))
-    return Films(task, length, g, np.broadcast_to(states.power, shape), thin, thin_twice, kept, f.trumpler_film(d=task.diameter))
+    turn = speeds = None
+    if beside.standing is not None:
+        turn = np.where(np.isnan(film := over_a_turn(task, length, g, beside.standing)), np.inf, film)
+    if beside.bench is not None:
+        speeds = over_speeds(task, variant, length, g, thin, beside.bench)
+    return Films(
+        task, length, g, np.broadcast_to(states.power, shape), thin, thin_twice, kept, f.trumpler_film(d=task.diameter), turn, speeds
+    )
 
 
 def lengths(task: Task, longest: Metre, ratios: tuple[Number, Number]) -> Array:

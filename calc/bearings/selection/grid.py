@@ -6,7 +6,7 @@ few lengths, a tenth apart, and taken between them by a cubic in ln l (below 1e-
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -174,20 +174,30 @@ def field_over(at: Task, variant: Variant, l: Array, g: Array) -> Field | None:
     """Lengths `l` and clearances `g`, both rising; None where there are none."""
     if not l.size or not g.size:
         return None
+    few, between = over_lengths(l)
+    states = solved(at, few, g[:, None], all_rises=False)
+    if few is l:
+        return Field(at, variant, states)
+    many = {name: between(getattr(states, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
+    return Field(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
+
+
+def over_lengths(l: Array) -> tuple[Array, Callable[[Array], Array]]:
+    """A few lengths that films are solved at, and how numbers at these, along the last axis, become those at all; `l` itself where these
+    are few."""
     spread = math.log(l[-1] / l[0])
     nodes = max(math.ceil(spread / APART) + 1, 4)
     if l.size <= nodes:
-        return Field(at, variant, solved(at, l, g[:, None], all_rises=False))
+        return l, lambda numbers: numbers
     x = np.linspace(0.0, spread, nodes)
-    few = solved(at, l[0] * np.exp(x), g[:, None], all_rises=False)
     first, weights = _cubic(x, np.log(l / l[0]))
 
     def between(numbers: Array) -> Array:
         parts = [weights[i] * numbers[..., first + i] for i in range(4)]
-        return parts[0] + parts[1] + parts[2] + parts[3]
+        all_of_them: Array = parts[0] + parts[1] + parts[2] + parts[3]
+        return all_of_them
 
-    many = {name: between(getattr(few, name)) for name in ("film", "rise", "viscosity", "power", "flow")}
-    return Field(at, variant, States(*np.broadcast_arrays(l, g[:, None]), **many))
+    return l[0] * np.exp(x), between
 
 
 def _cubic(x: Array, at: Array) -> tuple[IndexArray, list[Array]]:
