@@ -44,7 +44,7 @@ def groups(memory: Memory, missing: Path | None = None) -> list[tuple[Text, list
         Beginning("engine", id, engine.name, engine.what, _size(engine_table(id)), words=_words(engine_table(id)))
         for id, engine in engines().items()
     ]
-    begin = (Text("Begin with an engine"), made)
+    begin = (Text("Begin with an engine: every number of it can be replaced by your own"), made)
     example = Beginning("example", str(EXAMPLE), Text("The worked example"), Text("a published design that fails: see where, and why"))
     if missing is not None:
         return [begin]
@@ -95,10 +95,12 @@ def engine_only(id: str, path: Path) -> "Table":
 
 @dataclass(frozen=True)
 class Finding:
-    """What is known of a way to begin once it was solved, and its picture."""
+    """What is known of a way to begin once it was solved, and its picture; of an engine what shakes and the balancing that it calls for."""
 
     lines: tuple[Text, ...]
     sketch: "Sketch | None" = None
+    shakes: Text = EMPTY
+    balancing: Text = EMPTY
 
 
 def finding(row: Beginning, memory: Memory) -> Finding:
@@ -137,13 +139,11 @@ def _shaking(id: str) -> Finding:
     """What the crank train of a shipped engine leaves, and what balancing it calls for."""
     from calc.design_file import Document, design
     from calc.engine.sketch import icon
-    from calc.starter.balancing import options, what_shakes, with_imbalance
+    from calc.starter.balancing import options, shakes_briefly, what_shakes, with_imbalance
 
     document = Document({"schema": 1, "name": id, "engine": engine_table(id)})
     results = with_imbalance(document)
-    lines = [Text("Shakes: {what}.", what=what_shakes(results))]
-    for best in options(document, results):
-        if best.called_for:
-            lines += [Text("It calls for: {balancing}.", balancing=best.label), best.why]
+    best = next(one for one in options(document, results) if one.called_for)
+    lines = (Text("Shakes: {what}.", what=what_shakes(results)), Text("It calls for: {balancing}.", balancing=best.label), best.why)
     engine = design(document).engine
-    return Finding(tuple(filter(None, lines)), icon(engine) if engine is not None else None)
+    return Finding(tuple(filter(None, lines)), icon(engine) if engine is not None else None, shakes_briefly(results), best.label)

@@ -25,10 +25,11 @@ class Leg:
 
 
 MORE = Text("More")
+STROKE = "stroke_mm"  # twice the crank radius, which the design file has
 ROUTE: dict[str, Leg] = {
     "engine": Leg(
         Text("Which engine shakes?"),
-        ("bore_mm", "crank_radius_mm", "rod_length_mm", "piston_mass_g", "rod_mass_g", "rated_speed_rpm", "cylinder_pitch_mm"),
+        ("bore_mm", STROKE, "rod_length_mm", "piston_mass_g", "rated_speed_rpm", "cylinder_pitch_mm"),
         ((MORE, ()),
          (Text("Cylinders, banks, cranks"), ("layout", "cylinders", "strokes", "firing_order", "crank_angles_deg", "bank_angle_deg",
                                              "bank_of_cylinder", "axial_positions_mm", "cylinder_offset_mm", "crank_radii_mm")),
@@ -43,14 +44,15 @@ ROUTE: dict[str, Leg] = {
     ),
     "countershaft": Leg(
         Text("Which shaft: given masses, or sized in an envelope?"),
-        ("mode", "bearing_positions_mm", "outer_radius_mm", "core_radius_mm", "half_length_mm", "masses"),
+        ("mode", "outer_radius_mm", "core_radius_mm", "half_length_mm", "bearing_positions_mm", "masses"),
         ((MORE, ()), (Text("Support, drain, cost"),
                       ("bolts", "support", "oil_drain", "further_drains", "cost", "parts", "scatter", "balance_grade", "holes"))),
         Text("build it by rules: a shaft sized for the balancing that was chosen"),
     ),
     "bearings": Leg(
         Text("Do the films carry, at every corner?"),
-        ("oil", "supply_temperature_C", "supply_pressure_bar", "front", "rear"),
+        ("oil", "supply_temperature_C", *(f"{end}.{key}" for key in ("diameter_mm", "length_mm", "clearance_um", "clearance_factor")
+                                          for end in ("front", "rear"))),
         ((MORE, ()), (Text("Materials and fits"),
                       ("housing_material", "bush_material", "journal_material", "application", "journal_fit", "seat_fit", "roughness_ratio",
                        "clearance_reference_temperature_C", "expansion_restraint"))),
@@ -72,15 +74,15 @@ ROUTE: dict[str, Leg] = {
     ),
     "mounting": Leg(
         Text("What does the driver feel?"),
-        ("mass_kg", "centre_of_gravity_mm", "inertia_kgm2", "idle_speed_rpm", "mounts"),
-        ((MORE, ()), (Text("Frame, points, operations"), ("chassis", "points", "operation"))),
+        ("mass_kg", "centre_of_gravity_mm", "inertia_kgm2", "idle_speed_rpm", "mounts.name", "mounts.position_mm",
+         "mounts.stiffness_N_mm"),
+        ((MORE, ()), (Text("More of the mounts"), ("mounts",)), (Text("Frame, points, operations"), ("chassis", "points", "operation"))),
         Text("nothing is known of masses and mounts: write them into the file"),
     ),
 }  # fmt: skip
 NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
-FIRST = "engine"  # its step
-NOTE: Place = ("note",)  # in the fold of the document control, behind those of its step
-DOCUMENT: Place = ("document",)
+NOTE, DOCUMENT = ("note",), ("document",)  # in a fold behind those of its first step
+FIRST = "engine"
 
 VEE = ("bank_angle_deg", "bank_of_cylinder")
 GIVEN, SIZED = ("masses",), ("outer_radius_mm", "core_radius_mm", "half_length_mm", "overdesign_percent", "radial_clearance_mm")
@@ -124,11 +126,11 @@ def idle(place: Place, data: Table) -> bool:
 
 def step_of(place: Place) -> str:
     """The step whose form asks for an input."""
-    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else str(place[0]) if place else ""
+    return FIRST if place[:1] in (DOCUMENT, NOTE) else str(place[0]) if place else ""
 
 
 def document_fold() -> int:
-    """The number of the fold that the document control lies in, behind those of the step."""
+    """The number of the fold of note and document control, behind those of the step."""
     return len(ROUTE[FIRST].folds)
 
 
@@ -147,6 +149,6 @@ def fold_at(step: str, place: Place) -> int | None:
     """The fold of a step's form that a place lies in."""
     if step_of(place) != step:
         return None
-    if place[:1] in (DOCUMENT, NOTE):
+    if place[:1] in (DOCUMENT, NAME, NOTE):
         return document_fold()
     return None if len(place) < 2 else fold_of(step, path_of(place))

@@ -141,8 +141,8 @@ def _mounting(results: "Results", values: Values) -> Text | None:
     if half is None:
         return None
     if shaft is None:
-        return Text("a_w {half}", half=Amount(half.shown, half.unit, digits=2))
-    return Text("a_w {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
+        return Text("seat {half}", half=Amount(half.shown, half.unit, digits=2))
+    return Text("seat {half} → {shaft}", half=Amount(half.shown, digits=2), shaft=Amount(shaft.shown, digits=2))
 
 
 GIVES: Mapping[str, Callable[["Results", Values], Text | None]] = {

@@ -11,6 +11,7 @@ from calc.solve import Results
 
 NAME = "design.toml"
 RESULTS = "results.json"
+FRONT = "front.json"
 PAIR = ("a.toml", "b.toml")  # the designs of a comparison
 RELATIONS = {"toml": "Source", "json": "Data"}  # what a file is to the document, by its ending; any other only belongs to it
 

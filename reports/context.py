@@ -9,6 +9,7 @@ from calc.explain import Chains
 from calc.id_words import belongs
 from calc.key_values import CURVES, like, outside
 from calc.languages import Language
+from calc.optimise.picked import Picked
 from calc.sheet.check import URGENT, Check, severity
 from calc.sheet.quantity import Published
 from calc.sheet.step import Curve, Outcome, Step
@@ -34,6 +35,7 @@ class Context:
     say: Language
     original: Results | None = None  # the same results with their texts as data, if `results` are said in a language already
     logo: Logo | None = None
+    drive: Picked | None = None  # of the front that the design is one drive of
     figures: int = 0
     chapter: str = ""  # key of the step whose chapter is being made
     symbols: dict[tuple[str, str], Symbol] = field(default_factory=dict)  # of each chapter, as they are set

@@ -13,6 +13,7 @@ from pathlib import Path
 from calc.design_file import Document
 from calc.languages import LANGUAGES, language
 from calc.languages.outcome import said
+from calc.optimise.picked import picked
 from calc.sheet.progress import Progress, part, tell
 from calc.sheet.step import Outcome, Step
 from calc.solve import Results
@@ -55,14 +56,14 @@ WHOLE, MADE, WRITTEN = 0.06, 0.55, 0.98
 
 def write(
     document: Document, results: Results, raw: bytes, path: Path, *, depth: str = "engineer", lang: str = "en",
-    progress: Progress | None = None,
+    front: bytes | None = None, progress: Progress | None = None,
 ) -> Path:  # fmt: skip
     """Write the report of a solved design to `path`; `raw`, the bytes of its file, is attached to it.
 
     `depth`: "summary" is the first page, "engineer" the calculation, "audit" every traced line.  Raises ValueError for a depth
     or a language that there is not.  `progress` is told every section and every page; what it raises ends the writing, and no file is left.
     """
-    made = render(document, results, raw, depth=depth, lang=lang, progress=progress)
+    made = render(document, results, raw, depth=depth, lang=lang, front=front, progress=progress)
     path = put(made, Path(path))
     tell(progress, 1.0, path.name)
     return path
@@ -70,17 +71,23 @@ def write(
 
 def render(
     document: Document, results: Results, raw: bytes, *, depth: str = "engineer", lang: str = "en", logo_file: bytes | None = None,
-    progress: Progress | None = None,
+    front: bytes | None = None, progress: Progress | None = None,
 ) -> bytes:  # fmt: skip
-    """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design."""
+    """The report as the bytes of a PDF.  `logo_file`: of the design's logo; without it, it is read beside the design.
+
+    `front`: the front of drives that the design is one of, which is then attached too."""
     tell(progress, 0.0, results.design.name)
     context = context_of(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
+    context.drive = picked(front, document.data) if front is not None else None
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
     pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
+    if front is not None and context.drive is not None:
+        said_of["front"] = hashlib.sha256(front).hexdigest()
+        files[attach.FRONT] = (front, context.words["front"])
     if picture is not None:
         said_of["logo"] = hashlib.sha256(picture.raw).hexdigest()
         files[picture.name] = (picture.raw, context.words["logo"])
@@ -119,6 +126,12 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         body += _step(context, number, step, outcome, entries, plots, done)
     w = context.words
     number = 1 + max((number for number, _, _ in steps), default=0)
+    if context.drive is not None:
+        from .drive import drive_blocks  # of one design in a hundred
+
+        body += _section(f"{number}  {w['drive']}", "drive", entries, need=120.0)
+        body += drive_blocks(context, context.drive, plots)
+        number += 1
     if materials := material_blocks(context) + wheel_blocks(context):
         body += _section(f"{number}  {w['materials']}", "materials", entries, need=120.0)
         body += materials

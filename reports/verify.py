@@ -22,7 +22,7 @@ from calc.sheet.text import Text
 from calc.solve import Results, solve
 from calc.version import VERSION
 
-from .attach import NAME, PAIR, RESULTS, pair_bytes, results_bytes
+from .attach import FRONT, NAME, PAIR, RESULTS, pair_bytes, results_bytes
 from .comparison import render as render_comparison
 from .context import DEPTHS
 from .pdf_diff import Difference, about, attachments, page_references, pages
@@ -126,6 +126,11 @@ def _report(place: str, said: dict[str, str], attached: dict[str, list[bytes]]) 
         if name not in attached:
             raise _refused(place, Text("has no attachment {names}, the logo of its design", names=name))
         wanted[name] = said.get("logo", "")
+    front = None
+    if "front" in said:
+        _demand(place, attached, (FRONT,))
+        wanted[FRONT] = said["front"]
+        front = _one_with(attached[FRONT], said["front"])
     changed = _changed(attached, wanted)
     results = solve(made)
     try:
@@ -134,7 +139,7 @@ def _report(place: str, said: dict[str, str], attached: dict[str, list[bytes]]) 
     except BROKEN:
         raise _unread(place) from None
     picture = _one_with(attached[name], wanted[name]) if name else None
-    again = render(document, results, first, depth=said["depth"], lang=said["lang"], logo_file=picture)
+    again = render(document, results, first, depth=said["depth"], lang=said["lang"], logo_file=picture, front=front)
     return _Again(results.design.name, changed, differences, again)
 
 

@@ -56,7 +56,8 @@ WORDS: dict[str, Text] = {
     "drawing": Text("Drawing sheet"), "index": Text("Index of values"), "nomenclature": Text("Nomenclature"),
     "nomenclature_note": Text("Symbol, meaning, unit and first page, by chapter; the value stands there."),
     "materials": Text("Oils and materials"), "oil": Text("Oil"),
-    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"), "used_in": Text("Used in"),
+    "material": Text("Material"), "design_note": Text("Note"), "sources": Text("Sources"),
+    "drive": Text("Whole drive"), "front": Text("The front that this drive is one of"), "used_in": Text("Used in"),
     "sources_note": Text("Clauses, equations and tables by publication; beside each formula stands the one it was taken from."),
     "sources_rest": Text(
         "The publications behind what stands in this report; the clause stands beside each formula. The audit report has all of them."

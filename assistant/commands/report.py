@@ -2,13 +2,14 @@
 """`contralbero report`: the calculation report as a PDF or as a Word document, and the verdicts on the screen."""
 
 import gc
+import sys
 from argparse import Namespace
 from importlib.util import find_spec
 from pathlib import Path
 
 from assistant.plain import print_summary
 from assistant.saving import spare
-from calc.design_file import design, read
+from calc.design_file import Document, design, read
 from calc.sheet.errors import BadInput, InputError
 from calc.sheet.text import Text
 from calc.solve import solve
@@ -26,10 +27,13 @@ def run(asked: Namespace) -> int:
     try:
         results = solve(design(document), traced=True)
         if kind == "docx":
-            from reports.docx_file import write
+            from reports.docx_file import write as write_docx
+
+            write_docx(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
         else:
             from reports.report import write
-        write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang)
+
+            write(document, results, document.raw, target, depth=asked.depth, lang=asked.lang, front=_front(source, document))
     except OSError as error:
         raise BadInput(
             str(target),
@@ -40,6 +44,29 @@ def run(asked: Namespace) -> int:
     print_summary(results)
     print(f"\n{target}")
     return 0
+
+
+def _front(source: Path, document: Document) -> bytes | None:
+    """The front beside a design that is one of its drives.  One that can not be read is said, and the report is written without it."""
+    from calc.optimise.picked import LARGEST, NAME, Broken, picked
+
+    beside = source.with_name(NAME)
+    if not beside.is_file():
+        return None
+    try:
+        if beside.stat().st_size > LARGEST:
+            raise Broken(f"has more than {LARGEST} bytes")
+        raw = beside.read_bytes()
+        if picked(raw, document.data) is None:
+            print(
+                Text("{file}: has no drive with the values of this design; the report says nothing of it", file=str(beside)),
+                file=sys.stderr,
+            )
+            return None
+    except (OSError, Broken) as error:
+        print(Text("{file}: {why}; the report says nothing of it", file=str(beside), why=str(error)), file=sys.stderr)
+        return None
+    return raw
 
 
 def _target(asked: Namespace, source: Path) -> tuple[str, Path]:

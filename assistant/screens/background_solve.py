@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 SLOW = 0.3  # a solve that takes longer dims what stands there; sooner it would only flicker
 PAUSE = 0.08  # seconds after a key until results are painted: the next key of who types on comes sooner, and need not wait for that
 FRAMES = 0.04  # seconds in which the verdicts are painted, before anything else is done
-REST = 0.3  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
+REST = 0.5  # seconds after a key in which whatever goes on behind the screen rests: what the key does needs the processor
 HIDDEN = 0.2  # seconds until a calculation that is not on the screen is written out
 SEEK = 1.0  # seconds from then until a remedy is looked for: a step of that can not be stopped half-way
 AHEAD = 0.4  # seconds after the last results until the calculations of the other steps are written out
@@ -62,6 +62,7 @@ class BackgroundSolve:
     def __init__(self, host: Host) -> None:
         self._host = host
         self.remedies: dict[str, tuple[Results, Remedy]] = {}  # step → its remedy, and the results that it is a remedy for
+        self._sought: dict[str, Results] = {}  # step → the results that a remedy is or was looked for
         self.pages: dict[str, Page] = {}  # step → what was written of it last
         self._solving = False
         self._slow: Timer | None = None
@@ -246,13 +247,19 @@ class BackgroundSolve:
 
     # --- remedies
     @property
-    def trouble(self) -> str:
-        """The step whose limits fail: this one, else the first in the order of the screen; empty where none does."""
+    def _troubles(self) -> list[str]:
+        """The steps whose limits fail: this one first, then in the order of the screen."""
         host = self._host
         results = host.session.results
         if results is None or not host.session.current:
-            return ""
-        return next((s.key for s in (host.step, *STEPS) if results.outcomes[s.key].verdict in ("fail", "no_solution")), "")
+            return []
+        steps = dict.fromkeys((host.step, *STEPS))
+        return [step.key for step in steps if results.outcomes[step.key].verdict in ("fail", "no_solution")]
+
+    @property
+    def trouble(self) -> str:
+        """The first of them; empty where none fails."""
+        return next(iter(self._troubles), "")
 
     @property
     def remedy(self) -> "Remedy | None":
@@ -261,10 +268,15 @@ class BackgroundSolve:
         return known if results is not None and results is self._host.session.results else None
 
     def seek_remedy(self) -> None:
-        """Look for a remedy for the step that fails, while nothing else is to be done."""
+        """Look for a remedy for each step that fails, while nothing else is to be done: it is there when the step is opened."""
         session = self._host.session
-        if (step := self.trouble) and self.remedy is None and session.results is not None:
-            self._host.in_thread("remedy", partial(self._seek, step, session.document, session.results))
+        results = session.results
+        if results is None:
+            return
+        for step in self._troubles:
+            if self._sought.get(step) is not results:
+                self._sought[step] = results
+                self._host.in_thread(f"remedy-{step}", partial(self._seek, step, session.document, results))
 
     def _seek(self, step: str, document: "Document", results: "Results") -> None:
         """Runs in another thread."""
@@ -280,11 +292,17 @@ class BackgroundSolve:
         try:
             nearest = remedy(document, step, results, progress)
         except Cancelled:
+            self._host.call_later(self._stopped_seeking, step, results)
             return
         except Exception as error:  # a mistake of the program must not stop the session
             self._host.app.log(f"no remedy: {type(error).__name__}: {error}")
             return
         self._host.call_later(self._found_remedy, step, results, nearest)
+
+    def _stopped_seeking(self, step: str, results: "Results") -> None:
+        """It is looked for once more when somebody asks again."""
+        if self._sought.get(step) is results:
+            del self._sought[step]
 
     def _found_remedy(self, step: str, results: "Results", remedy: "Remedy") -> None:
         self.remedies[step] = (results, remedy)

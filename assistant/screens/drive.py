@@ -31,7 +31,10 @@ if TYPE_CHECKING:
 SHARE = 0.85  # of the progress, until all classes are done
 PROCESSES = 2
 TALL = 30  # rows of a screen with room for points and table
-HINT = Text("Enter takes the drive (undo takes it back) · x y axes · s sort · v points · < > largest seat · i what is searched · Esc back")
+HINT = Text(
+    "Enter takes the drive (undo takes it back) · x y axes · s sort · v points · = compares · < > largest seat · i what is searched · "
+    "Esc back"
+)
 STOPS = Text("Esc keeps the front so far")
 
 
@@ -47,6 +50,7 @@ class Driving(Choosing):
         Binding("greater_than_sign", "narrow(1)", "Larger seats again", show=False),
         Binding("i", "about", "What is searched", show=False),
         Binding("v", "view", "Points or table", show=False),
+        Binding("equals_sign", "compare", "Compare with the design", show=False),
     ]
 
     def __init__(self, session: Session) -> None:
@@ -205,6 +209,19 @@ class Driving(Choosing):
             following = ((self.axes[which] + by) % count for by in (1, 2))
             self.axes[which] = next((n for n in following if n != other), self.axes[which])
             self._draw()
+
+    def action_compare(self) -> None:
+        """The drive under the cursor beside the design, in full."""
+        if self.front is None or not self.number:
+            return
+        from calc.design_file import design
+
+        from ..others import Chosen
+        from .compare import CompareScreen
+
+        document = self.front.drives[self.number - 1].document
+        title = Text("drive {n}", n=self.number)
+        self.app.push_screen(CompareScreen(self.session, Chosen(title, title, document.data, design(document))))
 
     def action_sort(self) -> None:
         if self.front is not None:

@@ -60,6 +60,9 @@ class Host(Protocol):
     def calculation(self) -> Calculation: ...
     @property
     def curve_pane(self) -> CurvePane: ...
+    def set_focus(self, widget: Widget | None, scroll_visible: bool = True) -> None:
+        """At once, before the keys that wait."""
+
     def query_one(self, kind: type[W], /) -> W:
         """The one widget of a kind."""
 

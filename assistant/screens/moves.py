@@ -13,7 +13,7 @@ from ..widgets.curve_pane import CurvePane
 from ..widgets.form import Form
 from ..widgets.item_list import ItemList
 from ..widgets.radio import Radio
-from ..widgets.steps import states_of
+from ..widgets.steps import nothing_left, states_of
 from ..widgets.table_heading import TableHeading
 from .background_solve import BackgroundSolve
 from .host import Host
@@ -54,14 +54,12 @@ class Moves:
         before = host.step
         await self.turn_step(1)
         if host.step is not before and self._done:
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
 
     @property
     def _done(self) -> bool:
         """Whether nothing is left to do in the step, or what is waits for a later one."""
-        n, states = self._host.number, states_of(self._host.session)
-        here = states[n - 1]
-        return here.done or (here.state == "not_verified" and any(later.state == "todo" for later in states[n:]))
+        return nothing_left(states_of(self._host.session), self._host.step.key)
 
     async def trouble(self) -> None:
         """The next check that fails; after those, the next that warns."""
@@ -177,7 +175,7 @@ class Moves:
         if host.form.restore():
             pass
         elif host.focused in host.form.stops():
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
         elif host.pane_layout.pane == "curve" and host.curve_pane.put_away():
             pass
         elif host.pane_layout.large:
@@ -185,7 +183,7 @@ class Moves:
             host.set_out()
         elif host.pane_layout.pane != "inputs":
             host.at_pane("inputs")
-            host.form.focus(scroll_visible=False)
+            host.set_focus(host.form, scroll_visible=False)
 
     async def go_on(self) -> None:
         """Enter: choose in a list, go into the form, add an element, or on to the next field; from a finished step to the next."""

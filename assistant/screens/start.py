@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The first screen: how to begin.  Words that are typed find an engine or a design; Enter begins with the row under the cursor."""
 
+import time
+from contextlib import suppress
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, ClassVar
 
@@ -12,13 +15,14 @@ from textual.content import Content
 from textual.screen import Screen
 from textual.widgets import Input, OptionList, Static
 from textual.widgets.option_list import Option
+from textual.worker import get_current_worker
 
-from calc.sheet.errors import BadInput
+from calc.sheet.errors import BadInput, NoSolution
 from calc.sheet.text import EMPTY, Text
 from calc.shipped import EXAMPLE
 
 from ..base_app import BaseApp
-from ..beginnings import Beginning, groups
+from ..beginnings import Beginning, finding, groups
 from ..matching import folded, match
 from ..recovery import Memory
 from ..session import Session
@@ -34,7 +38,8 @@ NOTHING = Text(
     "Words that find one: inline, parallel, V, boxer, twin, diesel, petrol, own."
 )
 SPACES = 3  # cells before a row
-TITLE, SIZE = 20, 17  # cells of the columns
+TITLE, ABOUT, SIZE, SHAKES, BALANCING = 20, 31, 17, 38, 20  # cells of the columns; of what it is at least
+REST = 0.3  # seconds after a key in which no engine is looked at
 
 
 class Ways(OptionList, can_focus=False):
@@ -83,6 +88,24 @@ class Start(Screen[None]):
     def on_mount(self) -> None:
         self.fill()
         self.call_after_refresh(self.app.release)
+        self.set_timer(REST, self._look_at_all)
+
+    # --- what shakes, and what balancing it calls for
+    def _look_at_all(self) -> None:
+        engines = [row for _, rows in self._groups for row in rows if row.kind == "engine"]
+        self.run_worker(partial(self._find_all, engines), thread=True, exit_on_error=False, group="engines")
+
+    def _find_all(self, engines: list[Beginning]) -> None:
+        """Runs in another thread, which rests while somebody types."""
+        worker = get_current_worker()
+        for row in engines:
+            while time.monotonic() < self.app.struck + REST and not worker.is_cancelled:
+                time.sleep(0.02)
+            if worker.is_cancelled or not self.is_attached:
+                return
+            with suppress(BadInput, NoSolution):
+                self.app.call_later(self.query_one(BeginDetail).know, row, finding(row, self.memory))
+        self.app.call_later(self.fill)
 
     def on_resize(self, event: events.Resize) -> None:
         self.call_after_refresh(self.fill)
@@ -140,14 +163,22 @@ class Start(Screen[None]):
                 yield score, row
 
     def _row(self, row: Beginning, width: int) -> Content:
-        """In columns where there is room: title, what it is, size."""
+        """In columns where there is room: title, what it is, size, what shakes and the balancing; what is left out stands in the detail."""
         say, signs = self.app.say, self.app.signs
         mark = Content.styled(f" {signs.mark('edited')} ", "dim") if row.edited else Content(" " * SPACES)
-        size = f"{say(row.size):>{SIZE}}" if row.size and width >= TITLE + 24 + SIZE else ""
-        room = width - TITLE - len(size) - 1
+        found = self.query_one(BeginDetail).known(row)
+        room = width - TITLE - 1
         if room < 8:
             return mark + Content(fit(say(row.title), max(1, width)))
-        return Content.assemble(mark, pad(say(row.title), TITLE), (" " + pad(say(row.about), room), "dim"), (size, "dim"))
+        beside, left = "", room - ABOUT if row.kind == "engine" else 0
+        if BALANCING <= left:
+            beside = pad(f"  {say(found.balancing)}", BALANCING)
+        if SIZE + SHAKES + BALANCING <= left:
+            beside = pad(f"  {say(found.shakes)}", SHAKES) + beside
+        if SIZE + BALANCING <= left:
+            beside = f"{say(row.size):>{SIZE}}" + beside
+        about = pad(say(row.about), room - len(beside))
+        return Content.assemble(mark, pad(say(row.title), TITLE), (f" {about}{beside}", "dim"))
 
     def on_option_list_option_highlighted(self, event: OptionList.OptionHighlighted) -> None:
         event.stop()

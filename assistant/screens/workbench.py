@@ -330,7 +330,7 @@ class Workbench(Screen[None]):
                     if not self.stands:  # the end came before the form
                         return
             if inside and idle:
-                self.form.focus(scroll_visible=False)
+                self.set_focus(self.form, scroll_visible=False)
             elif inside:
                 self.form.focus_place(focus, at_once=True)  # before the picture, in which its field is lit
             if step is not before:
@@ -347,8 +347,15 @@ class Workbench(Screen[None]):
 
     def on_descendant_blur(self, event: events.DescendantBlur) -> None:
         self.call_later(self.results_view.show_help)
+        self.call_later(self._keep_focus)
         if isinstance(event.widget, Checks) and self.stands:
             self.call_later(self.results_view.show_finding)
+
+    def _keep_focus(self) -> None:
+        """A list that is hidden and shown between two frames loses the focus, with nobody to take it."""
+        pane = self.pane_layout.pane
+        if self.focused is None and pane != "inputs" and self.stands:
+            self.set_focus(self.pane_named(pane).target, scroll_visible=False)
 
     def at_pane(self, name: str) -> None:
         if name != self.pane_layout.pane and self.stands:

@@ -106,9 +106,13 @@ class BeginDetail(VerticalScroll, can_focus=False):
         except BadInput as bad:
             found = Finding((bad.errors[0].text(bad.place),))
         if not worker.is_cancelled:
-            self.app.call_later(self._found, row, found)
+            self.app.call_later(self.know, row, found)
 
-    def _found(self, row: Beginning, found: Finding) -> None:
+    def know(self, row: Beginning, found: Finding) -> None:
         self._known[row.key] = found
         if self._row is row and self.is_attached:
             self._draw()
+
+    def known(self, row: Beginning) -> Finding:
+        """What was found out so far."""
+        return self._known.get(row.key, Finding(()))

@@ -25,7 +25,7 @@ from .field_help import allowed, meaning
 from .rows import RADIUS, Row
 from .wrap import fit, pad, wrap
 
-LABEL, LABEL_NARROW = 23, 30  # cells, as in the style sheet
+LABEL, LABEL_NARROW = 22, 30  # cells, as in the style sheet
 LABEL_CELLS = 19
 CELL = 9  # cells of the box of an input that stands beside others
 BOX = {"number": 9, "integer": 9, "series": 16, "integers": 16, "text": 20, "choice": 20}

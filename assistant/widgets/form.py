@@ -72,11 +72,14 @@ class Form(VerticalScroll, can_focus=True, inherit_bindings=False):
         self._back = False  # the focus was on a part that goes
         self._ahead: list[events.Key] = []  # struck while the form is put in order
         self._identities: dict[Widget, Identity] = {}
-        self._side = side(min(WIDE, self.app.size.width - 1))
+        self._side = 1
         self._parts = FormParts(step, session, self.app.say)
 
     # --- content
     def compose(self):  # type: ignore[no-untyped-def]
+        known = self.parent.size.width if isinstance(self.parent, Widget) else 0  # where another form has stood before
+        alone = not self.screen.has_class("-wide") and not self.screen.has_class("-huge")
+        self._side = side(known or (self.app.size.width if alone else WIDE))
         for part, make in self._parts.parts(self._rows()):
             yield self._made(part, make)
 

@@ -11,6 +11,7 @@ from calc.sheet.text import COMMA, Amount, Text
 
 from ..base_app import BaseApp
 from .sight import Sight
+from .ticks import stand_below
 from .wrap import fit
 
 if TYPE_CHECKING:
@@ -29,7 +30,8 @@ class Legend:
         """At most so many rows; what matters least is left out first, with a sign where lines are missing."""
         axes = Content.styled(_cut(self._axes(), width), "dim")
         if self.reading is None:
-            parts = [[*self._state()], [*self._names(), *self._groups()]]
+            named = stand_below([str(name) for name in self.sight.curve.names], width)
+            parts = [[*self._state()], [*self._names(), *(() if named else self._groups())]]
             if self.sight.curve.names and len(_flow(parts, width)) > most:
                 parts = [parts[0], [*self._names(), self._how_to_read()]]
             return self._fitted(parts, axes, width, most)
@@ -86,7 +88,7 @@ class Legend:
         yield from self._limits()
 
     def _groups(self) -> Iterator[Content]:
-        """The names of groups of bars, which have only their numbers below them."""
+        """The names of groups of bars that have only their numbers below them."""
         for n, name in enumerate(self.sight.curve.names, 1):
             yield Content.assemble((str(n), "bold"), " ", (name, "dim"))
 

@@ -8,13 +8,13 @@ from textual.widget import Widget
 
 from calc.design import STEPS
 from calc.sheet.check import URGENT, Check
-from calc.sheet.text import Amount, Text
+from calc.sheet.text import EMPTY, Amount, Text
 
 from ..base_app import BaseApp
 from ..places import label_of, named_key
 from ..route import step_of
 from ..session import Session
-from .steps import states_of
+from .steps import nothing_left, states_of
 from .wrap import fit, wrap
 
 if TYPE_CHECKING:
@@ -69,7 +69,12 @@ class MessageLine(Widget):
         here = next((check for check in outcome.checks if check.id == self.finding), None)
         if here is not None:
             return here.verdict, self._check(here)
+        states = states_of(session)
+        todo = next((n for n, state in enumerate(states) if state.state == "todo"), None)
+        ahead = Text("Enter goes on: {n} {step} is to do.", n=todo + 1, step=STEPS[todo].title) if todo is not None else EMPTY
         checks = outcome.checks
+        if ahead and outcome.verdict == "not_verified" and nothing_left(states, self.step):
+            return "todo", say(ahead)
         if checks and (first := outcome.causes[0][0]).verdict in URGENT:
             bad = sum(c.verdict in URGENT for c in checks)
             more = "  " + say(Text("({n} of {count} checks here)", n=bad, count=len(checks))) if bad > 1 else ""
@@ -85,9 +90,8 @@ class MessageLine(Widget):
         for key, check in worst:
             if check.verdict in URGENT:
                 return check.verdict, self._title(key) + self._check(check)
-        todo = {state.key for state in states_of(session) if state.state == "todo"}
-        if (ahead := next((one for one in STEPS if one.key in todo), None)) is not None:
-            return "todo", say(Text("Enter goes on: {n} {step} is to do.", n=STEPS.index(ahead) + 1, step=ahead.title))
+        if ahead:
+            return "todo", say(ahead)
         return "pass", say(Text("every check passes"))
 
     def _title(self, key: str) -> str:

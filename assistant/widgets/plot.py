@@ -24,7 +24,7 @@ from ..base_app import BaseApp
 from .reading import axis, finite_limits
 from .sight import TURN, Sight
 from .signs import Look, Signs
-from .ticks import even_ticks, ticks
+from .ticks import even_ticks, stand_below, ticks
 
 if TYPE_CHECKING:
     from .reading import Reading
@@ -213,7 +213,11 @@ class Plot(PlotWidget, can_focus=False, inherit_bindings=False):
         margin.reset()
         axis_style, tick_style = (str(self.get_component_rich_style(f"plot--{part}")) for part in ("axis", "tick"))
         free, ticks_ = 0, [tick for tick in self._x_ticks or () if self._x_min <= tick <= self._x_max]
-        for tick, label in zip(ticks_, self._x_formatter.get_labels_for_ticks(ticks_)):
+        labels = self._x_formatter.get_labels_for_ticks(ticks_)
+        names = [str(name) for name in self._shown[0].curve.names] if self._shown is not None else []
+        if stand_below(names, self.size.width) and ticks_ == list(range(1, len(names) + 1)):
+            labels = names
+        for tick, label in zip(ticks_, labels):
             column = min(max(self.get_pixel_from_coordinate(tick, self._y_min)[0], room.x), room.right - 1)
             for row, quad in ((0, (2, 0, 0, 0)), (room.bottom, (0, 0, 2, 0))):
                 canvas.set_pixel(column, row, self.combine_quad_with_pixel(quad, canvas, column, row), style=axis_style)
@@ -351,7 +355,7 @@ def _extent(parts: Sequence[Any]) -> tuple[float, float]:
 
 
 def _round(x_low: float, x_high: float, y_low: float, y_high: float, width: int, height: int) -> tuple[float, float, float, float]:
-    """Limits with which a circle is round."""
-    scale = max((x_high - x_low) / width, (y_high - y_low) / (height * ROUND)) or 1.0
+    """Limits with which a circle is round; what lies at the right end has a cell of its own."""
+    scale = max((x_high - x_low) / (width - 1), (y_high - y_low) / (height * ROUND)) or 1.0
     x, y = (x_low + x_high) / 2, (y_low + y_high) / 2
     return x - scale * width / 2, x + scale * width / 2, y - scale * height * ROUND / 2, y + scale * height * ROUND / 2

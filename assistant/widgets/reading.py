@@ -235,7 +235,9 @@ class Reader:
         """The name of a group of bars."""
         names = self.curve.names
         if names and x == int(x) and 1 <= x <= len(names):
-            return Text("{n} {name}", n=int(x), name=names[int(x) - 1])
+            group = names[int(x) - 1]
+            number = str(group)[:1].isdigit()  # an order: two numbers beside each other say nothing
+            return Text("{what} {name}", what=self.curve.x_label, name=group) if number else Text("{n} {name}", n=int(x), name=group)
         name, unit = axis(self.curve.x_label)
         return _at_axis(name, Amount(x, unit))
 

@@ -3,7 +3,7 @@
 
 A table that may be left out has fields only where it is there.
 Elements stand side by side where they fit; else a short array stands there whole, and of a long one only one element does: its
-heading leafs through them.  The stroke stands beside the crank radius, which is half of it.
+heading leafs through them.  The stroke is asked for in place of the crank radius, which is half of it.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
@@ -17,11 +17,11 @@ from calc.sheet.step import Step
 from calc.sheet.text import Text
 
 from ..places import Place
-from ..route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, covers, document_fold, fold_of, idle, path_of
+from ..route import DOCUMENT, FIRST, NAME, NOTE, ROUTE, STROKE, covers, document_fold, fold_of, idle, path_of
 
 MOST = 12  # fields that an array of tables may have before it is shown one element at a time
 RADIUS: Place = ("engine", "crank_radius_mm")
-STROKE = Quantity("number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has."))  # in no file
+TWICE = Quantity("number", Text("Stroke"), "mm", above=0, help=Text("Twice the crank radius, which the design file has."))  # in no file
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,8 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
     """The rows of a step's form in the order in which they decide; of the folds only what is in the open ones."""
     leg = ROUTE[step.key]
     found = [row for row in rows(step, data, asked) if row.place in asked.held or not idle(row.place, data)]
-    made = [_of_design(NAME, required=True)] if step.key == FIRST else []
+    if step.key == FIRST:
+        found.append(Row("stroke", (FIRST, STROKE), TWICE, required=True))
     in_fold: list[list[Row]] = [[] for _ in leg.folds]
     deciding: list[list[Row]] = [[] for _ in leg.deciding]
     for row in found:
@@ -64,10 +65,8 @@ def routed(step: Step, data: Table, asked: Asked, opened: Collection[int]) -> li
             deciding[next(i for i, pattern in enumerate(leg.deciding) if covers(path, pattern))].insert(0, row)
         else:
             in_fold[n].append(row)
-    for row in (row for group in deciding for row in group):
-        if row.place == RADIUS:
-            made.append(Row("stroke", ("engine", "stroke_mm"), STROKE, required=row.required))
-        made.append(row)
+    made = [_of_design(NAME, required=True)] if step.key == FIRST else []
+    made += [row for group in deciding for row in group]
     for n, (title, _) in enumerate(leg.folds):
         if inside := in_fold[n]:
             made.append(Row("fold", (step.key, f"+{n}"), Quantity("table", title), inside=tuple(inside), open=n in opened))
@@ -84,7 +83,10 @@ def _document(data: Table, asked: Asked, opened: Collection[int]) -> list[Row]:
     """The fold of the document control, which every design may have, with its note."""
     about = keys(Design)[str(DOCUMENT[0])].about
     assert about.table is not None
-    inside = (_of_design(NOTE), *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False))
+    inside = (
+        _of_design(NOTE),
+        *_rows(about.table, data.get(str(DOCUMENT[0]), {}), DOCUMENT, asked, False),
+    )
     is_open = (n := document_fold()) in opened
     return [Row("fold", (FIRST, f"+{n}"), about, inside=inside, open=is_open), *(inside if is_open else ())]
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The list of steps: sign, number and title, the state in words, the value that decides with its bar; at the end, whether all is ready."""
 
+from collections.abc import Sequence
+
 from textual.content import Content
 
 from calc.design import STEPS
@@ -23,6 +25,12 @@ def states_of(session: Session) -> tuple[StepState, ...]:
     """The state of every step of a design under edit; where it could not be solved, results of an earlier design do not count."""
     results = None if session.failure else session.results
     return readiness(session.data, results, map(_dotted, session.reasons()))
+
+
+def nothing_left(states: Sequence[StepState], key: str) -> bool:
+    """Whether nothing is left to do in a step, or what is waits for a later one."""
+    n = next(n for n, state in enumerate(states) if state.key == key)
+    return states[n].done or (states[n].state == "not_verified" and any(later.state == "todo" for later in states[n + 1 :]))
 
 
 def _dotted(place: Place) -> str:

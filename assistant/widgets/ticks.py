@@ -2,8 +2,17 @@
 """Where the ticks of an axis stand."""
 
 import math
+from collections.abc import Sequence
 
+from rich.cells import cell_len
+
+AXIS = 14  # cells that the numbers of the upright axis may take, with the frame
 DEGREES = (1, 2, 5, 10, 15, 30, 45, 60, 90, 180, 360)  # steps of an axis of angles
+
+
+def stand_below(names: Sequence[str], width: int) -> bool:
+    """Whether the names of the groups of a bar chart fit below them, in a plot of so many cells, its axis among them."""
+    return bool(names) and max(map(cell_len, names)) < (width - AXIS) // len(names)
 
 
 def ticks(low: float, high: float, most: int, *, degrees: bool = False) -> list[float]:

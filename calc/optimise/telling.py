@@ -4,13 +4,13 @@
 import csv
 import io
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 from ..sheet.step import Table
 from ..sheet.text import COMMA, Amount, Name, Text
 from ..version import VERSION
-from .problem import CORE, FITS, LIMITS, SIZES, TIED, Problem
+from .problem import CORE, FITS, LIMITS, TIED, Problem
 from .run import Found, key
 from .whole import Whole
 
@@ -27,8 +27,12 @@ END = "⊣"  # a size at the end of its range: beyond it may be better
 
 def proof(found: Found) -> Text:
     """What the front is the front of."""
-    if not found.proved:
-        return Text("A search without proof (NSGA-II over {n} whole solutions): better drives may exist.", n=found.table.combinations)
+    return proof_of(found.proved, found.table.combinations)
+
+
+def proof_of(proved: bool, count: int) -> Text:
+    if not proved:
+        return Text("A search without proof (NSGA-II over {n} whole solutions): better drives may exist.", n=count)
     return Text("Exhaustive over the stated ranges and steps; nothing is said of what lies beyond or between them.")
 
 
@@ -162,18 +166,7 @@ def power_of_ten(count: int) -> Name:
 def said(problem: Problem) -> list[Text]:
     """The ranges, ties, requirements and objectives, a line each."""
     lines = [Text("objectives: {names}", names=COMMA.join([_objective(problem, name) for name in problem.objectives]))]
-    for name in SIZES:
-        values = problem.sizes[name]
-        if values is None:
-            lines.append(Text("{key}: in steps of 0.5 mm, by l/d and the room that the sectors leave", key=Name(name)))
-        elif len(values) > 1:
-            lines.append(Text("{key}: {n} values from {low} to {high} mm", key=Name(name), n=len(values), low=Name(f"{values[0]:g}"),
-                high=Name(f"{values[-1]:g}")))  # fmt: skip
-        else:
-            lines.append(Text("{key}: {value}", key=Name(name), value=Name(", ".join(f"{x:g}" for x in values) or "–")))
-    lines += [
-        Text("{key}: {values}", key=Name(name), values=Name(", ".join(map(word, values)))) for name, values in problem.choices.items()
-    ]
+    lines += ranges(problem.sizes, problem.choices)
     if len(problem.surfaces) > 1 or problem.surfaces[0] is not None:
         pairs = Name(", ".join("/".join(f"{x:g}" for x in one) if one else "as designed" for one in problem.surfaces))
         lines.append(Text("surfaces, journal and seat: {pairs} µm", pairs=pairs))
@@ -182,6 +175,20 @@ def said(problem: Problem) -> list[Text]:
     lines.append(Text("limits: those of every check, and of the findings {ids}", ids=Name(", ".join(one for one in (*LIMITS, *more)
         if one not in problem.waived))))  # fmt: skip
     return [*lines, *problem.said]
+
+
+def ranges(sizes: Mapping[str, Sequence[float] | None], choices: Mapping[str, Sequence[object]]) -> list[Text]:
+    """What every size and choice may be."""
+    lines = []
+    for name, values in sizes.items():
+        if values is None:
+            lines.append(Text("{key}: in steps of 0.5 mm, by l/d and the room that the sectors leave", key=Name(name)))
+        elif len(values) > 1:
+            lines.append(Text("{key}: {n} values from {low} to {high} mm", key=Name(name), n=len(values), low=Amount(values[0], form="g"),
+                high=Amount(values[-1], form="g")))  # fmt: skip
+        else:
+            lines.append(Text("{key}: {value}", key=Name(name), value=Name(", ".join(f"{x:g}" for x in values) or "–")))
+    return lines + [Text("{key}: {values}", key=Name(name), values=Name(", ".join(map(word, values)))) for name, values in choices.items()]
 
 
 def _objective(problem: Problem, name: str) -> Text:

@@ -8,7 +8,7 @@ from ..imbalance.remedies import SIGNIFICANT, Remedy
 from ..imbalance.result import ImbalanceResult
 from ..sheet.errors import NoSolution
 from ..sheet.record import record
-from ..sheet.text import EMPTY, SEMICOLON, Amount, Text
+from ..sheet.text import COMMA, EMPTY, SEMICOLON, Amount, Text
 from ..sheet.units import Kilogram
 from ..solve import Results, solve
 from .shaft import before_shaft, envelope, task
@@ -78,19 +78,33 @@ def called_for(results: Results) -> str:
 
 def what_shakes(results: Results) -> Text:
     """What the engine leaves with its rotating masses alone balanced, in few words."""
+    said = []
+    for n, force, couple in _shaking(results):
+        if couple and force:
+            said.append(Text("order {n}: force {force}, couple {couple}", n=n, force=Amount(force, "N"), couple=Amount(couple, "N·m")))
+        elif force:
+            said.append(Text("force of order {n}: {force}", n=n, force=Amount(force, "N")))
+        else:
+            said.append(Text("couple of order {n}: {couple}", n=n, couple=Amount(couple, "N·m")))
+    return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
+
+
+def shakes_briefly(results: Results) -> Text:
+    """The same in a column of a table: the unit tells a force from a couple."""
+    said = []
+    for n, force, couple in _shaking(results):
+        amounts = [Text("{size}", size=Amount(size, unit, digits=3)) for size, unit in ((force, "N"), (couple, "N·m")) if size]
+        said.append(Text("order {n}: {size}", n=n, size=COMMA.join(amounts)))
+    return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
+
+
+def _shaking(results: Results) -> list[tuple[int, float, float]]:
+    """Order, force and couple of what shakes."""
     imbalance = results.result(ImbalanceResult)
     if imbalance is None:
-        return Text("not known")
-    said = []
-    for order in (1, 2):
-        force, couple = (_before(imbalance, f"order_{order}_{what}") for what in ("force", "couple"))
-        if couple and force:
-            said.append(Text("order {n}: force {force}, couple {couple}", n=order, force=Amount(force, "N"), couple=Amount(couple, "N·m")))
-        elif force:
-            said.append(Text("force of order {n}: {force}", n=order, force=Amount(force, "N")))
-        elif couple:
-            said.append(Text("couple of order {n}: {couple}", n=order, couple=Amount(couple, "N·m")))
-    return SEMICOLON.join(said) if said else Text("nothing of order 1 or 2")
+        raise NoSolution(Text("what shakes is not known"), EMPTY, Text("give [engine] first"))
+    found = [(n, _before(imbalance, f"order_{n}_force"), _before(imbalance, f"order_{n}_couple")) for n in (1, 2)]
+    return [(n, force, couple) for n, force, couple in found if force or couple]
 
 
 def with_imbalance(document: Document, results: Results | None = None) -> Results:

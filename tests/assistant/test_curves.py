@@ -229,6 +229,18 @@ async def test_bars_stand_on_the_zero_line_side_by_side(screen: Screen, size: tu
             assert not set("█▒░▁▂▃▄▅▆▇") & set("".join(inner))
 
 
+async def test_names_stand_below_their_bars_where_they_fit_else_in_the_legend(screen: Screen) -> None:
+    async with screen(size=(120, 40)) as pilot:
+        for names, below in ((("0.5", "1", "1.5", "2"), True), (("first of the mounts", "second", "third", "fourth"), False)):
+            places = range(1, len(names) + 1)
+            bars = Curve("named", "Named", "order", "F, N", (Series("", [*places], [4.0, 3.0, 2.0, 1.0]),), bars=True, names=names)
+            pane = await show(pilot, bars)
+            await at_rest(pilot)
+            last = next(row for row in reversed(rows(pilot).splitlines()) if re.search(r"│ +(0\.5|1) +", row))
+            assert last.rpartition("│")[2].split() == ([*names] if below else [*map(str, places)])
+            assert ("first of the mounts" in legend(pane)) is not below and ("4 2" in legend(pane)) is False
+
+
 @pytest.mark.slow
 async def test_bars_without_colours_are_told_apart(session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
     from assistant.app import ContralberoApp

@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 from assistant.screens import drive
+from assistant.screens.compare import CompareScreen
 from assistant.screens.drive import Driving
 from assistant.session import Session
 from assistant.widgets.offer_list import OfferList
@@ -82,6 +83,10 @@ async def test_the_front_is_sorted_narrowed_and_looked_at(screen: Screen, few: S
         across = scatter.points.across
         await strike(pilot, "x")
         assert scatter.points.across != across and scatter.points.across != scatter.points.up
+        await strike(pilot, "equals_sign")
+        await until(pilot, lambda: isinstance(pilot.app.screen, CompareScreen))
+        await strike(pilot, "escape")
+        await until(pilot, lambda: pilot.app.screen is shown)
         await strike(pilot, "i")
         assert any("follows from the largest journal" in row.plain for item in offers.items for row in item.rows)
         await strike(pilot, "escape")

@@ -13,7 +13,7 @@ from assistant.recovery import Memory
 from assistant.screens.ready import ReadyScreen
 from assistant.screens.workbench import Workbench
 from assistant.session import Session
-from assistant.widgets.field import StrokeField
+from assistant.widgets.field import Field, StrokeField
 from assistant.widgets.steps import states_of
 from calc.design import STEPS
 from calc.ready import ready
@@ -59,7 +59,7 @@ class Hands:
         return not busy and (bench is None or not bench.stands or not bench.session.valid or bench.session.current)
 
     async def fill(self, numbers: dict[str, str]) -> None:
-        """Enter by Enter through the fields of the engine, own numbers typed over what stands there."""
+        """Enter by Enter through the fields of the engine, own numbers typed over what stands there; then through the first fold."""
         bench = self.bench
         assert bench is not None
         left = dict(numbers)
@@ -68,7 +68,9 @@ class Hands:
             key = "stroke" if isinstance(field, StrokeField) else str(field.place[-1]) if field is not None else ""
             if key in left:
                 await self.press(*left.pop(key), counted=False)
-            await self.press("enter")
+            folded = left and field is not None and field is bench.form.query(Field).last()
+            await self.press(*(("down", "enter", "down") if folded else ("enter",)))
+            assert self.keys <= MOST
         assert not left
 
 

@@ -2,6 +2,7 @@
 """Steps, panes, checks, curves, and the letters that act as keys."""
 
 import re
+from typing import Any
 
 import pytest
 from rich.cells import cell_len
@@ -14,10 +15,13 @@ from assistant.screens.workbench import Workbench
 from assistant.session import Session
 from assistant.widgets.array_heading import ArrayHeading
 from assistant.widgets.calculation import Calculation
+from assistant.widgets.cells import Cells
 from assistant.widgets.checks import Checks
 from assistant.widgets.curve_pane import CurvePane
+from assistant.widgets.form import Form
 from assistant.widgets.pane import Pane
 from calc.design import STEPS
+from calc.repair.remedy import Remedy, remedy
 from calc.sheet.check import grouped
 
 from .conftest import Screen, solved
@@ -54,6 +58,39 @@ async def test_before_the_first_step_is_nothing_and_after_the_last_the_closing_p
         assert work(pilot).number == 6
 
 
+async def test_what_helps_a_step_that_fails_is_known_before_it_is_opened(
+    screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each is looked for once, though the steps are turned in between."""
+    sought: list[str] = []
+
+    def known(document: Any, step: str, results: Any, progress: Any) -> Remedy:
+        sought.append(step)
+        progress(0.0, "")
+        return remedy(document, "gears", results, progress)
+
+    monkeypatch.setattr("calc.repair.remedy.remedy", known)
+    async with screen(session=session) as pilot:
+        background = work(pilot).background
+        await strike(pilot, "f3", "f3")
+        await until(pilot, lambda: background.remedies.keys() == {"bearings", "gears"})
+        await strike(pilot, "f3", "f3")
+        await settled(pilot)
+        assert background.trouble == "gears" and background.remedy is not None
+        assert sorted(sought) == ["bearings", "gears"]
+
+
+async def test_the_form_of_a_step_is_made_once(screen: Screen, session: Session, monkeypatch: pytest.MonkeyPatch) -> None:
+    """It has as many columns as its room takes from the first."""
+    made: list[str] = []
+    monkeypatch.setattr(Form, "rebuild", lambda self, focus=None: made.append(self.step.key))
+    async with screen(size=(80, 24), session=session) as pilot:
+        await strike(pilot, "escape")
+        await strike(pilot, "5")
+        await settled(pilot)
+        assert work(pilot).form.query(Cells) and not made
+
+
 async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> None:
     async with screen(session=session) as pilot:
         results = work(pilot).session.results
@@ -67,6 +104,7 @@ async def test_the_next_fault_and_its_line(screen: Screen, session: Session) -> 
             await settled(pilot)
             seen.append((work(pilot).number, work(pilot).query_one(Checks).key))
         assert set(seen) == set(failing)
+        await until(pilot, lambda: work(pilot).background.page is not None)  # the calculation is written out
         await strike(pilot, "g")
         await settled(pilot)
         calculation = work(pilot).query_one(Calculation)

@@ -146,6 +146,7 @@ async def test_start(seen: SnapshotAssertion, tmp_path: Path) -> None:
     async with ContralberoApp(None, memory=Memory(tmp_path / "state")).run_test(size=(120, 40)) as pilot:
         await until(pilot, lambda: isinstance(pilot.app.screen, Start) and pilot.app.screen.here is not None)
         await strike(pilot, *"inline 3")
+        await until(pilot, lambda: not pilot.app.workers and screen_rows(pilot)[5].count("−ω") > 0)
         await at_rest(pilot)
         assert picture(pilot) == seen
 

@@ -61,6 +61,15 @@ async def test_from_an_engine_to_its_first_step(memory: Memory, tmp_path: Path, 
     assert tomllib.loads((tmp_path / "own-v6-60.toml").read_text("utf-8"))["name"] == "own-v6-60"
 
 
+@pytest.mark.parametrize(
+    ("columns", "columns_of_row"), [(80, ("±2ω",)), (120, ("±2ω",)), (200, ("74.5 × 80 mm", "order 2: 6100 N", "±2ω"))]
+)
+async def test_each_engine_says_what_balancing_it_calls_for(memory: Memory, columns: int, columns_of_row: tuple[str, ...]) -> None:
+    app = ContralberoApp(None, memory=memory)
+    async with app.run_test(size=(columns, 40)) as pilot:
+        await until(pilot, lambda: any(all(word in row for word in ("VW EA211", *columns_of_row)) for row in screen_rows(pilot)))
+
+
 async def test_going_on_is_one_enter(memory: Memory, light: Session) -> None:
     light.edit("engine.bore_mm", "96")
     light.autosave()

@@ -4,6 +4,7 @@
 import re
 from collections.abc import AsyncIterator, Iterable, Iterator
 from contextlib import asynccontextmanager
+from itertools import takewhile
 from pathlib import Path
 from typing import Any
 
@@ -29,6 +30,7 @@ from calc.gears.rating.classes import class_names
 from calc.languages import language
 from calc.languages.language import PLACE
 from calc.languages.outcome import said
+from calc.publications import register
 from calc.sheet.quantity import keys
 from calc.shipped import DESIGNS
 from calc.solve import solve
@@ -113,6 +115,11 @@ class Reader(Ear):
         self.hear((row.plain for shown in screen.query(ItemList) for item in shown.items for row in item.rows), where)
         self.hear(told(self.pilot).splitlines(), where)
 
+    def read_list(self, where: str, until: tuple[str, ...]) -> None:
+        """The rows of the list that is open, to the first that begins so."""
+        rows = [row.plain for item in self.pilot.app.screen.query_one(ItemList).items for row in item.rows]
+        self.hear(takewhile(lambda row: not row.strip().startswith(until), rows), where)
+
 
 @pytest.fixture(autouse=True)
 def quiet(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
@@ -149,21 +156,24 @@ async def over(pilot: Pilot[int]) -> None:
 
 
 async def walked(pilot: Pilot[int], reader: Reader, steps: int) -> None:
-    """Open every step, with its curves and its table of all values, its help, and the list of its curves."""
+    """Open every step, with a curve, its help, and the list of its curves; the values are heard below, without a screen."""
     for number, step in enumerate(STEPS[:steps], 1):
         await strike(pilot, "escape", str(number))
         await settled(pilot)
-        await until(pilot, lambda: bool(work(pilot).query_one(Checks).items and work(pilot).query_one(Calculation).items))
-        reader.read(f"{step.key}: form, checks, calculation")
-        for key in ("right", "backspace"):  # the last is the table of all values
-            await strike(pilot, key)
-            await pilot.pause()
-            reader.read(f"{step.key}: curves and tables")
+        await until(pilot, lambda: bool(work(pilot).query_one(Checks).items))
+        reader.read(f"{step.key}: form, checks")
+        await strike(pilot, "f4")  # which is filled only where it is shown
+        await until(pilot, lambda: bool(work(pilot).query_one(Calculation).items))
+        reader.read(f"{step.key}: calculation")
+        await strike(pilot, "f4", "right")
+        await pilot.pause()
+        reader.read(f"{step.key}: curve")
         for key in ("f1", "shift+f9"):
             await strike(pilot, key)
             await over(pilot)
             reader.read(f"{step.key}: {key}")
             await back(pilot)
+        await strike(pilot, "f4")
 
 
 @pytest.mark.slow
@@ -174,9 +184,11 @@ async def test_every_step_of_a_whole_design(name: str, memory: Memory, tmp_path:
     async with opened(Session.open(path, memory=memory, now=lambda: NOON)) as (pilot, reader):
         await walked(pilot, reader, 6)
         for step in ("4", "5"):
-            await strike(pilot, "escape", step, "f7", "x")
+            await strike(pilot, "escape", step, "f7")
+            await until(pilot, lambda: bool(work(pilot).query_one(Checks).has_focus and work(pilot).query_one(Checks).key))
+            await strike(pilot, "x")
             await over(pilot)
-            reader.read("explain")
+            reader.read_list("explain", until=tuple(f"{name}: " for name in register()))  # titles of publications are in their own language
             await back(pilot)
 
 

@@ -39,10 +39,13 @@ def set_once() -> Iterator[None]:
     """The same design gives the same report, byte for byte (test_same_bytes): it is set for comparison once."""
     known: dict[tuple[object, ...], bytes] = {}
 
-    def again(document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None) -> bytes:
-        if (raw, depth, lang) not in known:
-            known[raw, depth, lang] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
-        return known[raw, depth, lang]
+    def again(
+        document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None, front: bytes | None
+    ) -> bytes:
+        asked = (raw, depth, lang, front)
+        if asked not in known:
+            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file, front=front)
+        return known[asked]
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(verifying, "render", again)

@@ -55,10 +55,12 @@ def written_once() -> Iterator[None]:
     """The same design at the same depth gives the same report, byte for byte (test_same_bytes): it is written for comparison once."""
     known: dict[tuple[object, ...], bytes] = {}
 
-    def again(document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None) -> bytes:
-        asked = (raw, depth, lang, binding.PROGRAM)
+    def again(
+        document: Document, results: Results, raw: bytes, *, depth: str, lang: str, logo_file: bytes | None, front: bytes | None
+    ) -> bytes:
+        asked = (raw, depth, lang, binding.PROGRAM, front)
         if asked not in known:
-            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file)
+            known[asked] = render(document, results, raw, depth=depth, lang=lang, logo_file=logo_file, front=front)
         return known[asked]
 
     with pytest.MonkeyPatch.context() as patch:
