@@ -60,6 +60,7 @@ class Cells(Widget):
         super().__init__()
         self.row = row
         self.fields = fields
+        fields[0].add_class("-first", update=False)  # a class: `:first-child` would have every field of the form styled twice
         self._errors: list[tuple[str, Text]] = []
 
     def compose(self) -> ComposeResult:
