@@ -63,7 +63,7 @@ ACTIONS: tuple[Action, ...] = (
            Text("Shows below the question of each step what is good there or worth trying, or leaves it out.")),
     Action("pane", "f6", "l", Text("Pane"), Text("Next pane"), Text("Moves to the next pane."), call=("turn_pane", 1)),
     Action("pane_back", "shift+f6", "h", EMPTY, Text("Previous pane"), Text("Moves to the pane before."), call=("turn_pane", -1)),
-    Action("trouble", "f7", "n", Text("Fault"), Text("Next fault"), Text("Goes to the next check that fails or warns, and to its step.")),
+    Action("trouble", "f7", "n", Text("Finding"), Text("Next finding"), Text("Goes to the next check that fails or warns, and to its step.")),
     Action("explain", "", "x", EMPTY, Text("Explain"),
            Text("Walks back from the value, the check or the line that you are at, through its formulas to the inputs. So does Enter.")),
     Action("line", "", "g", EMPTY, Text("Go to the line"), Text("On a check: goes to the line of the calculation that gives its value.")),

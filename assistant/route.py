@@ -77,7 +77,7 @@ ROUTE: dict[str, Leg] = {
         ("mass_kg", "centre_of_gravity_mm", "inertia_kgm2", "idle_speed_rpm", "mounts.name", "mounts.position_mm",
          "mounts.stiffness_N_mm"),
         ((MORE, ()), (Text("More of the mounts"), ("mounts",)), (Text("Frame, points, operations"), ("chassis", "points", "operation"))),
-        Text("nothing is known of masses and mounts: write them into the file"),
+        Text("build it by rules: four mounts at the corners, masses assumed until they are weighed"),
     ),
 }  # fmt: skip
 NAME: Place = ("name",)  # of the design itself: asked with its engine, which comes first
@@ -126,7 +126,7 @@ def idle(place: Place, data: Table) -> bool:
 
 def step_of(place: Place) -> str:
     """The step whose form asks for an input."""
-    return FIRST if place[:1] in (DOCUMENT, NOTE) else str(place[0]) if place else ""
+    return FIRST if place[:1] in (DOCUMENT, NAME, NOTE) else str(place[0]) if place else ""
 
 
 def document_fold() -> int:

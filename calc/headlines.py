@@ -95,12 +95,12 @@ def _engine(results: "Results", values: Values) -> Text | None:
 
 def _imbalance(results: "Results", values: Values) -> Text | None:
     balance = _balance(values)
-    return balance[1] if balance is not None else None
+    return Text("shaft {size}", size=balance[1]) if balance is not None else None
 
 
 def _balance(values: Values) -> tuple[Text, Text] | None:
     """What the crank asks for, a couple or a force, and what the shaft leaves of it."""
-    for kind, word in (("couple", Text("couple")), ("force", Text("force"))):
+    for kind, word in (("couple", Text("couple for the shaft")), ("force", Text("force for the shaft"))):
         before, after = values.get(f"imbalance.required_{kind}"), values.get(f"countershaft.residual_order_1_{kind}")
         if before is not None and before.shown:
             if after is None:

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the palette finds: actions, steps, fields, checks, values, curves, engines to begin with, designs, colours and languages."""
 
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
 
 from calc.addresses import quantities
-from calc.design import STEPS
+from calc.design import STEPS, Design
 from calc.languages import LANGUAGES, language
 from calc.sheet.check import Check
+from calc.sheet.quantity import Quantity, keys
 from calc.sheet.step import Curve
 from calc.sheet.text import Text
 from calc.shipped import engines
@@ -16,6 +17,7 @@ from calc.shipped import engines
 from ..actions import ACTIONS, key_name
 from ..base_app import BaseApp
 from ..matching import folded, match
+from ..route import DOCUMENT, NAME, NOTE
 from .new_dialog import begin_with
 from .workbench import Workbench
 
@@ -80,9 +82,20 @@ def _designs(work: Workbench, add: Add) -> None:
 
 
 def _fields(work: Workbench, add: Add) -> None:
-    for key, about in quantities(work.session.data):
+    for key, about in (*_of_design(), *quantities(work.session.data)):
         title = Text("Field: {label}  {key}", label=about.label, key=key)
         add(title, about.help or about.allowed(), partial(work.moves.to_field, work.session.place(key)), weight=FIELD)
+
+
+def _of_design() -> Iterator[tuple[str, Quantity]]:
+    """What is asked with the first step: name, note and document control of the design."""
+    own = keys(Design)
+    for (top,) in (NAME, NOTE, DOCUMENT):
+        about = own[str(top)].about
+        if about.table is None:
+            yield str(top), about
+        else:
+            yield from ((f"{top}.{key}", field.about) for key, field in keys(about.table).items() if field.about.table is None)
 
 
 def _results(work: Workbench, add: Add) -> None:

@@ -18,6 +18,7 @@ from calc.sheet.text import EMPTY, Amount, Name, Text
 from .. import numbers
 from ..base_app import BaseApp
 from ..places import Place, key_at, owner
+from ..route import DOCUMENT, NOTE
 from ..session import Session
 from .choice import Choice
 from .entry import Entry
@@ -105,7 +106,8 @@ class Field(Widget):
 
     def _prompt(self) -> str:
         """What stands in an empty field."""
-        return self.default or (AUTO if self.about.optional else "" if self.row.required else self.app.say(Text("left out")))
+        chosen = self.about.optional and self.place[:1] not in (DOCUMENT, NOTE)  # nobody chooses what a title block says
+        return self.default or (AUTO if chosen else "" if self.row.required else self.app.say(Text("left out")))
 
     def compose(self) -> ComposeResult:
         yield self._box

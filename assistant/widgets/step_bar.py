@@ -15,6 +15,8 @@ from ..session import Session
 from .steps import states_of
 from .wrap import fit
 
+BRIEF = {"countershaft": Text("Shaft"), "mounting": Text("Mounts")}  # where the row is short of room
+
 
 class StepBar(Widget):
     app: BaseApp
@@ -27,29 +29,27 @@ class StepBar(Widget):
     def render(self) -> Content:
         signs, states = self.app.signs, states_of(self.session)
         shown = [
-            (n, step, self.app.say(step.title), state)
+            (n, step, state)
             for n, (step, state) in enumerate(zip(STEPS, states), 1)
             if not step.optional or state.state != "not_asked" or step.key == self.current
         ]
-        titles = [title for _, _, title, _ in shown]
         end = self.app.say(Text("Ready"))
-        width = self.size.width - len(end) - 2
-        room = max(map(len, titles))
-
-        def cells(room: int) -> int:
-            return sum(4 + (len(title) if step.key == self.current else min(len(title), room)) for _, step, title, _ in shown)
-
-        while cells(room) > width and room > 3:  # shorten the longest titles first, never that of this step
-            room -= 1
+        room = self.size.width - 3 * len(shown) - 1 - len(end) - 2  # of the titles
+        titles = [self.app.say(step.title) for _, step, _ in shown]
+        if sum(map(len, titles)) > room:
+            titles = [self.app.say(BRIEF.get(step.key, step.title)) for _, step, _ in shown]
+        longest = max(map(len, titles))
+        while sum(min(len(title), longest) for title in titles) > room and longest > 3:
+            longest -= 1
         parts: list[Content | str] = []
-        for n, step, title, state in shown:
+        for (n, step, state), title in zip(shown, titles):
             current = step.key == self.current
             text = Content.assemble(
-                "[" if current else " ",
+                "[" if current else "" if parts and shown[n - 2][1].key == self.current else " ",
                 str(n),
                 (signs.mark(state.state), signs.style(state.state)),
-                (title if current else fit(title, room, ""), "bold" if current else ""),
-                "]" if current else " ",
+                (fit(title, longest, ""), "bold" if current else ""),
+                "]" if current else "",
             )
             parts.append(text.stylize(Style.from_meta({"@click": f"screen.{BY_ID[f'step_{n}'].does}"})))
         mark = "ready" if ready(states) else "todo"

@@ -13,7 +13,7 @@ from ..sheet.quantity import keys
 from ..sheet.text import EMPTY, Amount, Text
 from ..solve import Results, solve
 from . import balancing as which
-from . import journals, shaft, train
+from . import journals, mounts, shaft, train
 from .writing import Section, table, written
 
 SHAFT_STEPS = ("countershaft", "bearings", "gears", "friction")
@@ -41,6 +41,7 @@ def built(document: Document, step: str, balancing: str = "") -> Document:
         "bearings": lambda: _bearings(document),
         "gears": lambda: _with(document, train.gears(_put(document, {}, ("friction",)), _results(document))),
         "friction": lambda: _with(document, train.friction(document, _results(document))),
+        "mounting": lambda: _with(document, mounts.mounting(document, _results(document))),
     }
     if step not in builders:
         raise NoSolution(Text("the step {step} is not built by rules", step=step))

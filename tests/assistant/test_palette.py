@@ -41,6 +41,8 @@ def found(pilot: Pilot[int]) -> list[str]:
         ("b38 new", "New from BMW B38B15: inline 3, even firing"),
         ("required_couple", "Value: Couple that the counter-shaft must supply  imbalance.required_couple"),
         ("nord theme", "Theme: nord"),
+        ("design name", "Field: Name of the design  name"),
+        ("customer", "Field: Customer  document.customer"),
     ],
 )
 async def test_what_words_find_first(screen: Screen, words: str, first: str) -> None:

@@ -218,7 +218,7 @@ def update(code: str) -> None:
         if (word, "") in known and (word, "") not in templates():
             catalog.add(word, known[word, ""][0])
     text = io.BytesIO()
-    write_po(text, catalog, sort_output=True, no_location=True, width=0)
+    write_po(text, catalog, sort_output=True, no_location=True, width=76)
     dated = (b'"POT-Creation-Date', b'"PO-Revision-Date', b'"Generated-By', b'"Last-Translator', b'"Language-Team', b'"Report-Msgid')
     po(code).write_bytes(b"\n".join(row for row in text.getvalue().split(b"\n") if not row.startswith(dated)))
     po(code).with_suffix(".mo").write_bytes(compiled(code))

@@ -148,7 +148,7 @@ async def ready(pilot: Pilot[int], do: Do) -> None:
     """The closing page tells the numbers and what is left; Enter goes there, Esc back."""
     await do()
     await over(pilot, ReadyScreen)
-    assert re.search(r"couple +573 → 0 N·m", text(pilot)) and re.search(r"3 Counter-shaft +2 cautions", text(pilot))
+    assert re.search(r"couple for the shaft +573 → 0 N·m", text(pilot)) and re.search(r"3 Counter-shaft +2 cautions", text(pilot))
     assert "4 steps are left" in text(pilot) and re.search(r"○ 4 Bearings +to do", text(pilot))
     await back(pilot)
     await do()
