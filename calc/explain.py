@@ -8,7 +8,7 @@ from .design import Design
 from .sheet.check import Check
 from .sheet.quantity import keys as keys_of
 from .sheet.trace import Line
-from .sheet.value import leaves, link_of
+from .sheet.value import joined_links, leaves, link_of
 from .solve import Results
 
 
@@ -76,7 +76,8 @@ class Chains:
         """The same of the limit that it is held against; nothing where the limit stands for itself."""
         known = next((one for one in self.results.checks() if one.id == check.id), check)
         of_value = self.values[check.limit_id].inside if check.limit_id in self.values else None
-        return leaves(link_of(known.limit)) or leaves(link_of(of_value))
+        ends = known.limit if isinstance(known.limit, tuple) else (known.limit,)
+        return leaves(joined_links(map(link_of, ends))) or leaves(link_of(of_value))
 
     def _made_by(self, value_id: str) -> list[Line]:
         """The lines that gave a value; none where it is an input."""

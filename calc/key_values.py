@@ -77,9 +77,12 @@ PROVEN: dict[str, tuple[str, ...]] = {
     "gears.W.safety_bending": ("σ_F0", "K_F", "K_V", "K_Fβ", "K_Fα"),
     "countershaft.bolts.strength": (), "countershaft.bolts.pressure": (), "countershaft.balance_grade": (),
     "countershaft.bending_stress": (), "countershaft.notch_stress": (), "countershaft.fatigue": (),
-    "countershaft.residual": (), "engine.throw.fatigue": (),
+    "countershaft.residual": (), "countershaft.residual_force": (), "engine.throw.fatigue": (),
     "engine.throw.stress_pin": (),
 }  # fmt: skip
+
+# Of these only where this value is not 0: what a shaft has none of to balance, it needs no proof of
+PROVEN_WHERE = {"countershaft.residual": "imbalance.required_couple", "countershaft.residual_force": "imbalance.required_force"}
 
 # A check of a method that is passed over → the checks whose numbers are then outside of what their formula is made for
 VALIDITY: dict[str, tuple[str, ...]] = {

@@ -34,7 +34,7 @@ Parts = tuple[tuple[str, Callable[[], list[Block]]], ...]
 def chapter_parts(context: Context, number: int, step: Step, outcome: Outcome[object], plots: Plots) -> Parts:
     """The parts of a chapter in their order, each by the word that heads it."""
     w = context.words
-    proven = {check.id for proof in proofs(outcome.checks) for check in proof.checks}
+    proven = {check.id for proof in proofs(context, outcome.checks) for check in proof.checks}
     values = [value for value in outcome.values() if is_key_value(value.id)]
     parts: Parts = (
         ("verdicts_of", lambda: finding_blocks(context, outcome)),

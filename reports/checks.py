@@ -14,8 +14,8 @@ from calc.sheet.text import Amount, Text, plural
 from .context import Context
 from .flow import Block
 from .fonts import BOLD
-from .prose import CELL, NOTE, STRONG, Style
-from .tables import Cell, Column, Row, table
+from .prose import CELL, HEADER, NOTE, STRONG, Style
+from .tables import Cell, Column, Row, longest, table
 from .words import STATE_COLOURS, verdict
 
 VERDICT, LONG_VERDICT = 42.0, 62.0
@@ -124,8 +124,9 @@ def errata_blocks(context: Context, errata: Iterable[Erratum], *, short: bool = 
         for e in some:
             under = "" if short and e is not some[-1] else f"{why}. [{e.source}]" if short else f"{e.why} [{e.source}] {e.about}"
             rows.append(_erratum_row(context, e, under))
+    last = max(50.0, longest(w["deviation"], HEADER))
     columns = (
-        Column(w["quantity"]), Column(w["source_value"], "r"), Column(w["our_value"], "r"), Column(w["deviation"], "r", width=50.0)
+        Column(w["quantity"]), Column(w["source_value"], "r"), Column(w["our_value"], "r"), Column(w["deviation"], "r", width=last)
     )  # fmt: skip
     return table(columns, rows) if rows else []
 

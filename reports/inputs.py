@@ -9,6 +9,7 @@ from dataclasses import MISSING, dataclass, replace
 from typing import Any
 
 from calc.languages import Language
+from calc.sheet.choice_words import word
 from calc.sheet.expression import symbol as greek
 from calc.sheet.number import SUPERSCRIPTS
 from calc.sheet.quantity import Key, Quantity, keys
@@ -55,13 +56,18 @@ class _Given:
 
 def _given(key: Key, data: dict[str, Any]) -> _Given:
     if (value := data.get(key.key)) is not None:
-        return _Given(exact(value), not isinstance(value, str))
+        return _Given(_written(key.about, value), not isinstance(value, str))
     default = key.field.default
     if default is None or default is MISSING or default == ():
         return _Given(left_out=True)
     if isinstance(default, float):
         default = UNITS[key.about.unit].shown(default)
-    return _Given(exact(default, rounded=True), not isinstance(default, str), default=True)
+    return _Given(_written(key.about, default, rounded=True), not isinstance(default, str), default=True)
+
+
+def _written(about: Quantity, value: Any, *, rounded: bool = False) -> str:
+    """A value as the file has it; a choice in a word."""
+    return word(value) if about.kind == "choice" and isinstance(value, str) else exact(value, rounded=rounded)
 
 
 def _symbol(context: Context, about: Quantity) -> Cell:
@@ -218,7 +224,7 @@ class _Tables:
         if given.left_out:
             return Cell("–")
         self.default |= given.default
-        text = self.say.number(given.text) if given.number else given.text
+        text = self.say.number(given.text) if given.number else self.say(given.text)
         return Cell(f"{text} *" if given.default else text)
 
 
@@ -288,8 +294,10 @@ def _catalogue(context: Context, kind: str, entries: Sequence[Any]) -> list[Bloc
         for key in numbers:
             value = getattr(entry, key.attribute)
             known = UNITS[key.about.unit].shown(value) if isinstance(value, float) else value
-            cells.append(
-                "–" if known is None else context.say(known) if isinstance(known, str) else context.say.number(exact(known, rounded=True))
-            )
+            if known is None:
+                cells.append("–")
+            else:
+                said = isinstance(known, str)
+                cells.append(context.say(_written(key.about, known)) if said else context.say.number(exact(known, rounded=True)))
         rows.append(cells)
     return table(head, rows, gap=6.0)

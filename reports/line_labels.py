@@ -70,6 +70,7 @@ def _value(axes: Any, curve: Curve, paths: list[Any]) -> tuple[list[Placed], lis
         box = lines(f"{short(curve.point[1])} {_unit(curve)}".strip(), VALUE, axes.bbox.width / 2, 1)[0]
         taken.append((x - 4, y - 4, x + 4, y + 4))
         spots = [(x + dx - (box.width if dx < 0 else 0), y + dy) for dx in (-7.0, 7.0) for dy in (5.0, -0.36 * LETTER.size, -10.0)]
+        spots += [(x - box.width / 2, y + dy) for dy in (8.0, -14.0)]
         _put(made, taken, box, _best(box, [(0.0, spot) for spot in spots], taken, axes.bbox, paths, -1))
     return made, taken
 

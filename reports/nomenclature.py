@@ -16,6 +16,7 @@ from calc.sheet.value import leaves, link_of
 
 from .boxes import text
 from .flow import Block, heading, paragraph
+from .formula_words import BY_NAME
 from .paper import WIDTH
 from .prose import GROUP, NOTE, lines, run
 from .symbols import BETWEEN, Symbol
@@ -65,8 +66,8 @@ def _meaning(context: Context, line: Line) -> tuple[str, str]:
         return label, unit
     if (id := context.chains.value_of.get(line)) is not None and context.values[id].symbol == name:
         return context.say(context.values[id].label), unit
-    _, mark, told = context.say(line.formula.source).partition(": ")
-    return _short(told if mark else line.formula.__name__.replace("_", " ")), unit
+    _, _, told = context.say(line.formula.source).partition(": ")
+    return _short(told) if told else context.say(BY_NAME[line.formula.__name__]), unit
 
 
 def _short(words: str) -> str:

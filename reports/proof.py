@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import prod
 
 from calc.explain import needs
-from calc.key_values import PROVEN
+from calc.key_values import PROVEN, PROVEN_WHERE
 from calc.sheet.check import Check, severity
 from calc.sheet.expression import governing, result, symbol_of
 from calc.sheet.rules import pattern_of
@@ -27,7 +27,7 @@ ALIKE = 3  # values of one symbol that are quoted
 HELD = 4  # of one that holds, and of a value
 LIMIT = 2  # formulas of a limit
 COORDINATES = ("z", "φ", "ξ")  # what a place along an array is named by
-Known = dict[str, str]  # formula → number of the proof that derives it
+Known = dict[str | Line, str]  # formula, and each of its lines that is shown → number of the proof that derives it
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,12 +50,16 @@ class Walk:
     quoted: list[str]  # "F = 1707 N [4.1]"
     inputs: list[str]  # keys
 
+    @property
+    def lines(self) -> list[Line]:
+        return [line for entry in self.entries for _, line in entry.lines]
+
     def derived(self, number: str) -> Known:
-        """Its formulas, as those of the proof with this number."""
-        return {_name(line): number for entry in self.entries for _, line in entry.lines}
+        """Its formulas and lines, as those of the proof with this number."""
+        return {**{_name(line): number for line in self.lines}, **dict.fromkeys(self.lines, number)}
 
 
-def proofs(checks: Iterable[Check]) -> list[Proof]:
+def proofs(context: Context, checks: Iterable[Check]) -> list[Proof]:
     """The proofs of a step: of what fails, can not be judged or comes near its limit, the worst first; then of what is always proven."""
     twins: dict[str, list[Check]] = {}
     for check in checks:
@@ -64,10 +68,16 @@ def proofs(checks: Iterable[Check]) -> list[Proof]:
     for pattern, group in twins.items():
         if wanted := sorted(filter(near, group), key=severity):
             open_ones.append(Proof(tuple(wanted), tuple(check for check in group if check not in wanted)))
-        elif pattern in PROVEN and group[0].kind in MOST:
+        elif pattern in PROVEN and group[0].kind in MOST and _asked(context, pattern):
             least = min(group, key=lambda check: check.margin)
             kept.append(Proof((least,), tuple(check for check in group if check is not least)))
     return sorted(open_ones, key=lambda proof: severity(proof.governing)) + kept
+
+
+def _asked(context: Context, pattern: str) -> bool:
+    """Whether there is anything to prove of what is always proven."""
+    asked = context.values.get(PROVEN_WHERE.get(pattern, ""))
+    return pattern not in PROVEN_WHERE or (asked is not None and asked.shown != 0)
 
 
 def demand(context: Context, proof: Proof, known: Known) -> Walk:
@@ -78,9 +88,12 @@ def demand(context: Context, proof: Proof, known: Known) -> Walk:
     return _walk(context, roots, most, PROVEN.get(pattern_of(check.id), ()), known)
 
 
-def limit(context: Context, proof: Proof) -> Walk:
-    """What the limits come from."""
-    return _walk(context, [context.chains.asked(one) for one in proof.checks], LIMIT, (), {})
+def limit(context: Context, proof: Proof, known: Known) -> Walk:
+    """What the limits come from; nothing where other proofs derive it."""
+    roots = [context.chains.asked(one) for one in proof.checks]
+    if all(line in known for root in roots for line in _lines(root)):
+        return Walk([], [], [])
+    return _walk(context, roots, LIMIT, (), {})
 
 
 def value(context: Context, id: str, known: Known) -> Walk:

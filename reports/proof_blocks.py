@@ -39,13 +39,14 @@ STRIPE: Colour = (0.95, 0.95, 0.95)
 
 def proof_blocks(context: Context, number: int, step: Step, outcome: Outcome[object]) -> list[Block]:
     """The proofs of a step, numbered, and what leads to the value that stands for it."""
-    found = proofs(outcome.checks)
+    found = proofs(context, outcome.checks)
     known: Known = {}
     made: list[Block] = []
     for n, proof in enumerate(found, 1):
         walk = demand(context, proof, known)
-        made += _proof(context, f"{number}.{n}", step, proof, walk)
-        known = walk.derived(f"{number}.{n}") | known
+        held = limit(context, proof, known)
+        made += _proof(context, f"{number}.{n}", step, proof, walk, held)
+        known = walk.derived(f"{number}.{n}") | dict.fromkeys(held.lines, f"{number}.{n}") | known
     return made + _headline(context, step, outcome, {check.value_id for proof in found for check in proof.checks}, known)
 
 
@@ -56,10 +57,11 @@ def _headline(context: Context, step: Step, outcome: Outcome[object], proven: se
     if id is None or id in proven or not own[id].shown or not (walk := value(context, id, known)).entries:
         return []
     title = f"{context.say(own[id].label)}: {context.written(own[id].shown, own[id].unit)}"
-    return [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
+    made = [_title(context, [(Cell(title, STRONG), "", "", "", "")], (0.35, 0.35, 0.35)), *_walked(context, step, walk)]
+    return [*made[:-1], replace(made[-1], keep=False)]
 
 
-def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk) -> list[Block]:
+def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk, held: Walk) -> list[Block]:
     rows: list[Row] = []
     for n, check in enumerate(proof.checks):
         name = f"{number}  {name_of(context, check)}" if n == 0 else name_of(context, check)
@@ -72,7 +74,7 @@ def _proof(context: Context, number: str, step: Step, proof: Proof, walk: Walk) 
     for check in proof.checks[:1]:
         context.cite(check.source, step)
         made += _line(context, "limit_is", limit=context.say(check.limit_text()), source=check.source)
-    made += _walked(context, step, limit(context, proof), quoting=False)
+    made += _walked(context, step, held, quoting=False)
     if not walk.entries:
         made += _line(context, "no_formula")
         moved = [key for key in proof.governing.moved_by if key not in walk.inputs]

@@ -28,7 +28,7 @@ from .context import DEPTHS, Context, stands
 from .derivation import derivation
 from .drawing import drawing_blocks, wheel_blocks
 from .figures import figure_blocks
-from .flow import Block, bullet, heading, paginate, paragraph
+from .flow import Block, bullet, composed, heading, paragraph
 from .fonts import FACES, widths
 from .index import index_blocks
 from .inputs import input_blocks, material_blocks
@@ -81,7 +81,7 @@ def render(
     context.drive = picked(front, document.data) if front is not None else None
     control, picture = context.design.control, context.logo
     tell(progress, WHOLE, context.design.name)
-    pages = paginate(blocks(context, part(progress, WHOLE, MADE)))
+    pages = composed(blocks(context, part(progress, WHOLE, MADE)))
     solved = attach.results_bytes(results)
     said_of = dict(depth=depth, lang=lang, sha256=context.sha256, results=hashlib.sha256(solved).hexdigest())
     files = {attach.NAME: (raw, context.words["file"]), attach.RESULTS: (solved, context.words["solved"])}
@@ -150,7 +150,7 @@ def blocks(context: Context, progress: Progress | None = None) -> list[Block]:
         number += 1
     context.chapter = ""
     if symbols := nomenclature_blocks(context):
-        body += _section(f"{number}  {w['nomenclature']}", "nomenclature", entries, need=120.0)
+        body += _section(f"{number}  {w['nomenclature']}", "nomenclature", entries, need=70.0)
         body += symbols
         number += 1
     if drawn := drawing_blocks(context):

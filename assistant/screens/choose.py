@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The list of words of a field, beside the field."""
 
+from collections.abc import Callable
 from typing import ClassVar
 
 from textual import events
@@ -20,16 +21,20 @@ class Choose(Once, ModalScreen[str | None]):
 
     BINDINGS: ClassVar[list[BindingType]] = [Binding("escape", "cancel", "Back", show=False)]
 
-    def __init__(self, words: tuple[str, ...], value: str, prompt: str, beside: Region, typed: str = "") -> None:
+    def __init__(
+        self, words: tuple[str, ...], value: str, prompt: str, beside: Region, typed: str = "", said: Callable[[str], str] = str
+    ) -> None:
+        """`said`: a word as people read it."""
         super().__init__()
         self.words = (*([""] if prompt else []), *words)
+        self.shown = [said(word) if word else prompt for word in self.words]
         self.value, self.prompt, self.beside = value, prompt, beside
         self._typed = typed.lower()
 
     def compose(self) -> ComposeResult:
-        options = OptionList(*[Option(Content(word or self.prompt)) for word in self.words], id="choose", compact=True)
+        options = OptionList(*[Option(Content(shown)) for shown in self.shown], id="choose", compact=True)
         height = min(len(self.words), max(4, self.app.size.height - 6))
-        width = max(self.beside.width, max(len(word or self.prompt) for word in self.words) + 4)
+        width = max(self.beside.width, max(map(len, self.shown)) + 4)
         options.styles.width = width
         options.styles.height = height + 2
         top = min(self.beside.y + 1, self.app.size.height - height - 2)
@@ -57,9 +62,10 @@ class Choose(Once, ModalScreen[str | None]):
 
     def _find(self) -> None:
         """Put the cursor on the word that begins with, or has in it, what was typed."""
-        low = [word.lower() for word in self.words]
+        low = [shown.lower() if word else "" for shown, word in zip(self.shown, self.words)]
+        either = [f"{shown}\n{word.lower()}" for shown, word in zip(low, self.words)]  # or as the file has it
         found = next(
-            (n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(low) if self._typed in w), None)
+            (n for n, w in enumerate(low) if w.startswith(self._typed)), next((n for n, w in enumerate(either) if self._typed in w), None)
         )
         if found is not None:
             self.query_one(OptionList).highlighted = found

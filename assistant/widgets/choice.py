@@ -10,6 +10,8 @@ from textual.content import Content
 from textual.message import Message
 from textual.widget import Widget
 
+from calc.sheet.choice_words import word
+
 from ..actions import BY_ID
 from ..base_app import BaseApp
 from .entry import LEAVING, LOCK
@@ -37,8 +39,10 @@ class Choice(Widget, can_focus=True):
 
         choice: "Choice"
 
-    def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str) -> None:
+    def __init__(self, words: tuple[str, ...], value: str, *, optional: bool, prompt: str, named: bool = False) -> None:
+        """`named`: the words are names, which every language leaves as they are."""
         super().__init__()
+        self.named = named
         self.words = words
         self.value = value
         self.optional = optional or not value
@@ -62,10 +66,14 @@ class Choice(Widget, can_focus=True):
             here = self.words.index(self.value) if self.value in self.words else -1 if by > 0 else 0
             self.take(self.words[(here + by) % len(self.words)])
 
+    def said(self, choice: str) -> str:
+        """A word as people read it."""
+        return choice if self.named else self.app.say(word(choice))
+
     def render(self) -> Content:
         mark = "v" if self.app.signs.ascii else "▼"
         room = max(1, self.size.width - 2)
-        text = fit(self.value or self.prompt, room)
+        text = fit(self.said(self.value) if self.value else self.prompt, room)
         return Content.assemble((f"{text:<{room}} ", "" if self.value else "italic dim"), (mark, "dim"))
 
     def on_key(self, event: events.Key) -> None:
@@ -85,7 +93,7 @@ class Choice(Widget, can_focus=True):
         from ..screens.choose import Choose
 
         words = self.words if not self.value or self.value in self.words else (self.value, *self.words)
-        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed), self._chosen)
+        self.app.push_screen(Choose(words, self.value, self.prompt if self.optional else "", self.region, typed, self.said), self._chosen)
 
     async def _chosen(self, word: str | None) -> None:
         """Enter in the list takes the word and goes on."""

@@ -12,6 +12,7 @@ from textual.message import Message
 from textual.widget import Widget
 from textual.widgets import Input
 
+from calc.sheet.choice_words import word
 from calc.sheet.quantity import Quantity, keys
 from calc.sheet.text import EMPTY, Amount, Name, Text
 
@@ -96,11 +97,13 @@ class Field(Widget):
     def _made(self) -> Entry | Choice:
         text, optional = self.text, self.about.optional
         if self.words:
+            default = self.app.say(word(self.default)) if self.about.choices else self.default
             return Choice(
                 self.words,
                 text,
                 optional=optional,
-                prompt=f"{self.default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
+                prompt=f"{default} {AUTO}".lstrip() if optional else self.app.say(Text("choose")),
+                named=not self.about.choices,
             )
         return Entry(text, self._prompt(), numeric=self.about.kind != "text")
 

@@ -22,7 +22,7 @@ CLAPEYRON = Text(
 
 
 @formula("M_i", CLAPEYRON,
-    shows="M_(i−1)·L_i + 2·M_i·(L_i + L_(i+1)) + M_(i+1)·L_(i+1) = −Σ F·a·(L_i² − a²)/L_i − Σ F·b·(L_(i+1)² − b²)/L_(i+1); "
+    shows="M_1·L_1 + 2·M_2·(L_1 + L_2) + M_3·L_2 = −Σ F·a·(L_1² − a²)/L_1 − Σ F·b·(L_2² − b²)/L_2; "
     "M = −Σ F·a over the outer supports, a the distance of the loads beyond them")  # fmt: skip
 def support_moments(F: PhasorNewton, z: Metre, z_s: Metre) -> PhasorNewtonMetre:
     """Bending moments over the supports at z_s, from loads F at z: all arrays.  a is counted from the support away, b likewise."""

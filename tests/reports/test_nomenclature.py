@@ -2,14 +2,19 @@
 """The nomenclature: each symbol of a chapter's formulas once, with its meaning, its unit and the first page on which it stands."""
 
 import re
+from importlib import import_module
+from pathlib import Path
 
 from calc.languages import language
+from calc.sheet.formula import FORMULAS
 from reports.context import Context
+from reports.formula_words import BY_NAME
 from reports.nomenclature import _short, noted
 from reports.prose import NOTE, run
 from reports.report import blocks
 from reports.symbols import SIGN
 
+from ..conftest import ROOT
 from .reading import Solved, pages_of, text_of
 
 
@@ -56,3 +61,12 @@ def test_a_long_meaning_ends_at_a_mark() -> None:
     long = "reciprocating force as two turning vectors, here for any order, throws and banks"
     assert _short(long) == "reciprocating force as two turning vectors"
     assert run(_short(long), NOTE).width < run(long, NOTE).width and _short("mean temperature") == "mean temperature"
+
+
+def test_every_formula_says_what_it_gives() -> None:
+    """By its source, or in a word of its own, which is one that is needed."""
+    for path in sorted((ROOT / "calc").rglob("*.py")):
+        if "@formula" in (source := path.read_text(encoding="utf-8")) and path.parent.name != "sheet" and "__main__" not in source:
+            import_module(".".join(path.relative_to(ROOT).with_suffix("").parts))
+    silent = {one.__name__ for name, one in FORMULAS.items() if name.startswith("calc.") and ": " not in str(one.source)}
+    assert silent == set(BY_NAME)

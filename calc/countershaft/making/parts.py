@@ -124,7 +124,7 @@ def _holes(shaft: CountershaftInputs, todo: Task, masses: tuple[EccentricMass, .
     if todo.couple:
         over = f.couple_beyond(C_S=result.couple_vector, C_req=based_on(-todo.C, todo.C))
         to.checks.append(check("countershaft.holes.range", Text("Couple beyond the required one, for drilling to take away"),
-            round(over, 9), "in", (0.0, drilled.hole_range), "N·m",
+            based_on(round(over, 9), over), "in", (0.0, drilled.hole_range), "N·m",
             Text("mathematics, drilling only takes away: the shaft as drawn must lie above the couple to be balanced, by no more than "
                 "the holes take"),
             Text("Aim at {hole_range} N·m beyond, half of the range.", hole_range=Amount(drilled.hole_range / 2, form=".1f"))))  # fmt: skip

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Each choice of a design file has a word, or is a name, grade or standard that stands for itself."""
+
+import re
+from collections.abc import Iterator
+
+from calc.design import Design
+from calc.languages import language
+from calc.sheet.choice_words import WORDS, word
+from calc.sheet.quantity import keys
+from calc.sheet.text import Text
+
+NAMES = re.compile(r"G\d.*|\d+\.\d|M[ELQ]|MIL-.*|PA[GO]")
+
+
+def choices(cls: type) -> Iterator[str]:
+    for key in keys(cls).values():
+        yield from key.about.choices
+        if key.about.table is not None:
+            yield from choices(key.about.table)
+
+
+def test_every_choice_has_a_word_and_no_word_is_idle() -> None:
+    known = set(choices(Design))
+    assert {one for one in known if not NAMES.fullmatch(one)} == set(WORDS)
+    assert word("forced_cooled") == "forced, oil cooled" and word("G6.3") == "G6.3"
+
+
+def test_no_word_is_left_in_english() -> None:
+    italian = language("it")
+    same = {text for text in WORDS.values() if isinstance(text, Text) and italian(text) == str(text)}
+    assert same <= {"boxer", "no"}
