@@ -28,7 +28,7 @@ COMMANDS = {
     "choose": "search for the user: a ranked table, of which one row can be taken",
     "design": "the whole drive: the front of all combinations that pass, traded over power, mass, seat, price and margin",
     "compare": "two designs side by side: what got better and worse, the inputs that differ",
-    "sweep": "many designs at once, a row of a CSV table for each",
+    "sweep": "many designs at once, a row of a table for each; one that was ended goes on where it stood",
     "export": "results as JSON or CSV, the shaft or the gears as a DXF drawing",
     "serve": "the guided session in a browser, on this machine only",
     "scenarios": "a train under several conditions side by side: the friction thesis' three, or a design's own",
@@ -145,14 +145,26 @@ def parser() -> argparse.ArgumentParser:
 
     add["sweep"].add_argument("file")
     add["sweep"].add_argument(
-        "--vary", action="extend", nargs="+", required=True, metavar="KEY=LO:HI:N", help="inputs to vary; also KEY=VALUE,VALUE,…"
-    )
+        "--vary", action="extend", nargs="+", default=[], metavar="KEY=LO:HI:N",
+        help="inputs to vary over a grid; also KEY=VALUE,VALUE,…; drawn at random: KEY=LO:HI",
+    )  # fmt: skip
+    add["sweep"].add_argument(
+        "--tolerance", action="extend", nargs="+", default=[], metavar="KEY=T",
+        help="inputs that scatter by ±T, three standard deviations, about what the design has; also KEY=LOWER:UPPER (with --monte-carlo)",
+    )  # fmt: skip
+    ways = add["sweep"].add_mutually_exclusive_group()
+    ways.add_argument("--hypercube", type=int, metavar="N", help="N designs at random that fill every range evenly (Latin hypercube)")
+    ways.add_argument("--monte-carlo", type=int, metavar="N", help="N designs at random, each by itself")
+    ways.add_argument("--list", metavar="FILE.csv", help="the designs of a table: keys in the first line, a design in each other one")
+    add["sweep"].add_argument("--seed", type=int, default=1, metavar="N", help="of what is drawn at random (default: %(default)s)")
     add["sweep"].add_argument(
         "--set", action="extend", nargs="+", default=[], metavar=KEY_VALUE, dest="changes", help="change inputs first"
     )
     add["sweep"].add_argument("--step", help="this step only; imbalance alone computes thousands of designs in a second")
     add["sweep"].add_argument("--values", action="extend", nargs="+", default=[], metavar="VALUE_ID", help="these columns only")
-    add["sweep"].add_argument("-o", "--output", metavar="OUT.csv", help="default: to the terminal")
+    add["sweep"].add_argument("-o", "--output", metavar="OUT", help="a .csv or .parquet file (default: CSV to the terminal)")
+    add["sweep"].add_argument("--processes", type=int, metavar="N", help="default: one for each core")
+    add["sweep"].add_argument("--scheduler", metavar="ADDRESS", help="of dask.distributed, whose workers compute instead: tcp://HOST:8786")
 
     add["export"].add_argument("file")
     kinds = add["export"].add_mutually_exclusive_group()

@@ -49,5 +49,5 @@ def test_no_worker_outlives_a_program_that_is_killed(tmp_path: Path) -> None:
 
 
 def test_a_scheduler_that_is_not_there_is_told() -> None:
-    with pytest.raises(NoSolution, match="no scheduler answers|needs dask"):
+    with pytest.raises(NoSolution, match=r"no scheduler answers|needs dask"):
         list(spread(slow, 0.0, range(2), scheduler="tcp://127.0.0.1:1"))
