@@ -11,7 +11,7 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
-from contextlib import redirect_stderr
+from contextlib import contextmanager, redirect_stderr
 from importlib import import_module
 from multiprocessing import connection, get_context, parent_process, resource_tracker
 from typing import Any, TypeVar
@@ -43,7 +43,8 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
         pool = ProcessPoolExecutor(min(processes, len(left)), get_context("spawn"), _begin)
         running: dict[Future[R], int] = {}
         try:
-            running = {pool.submit(work, what, n): n for n in sorted(left)}
+            with _undisturbed():
+                running = {pool.submit(work, what, n): n for n in sorted(left)}
             pending = set(running)
             while pending:
                 finished, pending = wait(pending, return_when=FIRST_COMPLETED)
@@ -59,6 +60,19 @@ def _parallel(work: Callable[[A, int], R], what: A, waiting: Sequence[int], proc
                 raise
         finally:
             pool.shutdown(wait=False, cancel_futures=True)
+
+
+@contextmanager
+def _undisturbed() -> Iterator[None]:
+    """Workers that are started in here are not told of Ctrl-C, from their first moment on."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _begin() -> None:
