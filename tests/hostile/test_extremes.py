@@ -64,7 +64,7 @@ def test_a_number_of_no_size_is_bad_input(document: Document, key: str, value: f
         ("thesis_tip_relief", {"gears.normal_module_mm": 1e-29}), ("thesis_tip_relief", {"gears.face_width_mm": 1e-29}),
         ("thesis_tip_relief", {"gears.speed_irregularity": 0.0}), ("r753ie4_gamma", {"engine.crank_radius_mm": 0.059}),
         ("r753ie4_gamma", {"engine.crank_radius_mm": 5.9e-5}), ("generating_set_mounting", {"engine.crank_radius_mm": 1e-9}),
-        ("twin_force_shaft", {"engine.crank_radius_mm": 1e-9}),
+        ("twin_force_shaft", {"engine.crank_radius_mm": 1e-9}), ("r753ie4_drive", {"countershaft.half_length_mm": 4999.999999999999}),
     ],
     ids=str,
 )  # fmt: skip
