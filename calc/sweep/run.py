@@ -79,11 +79,14 @@ def chunk(asked: Sweep, n: int) -> Chunk:
     at = asked.plan.rows(n * size, (n + 1) * size)
     if asked.on_arrays:
         return chunk_of(at, together(asked.document, design(asked.document), asked.plan.inputs, at), asked.wanted)
-    return chunk_of(at, one_by_one(asked.document, asked.plan.inputs, at, asked.step), asked.wanted)
+    steps = frozenset(id.partition(".")[0] for id in asked.wanted)
+    return chunk_of(at, one_by_one(asked.document, asked.plan.inputs, at, asked.step, steps), asked.wanted)
 
 
-def one_by_one(document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None) -> Iterator[Solved]:
-    """Design by design; what one has like the one before it is taken over."""
+def one_by_one(
+    document: Document, inputs: Sequence[Varied], at: Sequence[Combination], step: str | None, steps: frozenset[str] = frozenset()
+) -> Iterator[Solved]:  # fmt: skip
+    """Design by design; what one has like the one before it is taken over.  `steps`: only their values; none: those of all."""
     before: Results | None = None
     for row in at:
         changed = document
@@ -96,12 +99,14 @@ def one_by_one(document: Document, inputs: Sequence[Varied], at: Sequence[Combin
             yield Solved({}, {}, reason_of(bad.errors))
             continue
         before = solve(_needed(made, step), before)
-        yield _solved(before, step)
+        yield _solved(before, step, steps)
 
 
-def _solved(results: Results, step: str | None) -> Solved:
+def _solved(results: Results, step: str | None, steps: frozenset[str] = frozenset()) -> Solved:
     outcomes = [o for key, o in results.outcomes.items() if step in (None, key) and o.state != "not_asked"]
-    values: dict[str, tuple[float | None, str]] = {v.id: (v.shown, v.unit) for o in outcomes for v in o.values()}
+    values: dict[str, tuple[float | None, str]] = {
+        v.id: (v.shown, v.unit) for o in outcomes if not steps or o.key in steps for v in o.values()
+    }
     return Solved(values, {o.key: o.verdict for o in outcomes}, "; ".join(f"{o.key}: {o.reason}" for o in outcomes if o.reason))
 
 
