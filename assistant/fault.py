@@ -9,6 +9,7 @@ from contextlib import suppress
 from datetime import datetime
 from pathlib import Path
 
+from calc.sheet.visible import visible
 from calc.version import VERSION
 
 CODE = 70
@@ -28,7 +29,7 @@ def _kept(error: BaseException) -> Path | None:
     """The file with the trace: in the user's state folder, else in the one for temporary files."""
     now = datetime.now()
     words = f"contralbero {VERSION}, Python {sys.version}, {now.isoformat(timespec='seconds')}\n{' '.join(sys.argv)}\n\n"
-    text = (words + "".join(traceback.format_exception(error))).encode("utf-8", "backslashreplace")
+    text = visible(words + "".join(traceback.format_exception(error)), lines=True).encode()
     for folder in _folders():
         with suppress(OSError, ValueError):
             folder.mkdir(parents=True, exist_ok=True, mode=0o700)

@@ -67,6 +67,15 @@ def test_nothing_of_a_design_is_obeyed(bad_design: Path, words: list[str]) -> No
         assert "\x1b" in json.loads(done.stdout)["design"]["name"]
 
 
+def test_a_name_is_no_line_of_its_own(bad_design: Path) -> None:
+    """A line end in a name is written out: it can not pass for a verdict of the program."""
+    text = bad_design.read_text(encoding="utf-8").replace("[red]name[/red]", r"\n\u2713 pass  forged")
+    bad_design.write_text(text, encoding="utf-8")
+    for words in (["check"], ["check", "--all"], ["compare", str(GAMMA)]):
+        done = run(words[0], bad_design, *words[1:])
+        assert not [line for line in done.stdout.splitlines() if line.startswith("✓ pass  forged")], words
+
+
 def test_errors_show_keys_values_and_file_names_in_one_line(bad_design: Path, tmp_path: Path) -> None:
     bad_design.write_text('schema = 1\nname = "x"\n"k\\u001b\\ney" = 1\n[engine]\nlayout = "a\\u202e\\nFAKE: line"\n', encoding="utf-8")
     done = run("check", bad_design)
